@@ -1,0 +1,154 @@
+using System.Diagnostics;
+using System.Numerics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Frames;
+
+/// <summary>
+/// The pose of one avatar at one instant, from the BVH stream (manual section 1.2.1, protocol.md section 3.1).
+/// <para>
+/// Positions are centimetres, angles degrees; right-handed axes, Y up, X to the subject's left, Z forward; everything is relative to the
+/// parent bone, the hips to the Reference node or the world. For how long a frame is valid, see <see cref="AvatarFrame"/>.
+/// </para>
+/// </summary>
+public sealed class MotionFrame : AvatarFrame
+{
+    private readonly SkeletonFormat _format;
+    private MotionHeader _header;
+    private ChannelLayout _layout;
+
+    /// <summary>Makes a frame that owns its memory: to test code that takes frames, or to feed one from another source.</summary>
+    /// <param name="header">The header; its count is replaced by the number of values.</param>
+    /// <param name="values">The values in wire order; copied.</param>
+    /// <param name="format">How the values are to be understood; null for YXZ and Appendix A.</param>
+    /// <exception cref="InvalidOperationException">There are more values than the header's layout can count.</exception>
+    public MotionFrame(in MotionHeader header, ReadOnlySpan<float> values, SkeletonFormat? format = null)
+        : this(format ?? SkeletonFormat.Default)
+    {
+        byte[] packet = new byte[(header with { ValueCount = values.Length }).PacketSize];
+        PacketEncoder.WriteMotion(packet, header, values);
+        Borrow(new ReceivedPacket(PacketKind.Motion, packet, Stopwatch.GetTimestamp(), Source: 0));
+    }
+
+    internal MotionFrame(SkeletonFormat format) => _format = format;
+
+    /// <summary>All fields of the packet's header, reserved ones included.</summary>
+    public MotionHeader Header => _header;
+
+    /// <inheritdoc/>
+    public override int AvatarIndex => (int)_header.AvatarIndex;
+
+    /// <inheritdoc/>
+    public override string AvatarName => AvatarNames.GetText(_header.AvatarName);
+
+    /// <inheritdoc/>
+    public override uint? FrameIndex => _header.FrameIndex;
+
+    /// <summary>How the values are understood: the reader's options.</summary>
+    public SkeletonFormat Format => _format;
+
+    /// <summary>
+    /// Whether the values are those of the 59 bones: 180, 186, 354 or 360 of them. Without, only <see cref="AvatarFrame.Values"/> and the
+    /// header are of use, and the members that ask for a bone throw.
+    /// </summary>
+    public bool HasSkeleton { get; private set; }
+
+    /// <summary>Where the values stand; it follows from their number, whatever the header's flags say.</summary>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    public ChannelLayout Layout => HasSkeleton ? _layout : throw NoSkeleton();
+
+    /// <summary>Position and rotation of a bone relative to its parent: <see cref="GetPosition"/> and <see cref="GetRotation"/>.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public BoneTransform this[Bone bone] => new(GetPosition(bone), GetRotation(bone));
+
+    /// <summary>
+    /// Position of a bone relative to its parent. Where the stream does not carry it (displacement off, not the hips) it is the default
+    /// body's, see <see cref="DefaultOffsets"/>: right in direction, not in length.
+    /// </summary>
+    /// <param name="bone">A bone.</param>
+    /// <returns>Centimetres.</returns>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public Vector3 GetPosition(Bone bone)
+    {
+        int index = Layout.PositionIndex(bone);
+        return index < 0 ? DefaultOffsets.Get(bone, _format.Variant) : ReadVector(index);
+    }
+
+    /// <summary>The three rotation values of a bone as they stand in the stream.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <returns>Degrees, in the order of <see cref="SkeletonFormat.RotationOrder"/>: for YXZ, component X is the angle about Y.</returns>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public Vector3 GetEulerAngles(Bone bone) => ReadVector(Layout.RotationIndex(bone));
+
+    /// <summary>
+    /// Rotation of a bone relative to its parent. Compare and interpolate these, not the angles: neighbouring frames may describe nearly
+    /// the same rotation by angles that are 180 degrees apart.
+    /// </summary>
+    /// <param name="bone">A bone.</param>
+    /// <returns>A unit quaternion.</returns>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public Quaternion GetRotation(Bone bone) => EulerAngles.ToQuaternion(GetEulerAngles(bone), _format.RotationOrder);
+
+    /// <summary>
+    /// The Reference node, which moves and turns the whole body (manual section 1.2.1, part 4); the identity when the server's Reference
+    /// setting is off.
+    /// </summary>
+    /// <returns>Centimetres and a unit quaternion, in the world.</returns>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    public BoneTransform GetReference() => Layout.HasReference
+        ? new BoneTransform(ReadVector(0), EulerAngles.ToQuaternion(ReadVector(3), _format.RotationOrder))
+        : BoneTransform.Identity;
+
+    /// <summary>Writes the transforms of all bones relative to their parents.</summary>
+    /// <param name="destination">Room for 59, in <see cref="Bone"/> order.</param>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentException">There is less room.</exception>
+    public void CopyLocalTransforms(Span<BoneTransform> destination)
+    {
+        if (destination.Length < BoneHierarchy.BoneCount)
+            throw new ArgumentException("There is room for each of the 59 bones.", nameof(destination));
+
+        foreach (Bone bone in BoneHierarchy.Bones)
+            destination[(int)bone] = this[bone];
+    }
+
+    /// <summary>Writes where all bones are in the world, the Reference node included. Allocates nothing.</summary>
+    /// <param name="destination">Room for 59, in <see cref="Bone"/> order.</param>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentException">There is less room.</exception>
+    public void CopyWorldTransforms(Span<BoneTransform> destination)
+    {
+        CopyLocalTransforms(destination);
+        ForwardKinematics.ToWorld(destination, destination, _format.Variant, GetReference());
+    }
+
+    /// <summary>Makes a copy that owns its memory and stays valid.</summary>
+    /// <returns>A frame equal to this one, time of receipt included.</returns>
+    public MotionFrame Clone()
+    {
+        var clone = new MotionFrame(_format);
+        clone.CopyFrom(this);
+        return clone;
+    }
+
+    private protected override void ReadHeader()
+    {
+        _header = MotionHeader.Read(_data.Header);
+        HasSkeleton = ChannelLayout.TryFromValueCount(_header.ValueCount, out _layout);
+    }
+
+    private static InvalidOperationException NoSkeleton() =>
+        new("The frame does not hold the 59 bones; see HasSkeleton.");
+
+    private Vector3 ReadVector(int index)
+    {
+        ReadOnlySpan<float> values = Values.Slice(index, 3);
+        return new Vector3(values[0], values[1], values[2]);
+    }
+}

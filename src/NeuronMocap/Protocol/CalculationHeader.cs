@@ -1,0 +1,86 @@
+using System.Buffers.Binary;
+
+namespace NeuronMocap.Protocol;
+
+/// <summary>The header of a calculation packet: manual section 2.1.4; protocol.md section 2.3.</summary>
+public readonly record struct CalculationHeader
+{
+    /// <summary>Makes a header of data version 1.0.0.3, the manual's example.</summary>
+    public CalculationHeader() => Version = DataVersion.Calculation;
+
+    /// <summary>Version of the data format. Unlike a motion header's it decides nothing and is not checked.</summary>
+    public DataVersion Version { get; init; }
+
+    /// <summary>Number of binary32 values that follow the header: 338 for 21 bones, 946 for 59.</summary>
+    public int ValueCount { get; init; }
+
+    /// <summary>Number of the avatar on the server, from 0.</summary>
+    public uint AvatarIndex { get; init; }
+
+    /// <summary>Name of the avatar.</summary>
+    public AvatarName AvatarName { get; init; }
+
+    /// <summary>The server's frame counter; see <see cref="MotionHeader.FrameIndex"/> for what it is good for.</summary>
+    public uint FrameIndex { get; init; }
+
+    /// <summary>First reserved field, kept as received.</summary>
+    public uint Reserved1 { get; init; }
+
+    /// <summary>Second reserved field, kept as received.</summary>
+    public uint Reserved2 { get; init; }
+
+    /// <summary>Third reserved field, kept as received.</summary>
+    public uint Reserved3 { get; init; }
+
+    /// <summary>Bytes of the whole packet: 64 and four for every value.</summary>
+    public int PacketSize => ProtocolConstants.HeaderSize + (ValueCount * sizeof(float));
+
+    /// <summary>Reads a header.</summary>
+    /// <param name="source">Bytes that start at the first token.</param>
+    /// <param name="header">The header, when there is one.</param>
+    /// <returns>False when fewer than 64 bytes are given, a token is wrong or the count is negative as an int.</returns>
+    public static bool TryRead(ReadOnlySpan<byte> source, out CalculationHeader header)
+    {
+        header = default;
+        if (!PacketTokens.Match(source, PacketKind.Calculation) || ReadValueCount(source) > int.MaxValue)
+            return false;
+
+        header = Read(source);
+        return true;
+    }
+
+    /// <summary>Writes the 64 bytes of the header.</summary>
+    /// <param name="destination">At least 64 bytes.</param>
+    /// <exception cref="InvalidOperationException"><see cref="ValueCount"/> is negative.</exception>
+    public void Write(Span<byte> destination)
+    {
+        if (ValueCount < 0)
+            throw new InvalidOperationException("A packet cannot carry fewer than no values.");
+
+        Span<byte> target = destination[..ProtocolConstants.HeaderSize];
+        PacketTokens.Write(target, PacketKind.Calculation);
+        Version.Write(target[2..]);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[6..], (uint)ValueCount);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[10..], AvatarIndex);
+        AvatarName.CopyTo(target[14..]);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[46..], FrameIndex);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[50..], Reserved1);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[54..], Reserved2);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[58..], Reserved3);
+    }
+
+    // The caller has seen 64 bytes and both tokens.
+    internal static CalculationHeader Read(ReadOnlySpan<byte> source) => new()
+    {
+        Version = DataVersion.Read(source[2..]),
+        ValueCount = (int)ReadValueCount(source),
+        AvatarIndex = BinaryPrimitives.ReadUInt32LittleEndian(source[10..]),
+        AvatarName = AvatarName.Read(source[14..]),
+        FrameIndex = BinaryPrimitives.ReadUInt32LittleEndian(source[46..]),
+        Reserved1 = BinaryPrimitives.ReadUInt32LittleEndian(source[50..]),
+        Reserved2 = BinaryPrimitives.ReadUInt32LittleEndian(source[54..]),
+        Reserved3 = BinaryPrimitives.ReadUInt32LittleEndian(source[58..]),
+    };
+
+    internal static uint ReadValueCount(ReadOnlySpan<byte> source) => BinaryPrimitives.ReadUInt32LittleEndian(source[6..]);
+}

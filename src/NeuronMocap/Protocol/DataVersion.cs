@@ -1,0 +1,47 @@
+namespace NeuronMocap.Protocol;
+
+/// <summary>
+/// Version of the stream's data format, four bytes on the wire, lowest part first (manual section 2.1.2, protocol.md section 2.4).
+/// Major and minor choose the header layout; revision and build change nothing that a reader has to know.
+/// </summary>
+/// <param name="Major">Byte 5 of a header.</param>
+/// <param name="Minor">Byte 4 of a header.</param>
+/// <param name="Revision">Byte 3 of a header.</param>
+/// <param name="Build">Byte 2 of a header.</param>
+public readonly record struct DataVersion(byte Major, byte Minor, byte Revision, byte Build)
+{
+    /// <summary>1.1.0.0: Axis Neuron since b15.</summary>
+    public static DataVersion New => new(1, 1, 0, 0);
+
+    /// <summary>1.1.0.1: Axis Studio.</summary>
+    public static DataVersion Studio => new(1, 1, 0, 1);
+
+    /// <summary>1.0.0.2: servers up to b12, and Axis Studio with "Use old header format" on.</summary>
+    public static DataVersion Old => new(1, 0, 0, 2);
+
+    /// <summary>1.0.0.3: the version that the manual's example gives for calculation packets (section 2.1.4).</summary>
+    public static DataVersion Calculation => new(1, 0, 0, 3);
+
+    /// <summary>Finds the layout of the motion header that this version announces.</summary>
+    /// <param name="layout">The layout, when the version is known.</param>
+    /// <returns>False for every version but 1.0 and 1.1, whose headers nobody has documented.</returns>
+    public bool TryGetLayout(out HeaderLayout layout)
+    {
+        layout = Minor == 0 ? HeaderLayout.Old : HeaderLayout.New;
+        return Major == 1 && Minor <= 1;
+    }
+
+    /// <summary>The version as in "1.1.0.0".</summary>
+    /// <returns>Four numbers, major first.</returns>
+    public override string ToString() => $"{Major}.{Minor}.{Revision}.{Build}";
+
+    internal static DataVersion Read(ReadOnlySpan<byte> source) => new(source[3], source[2], source[1], source[0]);
+
+    internal void Write(Span<byte> destination)
+    {
+        destination[3] = Major;
+        destination[2] = Minor;
+        destination[1] = Revision;
+        destination[0] = Build;
+    }
+}

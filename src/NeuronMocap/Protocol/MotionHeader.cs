@@ -1,0 +1,151 @@
+using System.Buffers.Binary;
+
+namespace NeuronMocap.Protocol;
+
+/// <summary>
+/// The header of a motion (BVH) packet: manual section 2.1.3; protocol.md section 2.1 (layout New) and 2.2 (layout Old).
+/// One type serves both layouts; what a layout does not carry is null or zero.
+/// </summary>
+public readonly record struct MotionHeader
+{
+    /// <summary>Makes the header of an Axis Neuron frame: data version 1.1.0.0.</summary>
+    public MotionHeader() => Version = DataVersion.New;
+
+    /// <summary>Version of the data format. It decides the layout: 1.0 is Old, everything else New.</summary>
+    public DataVersion Version { get; init; }
+
+    /// <summary>Number of binary32 values that follow the header: 180, 186, 354 or 360 for the 59 bones.</summary>
+    public int ValueCount { get; init; }
+
+    /// <summary>Whether every bone carries a position (cm) before its rotation; off, only the hips do.</summary>
+    public bool HasDisplacement { get; init; }
+
+    /// <summary>Whether six values of the Reference node stand before the hips.</summary>
+    public bool HasReference { get; init; }
+
+    /// <summary>Number of the avatar on the server, from 0.</summary>
+    public uint AvatarIndex { get; init; }
+
+    /// <summary>Name of the avatar.</summary>
+    public AvatarName AvatarName { get; init; }
+
+    /// <summary>
+    /// The server's frame counter; null in the Old layout, which has none. Where it starts, how it wraps and what frequency reducing
+    /// does to it is not documented: good for counting gaps, not for timing.
+    /// </summary>
+    public uint? FrameIndex { get; init; }
+
+    /// <summary>First reserved field. Axis Studio writes the rotation order here. Absent from the Old layout.</summary>
+    public uint Reserved { get; init; }
+
+    /// <summary>Second reserved field. Axis Studio writes hours, minutes and seconds of the timecode here.</summary>
+    public uint Reserved1 { get; init; }
+
+    /// <summary>Third reserved field. Axis Studio writes the timecode's sub-frame here.</summary>
+    public uint Reserved2 { get; init; }
+
+    /// <summary>The layout that <see cref="Version"/> announces.</summary>
+    public HeaderLayout Layout => Version is { Major: 1, Minor: 0 } ? HeaderLayout.Old : HeaderLayout.New;
+
+    /// <summary>Bytes of the whole packet: 64 and four for every value.</summary>
+    public int PacketSize => ProtocolConstants.HeaderSize + (ValueCount * sizeof(float));
+
+    /// <summary>Reads a header.</summary>
+    /// <param name="source">Bytes that start at the first token.</param>
+    /// <param name="header">The header, when there is one.</param>
+    /// <returns>False when fewer than 64 bytes are given, a token is wrong, the version is unknown or the count is negative as an int.</returns>
+    public static bool TryRead(ReadOnlySpan<byte> source, out MotionHeader header)
+    {
+        header = default;
+        if (!PacketTokens.Match(source, PacketKind.Motion)
+            || !DataVersion.Read(source[2..]).TryGetLayout(out _)
+            || ReadValueCount(source) > int.MaxValue)
+        {
+            return false;
+        }
+
+        header = Read(source);
+        return true;
+    }
+
+    /// <summary>Writes the 64 bytes of the header, in the layout that <see cref="Version"/> announces.</summary>
+    /// <param name="destination">At least 64 bytes.</param>
+    /// <exception cref="InvalidOperationException"><see cref="ValueCount"/> does not fit the layout: 0 to 65,535 in New, not negative in Old.</exception>
+    public void Write(Span<byte> destination)
+    {
+        Span<byte> target = destination[..ProtocolConstants.HeaderSize];
+        target.Clear();
+        PacketTokens.Write(target, PacketKind.Motion);
+        Version.Write(target[2..]);
+        if (Layout == HeaderLayout.New)
+            WriteNew(target);
+        else
+            WriteOld(target);
+    }
+
+    // The caller has seen 64 bytes, both tokens and a known version.
+    internal static MotionHeader Read(ReadOnlySpan<byte> source)
+    {
+        DataVersion version = DataVersion.Read(source[2..]);
+        return version.Minor == 0 ? ReadOld(source, version) : ReadNew(source, version);
+    }
+
+    internal static uint ReadValueCount(ReadOnlySpan<byte> source) =>
+        source[4] == 0 ? BinaryPrimitives.ReadUInt32LittleEndian(source[6..]) : BinaryPrimitives.ReadUInt16LittleEndian(source[6..]);
+
+    private static MotionHeader ReadNew(ReadOnlySpan<byte> source, DataVersion version) => new()
+    {
+        Version = version,
+        ValueCount = BinaryPrimitives.ReadUInt16LittleEndian(source[6..]),
+        HasDisplacement = source[8] != 0,
+        HasReference = source[9] != 0,
+        AvatarIndex = BinaryPrimitives.ReadUInt32LittleEndian(source[10..]),
+        AvatarName = AvatarName.Read(source[14..]),
+        FrameIndex = BinaryPrimitives.ReadUInt32LittleEndian(source[46..]),
+        Reserved = BinaryPrimitives.ReadUInt32LittleEndian(source[50..]),
+        Reserved1 = BinaryPrimitives.ReadUInt32LittleEndian(source[54..]),
+        Reserved2 = BinaryPrimitives.ReadUInt32LittleEndian(source[58..]),
+    };
+
+    private static MotionHeader ReadOld(ReadOnlySpan<byte> source, DataVersion version) => new()
+    {
+        Version = version,
+        ValueCount = (int)BinaryPrimitives.ReadUInt32LittleEndian(source[6..]),
+        HasDisplacement = BinaryPrimitives.ReadUInt32LittleEndian(source[10..]) != 0,
+        HasReference = BinaryPrimitives.ReadUInt32LittleEndian(source[14..]) != 0,
+        AvatarIndex = BinaryPrimitives.ReadUInt32LittleEndian(source[18..]),
+        AvatarName = AvatarName.Read(source[22..]),
+        Reserved1 = BinaryPrimitives.ReadUInt32LittleEndian(source[54..]),
+        Reserved2 = BinaryPrimitives.ReadUInt32LittleEndian(source[58..]),
+    };
+
+    private void WriteNew(Span<byte> target)
+    {
+        if (ValueCount is < 0 or > ushort.MaxValue)
+            throw new InvalidOperationException($"The New layout counts its values in 16 bits; {ValueCount} do not fit.");
+
+        BinaryPrimitives.WriteUInt16LittleEndian(target[6..], (ushort)ValueCount);
+        target[8] = HasDisplacement ? (byte)1 : (byte)0;
+        target[9] = HasReference ? (byte)1 : (byte)0;
+        BinaryPrimitives.WriteUInt32LittleEndian(target[10..], AvatarIndex);
+        AvatarName.CopyTo(target[14..]);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[46..], FrameIndex ?? 0);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[50..], Reserved);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[54..], Reserved1);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[58..], Reserved2);
+    }
+
+    private void WriteOld(Span<byte> target)
+    {
+        if (ValueCount < 0)
+            throw new InvalidOperationException("A packet cannot carry fewer than no values.");
+
+        BinaryPrimitives.WriteUInt32LittleEndian(target[6..], (uint)ValueCount);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[10..], HasDisplacement ? 1u : 0u);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[14..], HasReference ? 1u : 0u);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[18..], AvatarIndex);
+        AvatarName.CopyTo(target[22..]);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[54..], Reserved1);
+        BinaryPrimitives.WriteUInt32LittleEndian(target[58..], Reserved2);
+    }
+}

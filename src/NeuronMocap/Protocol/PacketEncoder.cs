@@ -1,0 +1,60 @@
+using System.Buffers.Binary;
+using System.Runtime.InteropServices;
+
+namespace NeuronMocap.Protocol;
+
+/// <summary>
+/// Writes packets as a server does. Allocates nothing; the caller owns the memory.
+/// </summary>
+public static class PacketEncoder
+{
+    /// <summary>Writes a motion packet.</summary>
+    /// <param name="destination">Room for 64 bytes and four for every value.</param>
+    /// <param name="header">The header; its count is replaced by the number of values.</param>
+    /// <param name="values">The values in wire order: cm and degrees.</param>
+    /// <returns>Number of bytes written.</returns>
+    /// <exception cref="ArgumentException">The destination is too short.</exception>
+    /// <exception cref="InvalidOperationException">There are more values than the layout can count.</exception>
+    public static int WriteMotion(Span<byte> destination, in MotionHeader header, ReadOnlySpan<float> values)
+    {
+        int length = RequireRoom(destination, values.Length);
+        (header with { ValueCount = values.Length }).Write(destination);
+        WriteValues(destination[ProtocolConstants.HeaderSize..], values);
+        return length;
+    }
+
+    /// <summary>Writes a calculation packet.</summary>
+    /// <param name="destination">Room for 64 bytes and four for every value.</param>
+    /// <param name="header">The header; its count is replaced by the number of values.</param>
+    /// <param name="values">The values in wire order: metres, metres per second and the sensors' units.</param>
+    /// <returns>Number of bytes written.</returns>
+    /// <exception cref="ArgumentException">The destination is too short.</exception>
+    public static int WriteCalculation(Span<byte> destination, in CalculationHeader header, ReadOnlySpan<float> values)
+    {
+        int length = RequireRoom(destination, values.Length);
+        (header with { ValueCount = values.Length }).Write(destination);
+        WriteValues(destination[ProtocolConstants.HeaderSize..], values);
+        return length;
+    }
+
+    private static int RequireRoom(Span<byte> destination, int valueCount)
+    {
+        int length = ProtocolConstants.HeaderSize + (valueCount * sizeof(float));
+        if (destination.Length < length)
+            throw new ArgumentException($"A packet of {valueCount} values needs {length} bytes; there are {destination.Length}.", nameof(destination));
+
+        return length;
+    }
+
+    private static void WriteValues(Span<byte> destination, ReadOnlySpan<float> values)
+    {
+        if (BitConverter.IsLittleEndian)
+        {
+            MemoryMarshal.AsBytes(values).CopyTo(destination);
+            return;
+        }
+
+        for (int i = 0; i < values.Length; i++)
+            BinaryPrimitives.WriteInt32LittleEndian(destination[(i * sizeof(float))..], BitConverter.SingleToInt32Bits(values[i]));
+    }
+}

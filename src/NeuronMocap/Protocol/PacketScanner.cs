@@ -1,0 +1,99 @@
+namespace NeuronMocap.Protocol;
+
+/// <summary>
+/// Finds where packets begin and end in a stream of bytes; it does not interpret what they carry.
+/// <para>
+/// A packet begins where its first token stands and its second one stands 62 bytes later; its header then gives the length. The stream has
+/// no checksum and no length prefix, so after anything unexpected the only way back is the next such place (protocol.md section 5).
+/// Limits are checked on the header, before anyone waits for or stores the announced payload.
+/// </para>
+/// <para>
+/// All state between two calls is the bytes that the caller keeps and the length that <see cref="ScanStatus.NeedMore"/> asked for: waiting
+/// for that length before the next call makes a stream that drips in byte by byte cost no more than one that arrives whole.
+/// Any splitting of the same bytes gives the same packets and the same total of skipped bytes. Thread-safe.
+/// </para>
+/// </summary>
+public sealed class PacketScanner
+{
+    private readonly int _maxValues;
+
+    /// <summary>Makes a scanner.</summary>
+    /// <param name="maxValues">Largest number of values that a packet may announce, 1 to 1,000,000; packets with more are skipped.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The limit is outside its range.</exception>
+    public PacketScanner(int maxValues = ProtocolConstants.DefaultMaxValues)
+    {
+        if (maxValues is < 1 or > 1_000_000)
+            throw new ArgumentOutOfRangeException(nameof(maxValues), maxValues, "The limit is 1 to 1,000,000 values.");
+
+        _maxValues = maxValues;
+    }
+
+    /// <summary>Looks at the start of some bytes.</summary>
+    /// <param name="source">Bytes in the order of their arrival; only read.</param>
+    /// <returns>A packet, a number of bytes to wait for, or a number of bytes to skip; never a length of zero.</returns>
+    public ScanResult Scan(ReadOnlySpan<byte> source)
+    {
+        if (source.Length == 0)
+            return NeedMore(ProtocolConstants.HeaderSize);
+        if (!MayStartPacket(source))
+            return Skip(source, SkipReason.NoTokens);
+        if (source.Length < ProtocolConstants.HeaderSize)
+            return NeedMore(ProtocolConstants.HeaderSize);
+
+        PacketKind kind = PacketTokens.KindOf(source[1]);
+        if (kind == PacketKind.Motion && !DataVersion.Read(source[2..]).TryGetLayout(out _))
+            return Skip(source, SkipReason.UnknownVersion);
+
+        long payload = PayloadSize(source, kind);
+        if (payload > PayloadLimit(kind))
+            return Skip(source, SkipReason.TooLarge);
+
+        int length = ProtocolConstants.HeaderSize + (int)payload;
+        return source.Length < length ? NeedMore(length) : new ScanResult(ScanStatus.Packet, length, kind);
+    }
+
+    private static ScanResult NeedMore(int length) => new(ScanStatus.NeedMore, length);
+
+    // Up to the next place that may start a packet; at least one byte.
+    private static ScanResult Skip(ReadOnlySpan<byte> source, SkipReason reason)
+    {
+        int position = 1;
+        while (position < source.Length)
+        {
+            int next = source[position..].IndexOf(ProtocolConstants.TokenStart);
+            if (next < 0)
+                return new ScanResult(ScanStatus.Skipped, source.Length, Reason: reason);
+
+            position += next;
+            if (MayStartPacket(source[position..]))
+                break;
+
+            position++;
+        }
+
+        return new ScanResult(ScanStatus.Skipped, position, Reason: reason);
+    }
+
+    // Looks at as much of the two tokens as is there.
+    private static bool MayStartPacket(ReadOnlySpan<byte> source)
+    {
+        if (source[0] != ProtocolConstants.TokenStart)
+            return false;
+        if (source.Length < 2)
+            return true;
+
+        PacketKind kind = PacketTokens.KindOf(source[1]);
+        return kind != PacketKind.None
+            && (source.Length < ProtocolConstants.HeaderSize || PacketTokens.HasToken2(source, kind));
+    }
+
+    private static long PayloadSize(ReadOnlySpan<byte> header, PacketKind kind) => kind switch
+    {
+        PacketKind.Motion => sizeof(float) * (long)MotionHeader.ReadValueCount(header),
+        PacketKind.Calculation => sizeof(float) * (long)CalculationHeader.ReadValueCount(header),
+        _ => CommandHeader.Read(header).PayloadSize,
+    };
+
+    private long PayloadLimit(PacketKind kind) =>
+        kind == PacketKind.Command ? ProtocolConstants.MaxCommandPayload : sizeof(float) * (long)_maxValues;
+}

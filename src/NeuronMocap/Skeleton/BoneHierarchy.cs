@@ -1,0 +1,87 @@
+namespace NeuronMocap.Skeleton;
+
+/// <summary>Names and parents of the 59 bones (manual, Appendices A, B and D). Parents come before their children in <see cref="Bone"/> order.</summary>
+public static class BoneHierarchy
+{
+    /// <summary>Number of bones.</summary>
+    public const int BoneCount = 59;
+
+    private const int None = -1;
+
+    private static readonly Bone[] AllBones = [.. Enumerable.Range(0, BoneCount).Select(index => (Bone)index)];
+
+    private static readonly string[] Neck1Names = Enum.GetNames(typeof(Bone));
+
+    private static ReadOnlySpan<sbyte> Parents =>
+    [
+        None,
+        0, 1, 2, // right leg
+        0, 4, 5, // left leg
+        0, 7, 8, 9, 10, 11, // spine, neck, head
+        9, 13, 14, 15, // right arm
+        16, 17, 18, 16, 20, 21, 22, 16, 24, 25, 26, 16, 28, 29, 30, 16, 32, 33, 34,
+        9, 36, 37, 38, // left arm
+        39, 40, 41, 39, 43, 44, 45, 39, 47, 48, 49, 39, 51, 52, 53, 39, 55, 56, 57,
+    ];
+
+    /// <summary>All bones, in the order of the BVH stream.</summary>
+    public static ReadOnlySpan<Bone> Bones => AllBones;
+
+    /// <summary>The bone that another one hangs from.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <param name="variant">Decides where the shoulders hang.</param>
+    /// <returns>The parent, or null for the hips.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public static Bone? GetParent(Bone bone, SkeletonVariant variant = SkeletonVariant.Neck1)
+    {
+        int parent = ParentIndex(CheckedIndex(bone), variant);
+        return parent == None ? null : (Bone)parent;
+    }
+
+    /// <summary>The name that a BVH file gives a bone.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <param name="variant">Decides the names at index 10 and 11.</param>
+    /// <returns>The name, as in "RightInHandIndex".</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public static string GetName(Bone bone, SkeletonVariant variant = SkeletonVariant.Neck1) => (variant, bone) switch
+    {
+        (SkeletonVariant.Spine3, Bone.Neck) => "Spine3",
+        (SkeletonVariant.Spine3, Bone.Neck1) => "Neck",
+        _ => Neck1Names[CheckedIndex(bone)],
+    };
+
+    /// <summary>Finds a bone by its name in a BVH file.</summary>
+    /// <param name="name">The name; case matters.</param>
+    /// <param name="variant">Decides the names at index 10 and 11.</param>
+    /// <param name="bone">The bone, when there is one of that name.</param>
+    /// <returns>False when no bone has that name.</returns>
+    public static bool TryFind(ReadOnlySpan<char> name, SkeletonVariant variant, out Bone bone)
+    {
+        foreach (Bone candidate in AllBones)
+        {
+            if (!name.SequenceEqual(GetName(candidate, variant).AsSpan()))
+                continue;
+
+            bone = candidate;
+            return true;
+        }
+
+        bone = default;
+        return false;
+    }
+
+    internal static int ParentIndex(int bone, SkeletonVariant variant)
+    {
+        bool shoulder = bone is (int)Bone.RightShoulder or (int)Bone.LeftShoulder;
+        return shoulder && variant == SkeletonVariant.Spine3 ? (int)Bone.Neck : Parents[bone];
+    }
+
+    internal static int CheckedIndex(Bone bone)
+    {
+        int index = (int)bone;
+        if ((uint)index >= BoneCount)
+            throw new ArgumentOutOfRangeException(nameof(bone), bone, "There are 59 bones, 0 to 58.");
+
+        return index;
+    }
+}

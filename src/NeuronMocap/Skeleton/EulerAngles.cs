@@ -1,0 +1,104 @@
+using System.Numerics;
+
+namespace NeuronMocap.Skeleton;
+
+/// <summary>
+/// Converts between the stream's three angles in degrees and quaternions. The angles of a <see cref="Vector3"/> stand in the order of
+/// the rotation order: for YXZ its X component is the angle about Y.
+/// </summary>
+public static class EulerAngles
+{
+    private const float RadiansPerHalfDegree = MathF.PI / 360;
+
+    /// <summary>The rotation that three angles describe.</summary>
+    /// <param name="degrees">The angles in degrees, in the order of their application; any size.</param>
+    /// <param name="order">Which axis each of them turns about.</param>
+    /// <returns>A unit quaternion, for right-handed axes.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such order.</exception>
+    public static Quaternion ToQuaternion(Vector3 degrees, RotationOrder order)
+    {
+        (int first, int second, int third) = Axes(order);
+        return About(first, degrees.X) * About(second, degrees.Y) * About(third, degrees.Z);
+    }
+
+    /// <summary>The angles that describe a rotation.</summary>
+    /// <param name="rotation">A quaternion of any length but zero.</param>
+    /// <param name="order">Which axes to turn about.</param>
+    /// <returns>
+    /// Degrees in the order of their application: the first and third within [-180, 180], the second within [-90, 90]. With the second at
+    /// 90 degrees the first and third turn about the same line; the third is then zero.
+    /// </returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such order.</exception>
+    public static Vector3 FromQuaternion(Quaternion rotation, RotationOrder order)
+    {
+        (int i, int j, int k) = Axes(order);
+        double sign = (j - i + 3) % 3 == 1 ? 1 : -1;
+        var matrix = new RotationMatrix(rotation);
+
+        double sine = Math.Max(-1, Math.Min(1, sign * matrix[i, k]));
+        double second = Math.Asin(sine);
+        bool locked = 1 - Math.Abs(sine) < 1e-12;
+        double first = locked
+            ? Math.Atan2(sign * matrix[k, j], matrix[j, j])
+            : Math.Atan2(-sign * matrix[j, k], matrix[k, k]);
+        double third = locked ? 0 : Math.Atan2(-sign * matrix[i, j], matrix[i, i]);
+        return new Vector3(Degrees(first), Degrees(second), Degrees(third));
+    }
+
+    private static float Degrees(double radians) => (float)(radians * (180 / Math.PI));
+
+    private static (int First, int Second, int Third) Axes(RotationOrder order) => order switch
+    {
+        RotationOrder.XZY => (0, 2, 1),
+        RotationOrder.YXZ => (1, 0, 2),
+        RotationOrder.XYZ => (0, 1, 2),
+        RotationOrder.YZX => (1, 2, 0),
+        RotationOrder.ZXY => (2, 0, 1),
+        RotationOrder.ZYX => (2, 1, 0),
+        _ => throw new ArgumentOutOfRangeException(nameof(order), order, "There are six rotation orders, 0 to 5."),
+    };
+
+    private static Quaternion About(int axis, float degrees)
+    {
+        float half = degrees * RadiansPerHalfDegree;
+        float sine = MathF.Sin(half);
+        float cosine = MathF.Cos(half);
+        return axis switch
+        {
+            0 => new Quaternion(sine, 0, 0, cosine),
+            1 => new Quaternion(0, sine, 0, cosine),
+            _ => new Quaternion(0, 0, sine, cosine),
+        };
+    }
+
+    // In double precision: near the pole of the second angle, float would cost a tenth of a degree.
+    private readonly ref struct RotationMatrix
+    {
+        private readonly double _x;
+        private readonly double _y;
+        private readonly double _z;
+        private readonly double _w;
+
+        public RotationMatrix(Quaternion q)
+        {
+            double length = Math.Sqrt(((double)q.X * q.X) + ((double)q.Y * q.Y) + ((double)q.Z * q.Z) + ((double)q.W * q.W));
+            _x = q.X / length;
+            _y = q.Y / length;
+            _z = q.Z / length;
+            _w = q.W / length;
+        }
+
+        public double this[int row, int column] => ((row * 3) + column) switch
+        {
+            0 => 1 - (2 * ((_y * _y) + (_z * _z))),
+            1 => 2 * ((_x * _y) - (_w * _z)),
+            2 => 2 * ((_x * _z) + (_w * _y)),
+            3 => 2 * ((_x * _y) + (_w * _z)),
+            4 => 1 - (2 * ((_x * _x) + (_z * _z))),
+            5 => 2 * ((_y * _z) - (_w * _x)),
+            6 => 2 * ((_x * _z) - (_w * _y)),
+            7 => 2 * ((_y * _z) + (_w * _x)),
+            _ => 1 - (2 * ((_x * _x) + (_y * _y))),
+        };
+    }
+}
