@@ -52,6 +52,10 @@ public sealed class PacketScanner
         return source.Length < length ? NeedMore(length) : new ScanResult(ScanStatus.Packet, length, kind);
     }
 
+    // Whether the bytes begin with a whole header that this scanner accepts.
+    internal bool StartsPacket(ReadOnlySpan<byte> source) =>
+        source.Length >= ProtocolConstants.HeaderSize && Scan(source).Status != ScanStatus.Skipped;
+
     private static ScanResult NeedMore(int length) => new(ScanStatus.NeedMore, length);
 
     // Up to the next place that may start a packet; at least one byte.

@@ -24,6 +24,9 @@ public enum SkipReason
 
     /// <summary>Both tokens, but more values or a larger payload than the limit allows.</summary>
     TooLarge,
+
+    /// <summary>The start of a packet whose rest never came: a lost datagram, or a connection that ended.</summary>
+    Incomplete,
 }
 
 /// <summary>What <see cref="PacketScanner"/> found at the start of the bytes it was given.</summary>

@@ -1,0 +1,115 @@
+using System.Diagnostics;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Delivery;
+
+// Counts one kind of frame of one avatar. The receive thread writes, anyone reads: each figure is whole by itself.
+internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
+{
+    // A server that restarts, or is set to another take, starts counting elsewhere: a step beyond this is no gap.
+    private const uint LargestGap = 10_000;
+
+    // UDP may swap neighbours; a frame that comes this late is late, not a new start.
+    private const uint LargestDelay = 64;
+
+    // Weight of a new interval in the running mean: about half a second at 120 Hz.
+    private const double Weight = 1.0 / 64;
+
+    private AvatarName _name;
+    private string _text = string.Empty;
+    private uint? _lastIndex;
+    private long _lastTimestamp;
+    private bool _resumed = true;
+    private long _frames;
+    private long _lost;
+    private long _disordered;
+    private double _interval;
+    private double _variance;
+
+    public PacketKind Kind => kind;
+
+    public int Source => source;
+
+    public uint Avatar => avatar;
+
+    public AvatarStatistics Snapshot => new()
+    {
+        Kind = kind,
+        Source = source,
+        AvatarIndex = (int)avatar,
+        AvatarName = Volatile.Read(ref _text),
+        Frames = Volatile.Read(ref _frames),
+        Lost = Volatile.Read(ref _lost),
+        Disordered = Volatile.Read(ref _disordered),
+        Rate = Volatile.Read(ref _interval) is > 0 and var interval ? 1 / interval : 0,
+        Jitter = TimeSpan.FromSeconds(Math.Sqrt(Math.Max(0, Volatile.Read(ref _variance)))),
+        LastTimestamp = Volatile.Read(ref _lastTimestamp),
+    };
+
+    // What happened between two connections is neither a gap nor an interval.
+    public void Resume() => _resumed = true;
+
+    public void OnFrame(in AvatarName name, uint? index, long timestamp)
+    {
+        if (_frames == 0 || name != _name)
+            Rename(name);
+        if (!_resumed)
+        {
+            CountStep(index);
+            Average((timestamp - _lastTimestamp) / (double)Stopwatch.Frequency);
+        }
+        else
+        {
+            _lastIndex = index;
+            _resumed = false;
+        }
+
+        Volatile.Write(ref _lastTimestamp, timestamp);
+        Volatile.Write(ref _frames, _frames + 1);
+    }
+
+    private void Rename(in AvatarName name)
+    {
+        _name = name;
+        Volatile.Write(ref _text, Frames.AvatarNames.GetText(name));
+    }
+
+    // The index wraps at 2^32; unsigned differences do not care.
+    private void CountStep(uint? index)
+    {
+        if (index is not { } next || _lastIndex is not { } last)
+        {
+            _lastIndex = index;
+            return;
+        }
+
+        uint step = next - last;
+        uint back = last - next;
+        if (back <= LargestDelay)
+        {
+            Volatile.Write(ref _disordered, _disordered + 1);
+            if (back > 0 && _lost > 0)
+                Volatile.Write(ref _lost, _lost - 1);
+
+            return;
+        }
+
+        if (step <= LargestGap)
+            Volatile.Write(ref _lost, _lost + step - 1);
+
+        _lastIndex = next;
+    }
+
+    private void Average(double seconds)
+    {
+        if (_interval == 0)
+        {
+            Volatile.Write(ref _interval, seconds);
+            return;
+        }
+
+        double difference = seconds - _interval;
+        Volatile.Write(ref _interval, _interval + (Weight * difference));
+        Volatile.Write(ref _variance, (1 - Weight) * (_variance + (Weight * difference * difference)));
+    }
+}

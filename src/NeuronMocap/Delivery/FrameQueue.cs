@@ -1,0 +1,119 @@
+using NeuronMocap.Frames;
+using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Delivery;
+
+/// <summary>
+/// Every frame, in order, for one thread of the application: the receive thread puts frames in without ever waiting, and the application
+/// takes them out when it calls <see cref="Pump"/>, in its main loop for example.
+/// <para>
+/// The queue is bounded. When the application is late and the queue is full, the frames that arrive are dropped and counted in
+/// <see cref="Dropped"/>; those that wait are kept. A queue loses only its own frames: other queues and the connection go on.
+/// One thread at a time may pump. Memory is allocated when the queue is made, and again only when a packet is larger than any before it.
+/// </para>
+/// </summary>
+public sealed class FrameQueue : IPacketConsumer, IDisposable
+{
+    /// <summary>Capacity unless another is asked for: 4 s of one avatar at 120 Hz, about 0.8 MB.</summary>
+    public const int DefaultCapacity = 512;
+
+    // Holds a motion packet of 360 values, the largest.
+    private const int SlotSize = ProtocolConstants.HeaderSize + (360 * sizeof(float));
+
+    private readonly PacketRing _ring;
+    private readonly MotionFrame _motion;
+    private readonly CalculationFrame _calculation = new();
+    private readonly Action<FrameQueue> _closed;
+    private long _dropped;
+    private int _pumping;
+    private volatile bool _disposed;
+
+    internal FrameQueue(int capacity, SkeletonFormat format, Action<FrameQueue> closed)
+    {
+        if (capacity is < 1 or > 1 << 20)
+            throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "A queue holds 1 to 1,048,576 frames.");
+
+        _ring = new PacketRing(capacity, SlotSize);
+        _motion = new MotionFrame(format);
+        _closed = closed;
+    }
+
+    /// <summary>Largest number of frames that can wait: the asked-for number, rounded up to a power of two.</summary>
+    public int Capacity => _ring.Capacity;
+
+    /// <summary>Number of frames that wait. Any thread.</summary>
+    public int Count => _ring.Count;
+
+    /// <summary>Number of frames that were dropped because the queue was full. Any thread.</summary>
+    public long Dropped => Volatile.Read(ref _dropped);
+
+    /// <summary>
+    /// Runs a handler for every waiting frame, oldest first, on this thread; returns at once when none waits. Frames that arrive meanwhile
+    /// are included, up to the limit.
+    /// </summary>
+    /// <param name="onMotion">Called with each motion frame; null to pass them over. The frame is valid during the call.</param>
+    /// <param name="onCalculation">Called with each calculation frame; null to pass them over. The frame is valid during the call.</param>
+    /// <param name="maxFrames">Return after this many frames, so that a backlog cannot hold up the caller.</param>
+    /// <returns>Number of frames taken out.</returns>
+    /// <exception cref="InvalidOperationException">Another thread is pumping this queue, or a handler pumps it.</exception>
+    /// <remarks>An exception of a handler comes out of this call; the frame it was called with counts as taken.</remarks>
+    public int Pump(Action<MotionFrame>? onMotion, Action<CalculationFrame>? onCalculation = null, int maxFrames = int.MaxValue)
+    {
+        if (Interlocked.Exchange(ref _pumping, 1) != 0)
+            throw new InvalidOperationException("One thread at a time may pump a queue, and its handlers may not. Open a queue for each thread.");
+
+        try
+        {
+            int taken = 0;
+            while (taken < maxFrames && !_disposed && _ring.TryPeek(out ReceivedPacket packet))
+            {
+                taken++;
+                try
+                {
+                    Handle(packet, onMotion, onCalculation);
+                }
+                finally
+                {
+                    _ring.Release();
+                }
+            }
+
+            return taken;
+        }
+        finally
+        {
+            Volatile.Write(ref _pumping, 0);
+        }
+    }
+
+    /// <summary>Takes the queue off its reader; frames that wait are given up. Any thread, any number of times.</summary>
+    public void Dispose()
+    {
+        if (_disposed)
+            return;
+
+        _disposed = true;
+        _closed(this);
+    }
+
+    void IPacketConsumer.OnPacket(in ReceivedPacket packet)
+    {
+        if (!_ring.TryEnqueue(packet))
+            Volatile.Write(ref _dropped, _dropped + 1);
+    }
+
+    private void Handle(in ReceivedPacket packet, Action<MotionFrame>? onMotion, Action<CalculationFrame>? onCalculation)
+    {
+        if (packet.Kind == PacketKind.Motion)
+        {
+            _motion.Borrow(packet);
+            onMotion?.Invoke(_motion);
+        }
+        else
+        {
+            _calculation.Borrow(packet);
+            onCalculation?.Invoke(_calculation);
+        }
+    }
+}

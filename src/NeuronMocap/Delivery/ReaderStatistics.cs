@@ -1,0 +1,49 @@
+using System.Diagnostics;
+
+namespace NeuronMocap.Delivery;
+
+/// <summary>What a reader received since it was made, at the moment of asking. Each figure is exact; together they may be an instant apart.</summary>
+public readonly record struct ReaderStatistics
+{
+    /// <summary>Bytes of the stream that are accounted for: delivered or skipped. A packet that is not yet whole is not in it.</summary>
+    public long BytesReceived { get; init; }
+
+    /// <summary>Motion frames delivered.</summary>
+    public long MotionFrames { get; init; }
+
+    /// <summary>Calculation frames delivered.</summary>
+    public long CalculationFrames { get; init; }
+
+    /// <summary>Old-generation command packets, which are recognised and passed over (protocol.md section 7).</summary>
+    public long CommandPackets { get; init; }
+
+    /// <summary>Packets of no values, which are not delivered (protocol.md section 5).</summary>
+    public long EmptyPackets { get; init; }
+
+    /// <summary>Bytes that belong to no packet.</summary>
+    public long SkippedBytes { get; init; }
+
+    /// <summary>Packets that announced more values than MaxValues allows; their bytes are among the skipped ones.</summary>
+    public long OversizedPackets { get; init; }
+
+    /// <summary>Packets of a data version other than 1.0 and 1.1; their bytes are among the skipped ones.</summary>
+    public long UnknownVersionPackets { get; init; }
+
+    /// <summary>Frames that the server counted and that did not arrive: the sum over all avatars.</summary>
+    public long Lost { get; init; }
+
+    /// <summary>Frames that arrived and found a queue full: the sum over all queues, closed ones included.</summary>
+    public long Dropped { get; init; }
+
+    /// <summary>Exceptions that handlers threw on the receive thread or while a status was told.</summary>
+    public long CallbackFailures { get; init; }
+
+    /// <summary>When the first frame was received: ticks of <see cref="Stopwatch"/>; 0 before.</summary>
+    public long FirstFrameTimestamp { get; init; }
+
+    /// <summary>When the newest frame was received: ticks of <see cref="Stopwatch"/>; 0 before.</summary>
+    public long LastFrameTimestamp { get; init; }
+
+    /// <summary>Time from the first frame to the newest.</summary>
+    public TimeSpan Duration => TimeSpan.FromSeconds((LastFrameTimestamp - FirstFrameTimestamp) / (double)Stopwatch.Frequency);
+}

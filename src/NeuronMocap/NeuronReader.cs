@@ -1,0 +1,293 @@
+using System.Diagnostics;
+using System.Runtime.CompilerServices;
+using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap;
+
+/// <summary>
+/// Receives the motion capture stream of Axis Neuron, Axis Studio or a simulator, and hands its frames to the application.
+/// <para>
+/// Make one, choose how frames shall arrive, start it, dispose of it at the end:
+/// <see cref="OpenQueue"/> gives every frame to a thread of yours when you ask for them (a main loop);
+/// <see cref="OpenLatest"/> gives the newest frame of each avatar (a renderer);
+/// <see cref="MotionReceived"/> and <see cref="CalculationReceived"/> call you on the receive thread (the shortest way);
+/// <see cref="ReadMotionAsync"/> and <see cref="ReadCalculationAsync"/> are for code that awaits.
+/// They can be mixed, and opened and closed while the reader runs; each gets every frame that arrives from then on. All but the last
+/// allocate nothing per frame.
+/// </para>
+/// <para>
+/// One reader has one connection, or one UDP port; a program may have any number of readers. All members may be called from any thread.
+/// </para>
+/// </summary>
+public sealed class NeuronReader : IDisposable, IAsyncDisposable
+{
+    // Longest wait for a handler that is running while the reader is disposed of.
+    private static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(2);
+
+    private readonly NeuronReaderOptions _options;
+    private readonly CancellationTokenSource _stop = new();
+    private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly TaskCompletionSource<bool> _connected = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly ReceivePipeline _pipeline;
+    private readonly HandlerList<ConnectionStatus> _statusHandlers;
+    private readonly StatusBoard _status;
+    private readonly LinkActivity _activity;
+    private readonly Func<Link> _createLink;
+    private Timer? _watchdog;
+    private int _started;
+    private int _disposed;
+    private int _tellingThread;
+
+    /// <summary>Makes a reader for a TCP server.</summary>
+    /// <param name="host">Name or address of the computer that runs Axis Neuron.</param>
+    /// <param name="port">The server's port, 1 to 65535.</param>
+    /// <exception cref="ArgumentException">The host is empty or the port out of range.</exception>
+    public NeuronReader(string host, int port = ProtocolConstants.DefaultPort)
+        : this(new NeuronReaderOptions { Host = host, Port = port })
+    {
+    }
+
+    /// <summary>Makes a reader.</summary>
+    /// <param name="options">Where to receive from, and how; copied.</param>
+    /// <exception cref="ArgumentException">An option is out of its range; the message names it.</exception>
+    public NeuronReader(NeuronReaderOptions options)
+        : this(options, createLink: null)
+    {
+    }
+
+    internal NeuronReader(NeuronReaderOptions options, Func<Link>? createLink)
+    {
+        ArgumentNullException.ThrowIfNull(options);
+        if (options.FindFault() is { } fault)
+            throw new ArgumentException(fault, nameof(options));
+
+        _options = options.Copy();
+        _createLink = createLink ?? CreateLink;
+        _statusHandlers = new HandlerList<ConnectionStatus>(OnCallbackFailed);
+        _status = new StatusBoard(OnStatusChanged);
+        _activity = new LinkActivity(_status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp);
+        _pipeline = new ReceivePipeline(_options.Format, _activity, OnCallbackFailed);
+    }
+
+    /// <summary>
+    /// Called with every change of the connection's state, in order and one at a time, on one of the reader's threads. A handler may do
+    /// anything, dispose of the reader included, but should not take long.
+    /// </summary>
+    public event Action<ConnectionStatus>? StatusChanged
+    {
+        add => _statusHandlers.Add(value);
+        remove => _statusHandlers.Remove(value);
+    }
+
+    /// <summary>
+    /// Called with every motion frame, on the receive thread. The frame lies in the receive buffer and is valid during the call. While a
+    /// handler runs, nothing more is received: over TCP the server then waits and nothing is lost, over UDP datagrams may be. For work
+    /// that takes long, open a queue.
+    /// </summary>
+    public event Action<MotionFrame>? MotionReceived
+    {
+        add => _pipeline.Callbacks.Motion.Add(value);
+        remove => _pipeline.Callbacks.Motion.Remove(value);
+    }
+
+    /// <summary>Called with every calculation frame; otherwise as <see cref="MotionReceived"/>.</summary>
+    public event Action<CalculationFrame>? CalculationReceived
+    {
+        add => _pipeline.Callbacks.Calculation.Add(value);
+        remove => _pipeline.Callbacks.Calculation.Remove(value);
+    }
+
+    /// <summary>
+    /// Called with every exception that a handler of this reader's events threw, on the thread that called the handler. The exception goes
+    /// no further: other handlers and the connection go on. An exception of this event's own handlers is only counted.
+    /// </summary>
+    public event Action<Exception>? CallbackFailed;
+
+    /// <summary>State of the connection, with the reason of its last change.</summary>
+    public ConnectionStatus Status => _status.Current;
+
+    /// <summary>
+    /// Completes when the reader has stopped for good: disposed of, or at the end of its connection where reconnecting is off. Never faults;
+    /// <see cref="Status"/> tells the reason.
+    /// </summary>
+    public Task Completion => _completion.Task;
+
+    /// <summary>What was received so far. Also after the end.</summary>
+    /// <returns>A snapshot.</returns>
+    public ReaderStatistics GetStatistics() => _pipeline.GetStatistics();
+
+    /// <summary>What was received so far of each avatar, in the order in which they appeared; at most 1024. Also after the end.</summary>
+    /// <returns>A snapshot.</returns>
+    public IReadOnlyList<AvatarStatistics> GetAvatarStatistics() => _pipeline.GetAvatarStatistics();
+
+    /// <summary>
+    /// Opens a queue of all frames that arrive from now on. To get the first one too, open it before the reader is started.
+    /// </summary>
+    /// <param name="capacity">Largest number of frames that can wait, 1 to 1,048,576; rounded up to a power of two.</param>
+    /// <returns>A queue of its own; dispose of it when it is no longer pumped.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The capacity is out of range.</exception>
+    public FrameQueue OpenQueue(int capacity = FrameQueue.DefaultCapacity) => _pipeline.OpenQueue(capacity);
+
+    /// <summary>Opens a view of the newest frame of each avatar, from now on.</summary>
+    /// <returns>A view of its own, for one thread; dispose of it when it is no longer used.</returns>
+    public LatestFrames OpenLatest() => _pipeline.OpenLatest();
+
+    /// <summary>Enumerates motion frames as they arrive, starting the reader if it was not. Each frame is a copy that stays valid.</summary>
+    /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader goes on.</param>
+    /// <returns>
+    /// Frames until the reader stops. Up to 512 wait for a slow loop; more are dropped and counted in <see cref="ReaderStatistics.Dropped"/>.
+    /// </returns>
+    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was cut off.</exception>
+    public IAsyncEnumerable<MotionFrame> ReadMotionAsync(CancellationToken cancellationToken = default) =>
+        ReadAsync<MotionFrame>(PacketKind.Motion, cancellationToken);
+
+    /// <summary>Enumerates calculation frames as they arrive; otherwise as <see cref="ReadMotionAsync"/>.</summary>
+    /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader goes on.</param>
+    /// <returns>Frames until the reader stops.</returns>
+    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was cut off.</exception>
+    public IAsyncEnumerable<CalculationFrame> ReadCalculationAsync(CancellationToken cancellationToken = default) =>
+        ReadAsync<CalculationFrame>(PacketKind.Calculation, cancellationToken);
+
+    /// <summary>Starts connecting and receiving, and returns at once. Starting again does nothing.</summary>
+    /// <exception cref="ObjectDisposedException">The reader was disposed of.</exception>
+    public void Start()
+    {
+        ObjectDisposedException.ThrowIf(Volatile.Read(ref _disposed) != 0, this);
+        if (Interlocked.Exchange(ref _started, 1) != 0)
+            return;
+
+        TimeSpan period = TimeSpan.FromSeconds(Math.Min(0.5, _options.SilenceTimeout.TotalSeconds / 4));
+        _watchdog = new Timer(_ => _activity.Check(Stopwatch.GetTimestamp()), state: null, period, period);
+        _ = Task.Run(RunAsync);
+    }
+
+    /// <summary>Starts the reader and waits for its first connection; for UDP, for the port.</summary>
+    /// <param name="cancellationToken">Ends the wait; the reader goes on trying.</param>
+    /// <returns>A task that completes when the connection stands.</returns>
+    /// <exception cref="NeuronConnectionException">Reconnecting is off and there is no connection.</exception>
+    /// <exception cref="ObjectDisposedException">The reader was disposed of.</exception>
+    public async Task StartAsync(CancellationToken cancellationToken = default)
+    {
+        Start();
+        var cancelled = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
+        using (cancellationToken.Register(() => cancelled.TrySetCanceled(cancellationToken)))
+            await (await Task.WhenAny(_connected.Task, cancelled.Task).ConfigureAwait(false)).ConfigureAwait(false);
+    }
+
+    /// <summary>
+    /// Stops receiving and closes the connection, in whatever state it is. When it returns, no handler runs and none will, with two
+    /// exceptions: called from a handler it returns before that handler does, and a handler that is still busy after 2 s is left behind.
+    /// Any thread, any number of times. Queues and statistics stay readable.
+    /// </summary>
+    public void Dispose()
+    {
+        Task<bool> stopped = Stop();
+        if (!IsHandlerThread)
+            stopped.Wait(StopTimeout);
+    }
+
+    /// <summary>As <see cref="Dispose"/>, without blocking the thread.</summary>
+    /// <returns>A task that completes when the reader has stopped, or after 2 s.</returns>
+    public async ValueTask DisposeAsync()
+    {
+        Task<bool> stopped = Stop();
+        if (!IsHandlerThread)
+            await Task.WhenAny(stopped, Task.Delay(StopTimeout)).ConfigureAwait(false);
+    }
+
+    // Only the thread itself can find its own number here, so no barrier is needed.
+    private bool IsHandlerThread
+    {
+        get
+        {
+            int thread = Environment.CurrentManagedThreadId;
+            return thread == _tellingThread || thread == _pipeline.DeliveringThread;
+        }
+    }
+
+    private Task<bool> Stop()
+    {
+        if (Interlocked.Exchange(ref _disposed, 1) == 0)
+        {
+            _pipeline.Stop();
+            _watchdog?.Dispose();
+            _stop.Cancel();
+            if (Interlocked.Exchange(ref _started, 1) == 0)
+                End(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller."));
+        }
+
+        return _completion.Task;
+    }
+
+    private async Task RunAsync()
+    {
+        var random = new Random();
+        var supervisor = new ConnectionSupervisor(_createLink, _options.Reconnect, _status, _activity, random.NextDouble);
+        ConnectionStatus last;
+        try
+        {
+            last = await supervisor.RunAsync(_pipeline, _stop.Token).ConfigureAwait(false);
+        }
+        catch (Exception exception)
+        {
+            // Nothing the network does comes here; whoever waits for the end shall not wait for ever because of a fault of ours.
+            last = new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.NetworkError, $"The reader failed: {exception}");
+        }
+
+        _watchdog?.Dispose();
+        End(last);
+    }
+
+    private void End(ConnectionStatus last)
+    {
+        _status.Set(last);
+        _connected.TrySetException(new NeuronConnectionException(last.Reason, last.Message));
+        _ = _connected.Task.Exception; // observed: most programs never wait for the connection
+        _pipeline.End();
+        _completion.TrySetResult(true);
+    }
+
+    private Link CreateLink() => _options.Transport == TransportKind.Tcp ? new TcpLink(_options.Link) : new UdpLink(_options.Link);
+
+    private async IAsyncEnumerable<TFrame> ReadAsync<TFrame>(PacketKind kind, [EnumeratorCancellation] CancellationToken cancellation)
+        where TFrame : AvatarFrame
+    {
+        FrameStream stream = _pipeline.OpenStream(kind, out FrameQueue queue);
+        using (queue)
+        {
+            Start();
+            while (await stream.ReadAsync(cancellation).ConfigureAwait(false) is { } frame)
+                yield return (TFrame)frame;
+        }
+
+        ConnectionStatus last = _status.Current;
+        if (last.Reason is not (ConnectionReason.Requested or ConnectionReason.ClosedByPeer))
+            throw new NeuronConnectionException(last.Reason, last.Message);
+    }
+
+    private void OnStatusChanged(ConnectionStatus status)
+    {
+        if (status.IsConnected)
+            _connected.TrySetResult(true);
+
+        _tellingThread = Environment.CurrentManagedThreadId;
+        _statusHandlers.Invoke(status);
+        _tellingThread = 0;
+    }
+
+    private void OnCallbackFailed(Exception exception)
+    {
+        _pipeline.CountCallbackFailure();
+        try
+        {
+            CallbackFailed?.Invoke(exception);
+        }
+        catch (Exception)
+        {
+            _pipeline.CountCallbackFailure();
+        }
+    }
+}

@@ -1,0 +1,94 @@
+using System.Net;
+using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap;
+
+/// <summary>
+/// What a <see cref="NeuronReader"/> has to know. The reader takes a copy when it is made; later changes have no effect on it.
+/// </summary>
+public sealed class NeuronReaderOptions
+{
+    /// <summary>TCP or UDP, as the server is set. TCP unless set.</summary>
+    public TransportKind Transport { get; set; } = TransportKind.Tcp;
+
+    /// <summary>
+    /// Name or address of the computer that runs Axis Neuron; this computer unless set. A name with several addresses is tried
+    /// address by address. Not used for UDP.
+    /// </summary>
+    public string Host { get; set; } = "127.0.0.1";
+
+    /// <summary>TCP port of the server, or UDP port to receive on: 1 to 65535, for UDP also 0 for any free one. 7001 unless set.</summary>
+    public int Port { get; set; } = ProtocolConstants.DefaultPort;
+
+    /// <summary>
+    /// Address of this computer to connect from or receive on; null, the default, lets the system choose for TCP and receives on all IPv4
+    /// addresses for UDP. Set it where the computer has several networks.
+    /// </summary>
+    public IPAddress? LocalAddress { get; set; }
+
+    /// <summary>Lets other programs receive on the same UDP port. Off unless set: then a port in use is an error with a clear reason.</summary>
+    public bool SharePort { get; set; }
+
+    /// <summary>Longest time to wait for the name, and for each of its addresses to answer. 5 s unless set; more than zero, at most 5 minutes.</summary>
+    public TimeSpan ConnectTimeout { get; set; } = TimeSpan.FromSeconds(5);
+
+    /// <summary>After how long without a frame the state becomes Silent. 3 s unless set; at least 0.1 s, at most an hour.</summary>
+    public TimeSpan SilenceTimeout { get; set; } = TimeSpan.FromSeconds(3);
+
+    /// <summary>Whether and when to try again after a connection failed or ended.</summary>
+    public ReconnectPolicy Reconnect { get; set; } = new();
+
+    /// <summary>Order of the rotation values: the server's setting, which the stream does not carry. YXZ unless set, as in Axis Neuron.</summary>
+    public RotationOrder RotationOrder { get; set; } = RotationOrder.YXZ;
+
+    /// <summary>Naming of spine and neck on the server. The manual's Appendix A unless set.</summary>
+    public SkeletonVariant SkeletonVariant { get; set; } = SkeletonVariant.Neck1;
+
+    /// <summary>
+    /// Largest number of values that a packet may announce, 1 to 1,000,000; larger ones are skipped and counted. 10,224 unless set, the most
+    /// that the vendor's library delivers.
+    /// </summary>
+    public int MaxValues { get; set; } = ProtocolConstants.DefaultMaxValues;
+
+    internal SkeletonFormat Format => new(RotationOrder, SkeletonVariant);
+
+    internal LinkOptions Link => new(Host, Port)
+    {
+        LocalAddress = LocalAddress,
+        ConnectTimeout = ConnectTimeout,
+        MaxValues = MaxValues,
+        SharePort = SharePort,
+    };
+
+    internal NeuronReaderOptions Copy()
+    {
+        var copy = (NeuronReaderOptions)MemberwiseClone();
+        copy.Reconnect = Reconnect.Copy();
+        return copy;
+    }
+
+    internal string? FindFault()
+    {
+        int lowestPort = Transport == TransportKind.Udp ? 0 : 1;
+        if (string.IsNullOrWhiteSpace(Host))
+            return "Host is empty; give the name or address of the computer that runs Axis Neuron.";
+        if (Port < lowestPort || Port > IPEndPoint.MaxPort)
+            return $"Port is {Port}; it must be {lowestPort} to {IPEndPoint.MaxPort}.";
+        if (ConnectTimeout <= TimeSpan.Zero || ConnectTimeout > TimeSpan.FromMinutes(5))
+            return $"ConnectTimeout is {ConnectTimeout}; it must be more than zero and at most 5 minutes.";
+        if (SilenceTimeout < TimeSpan.FromSeconds(0.1) || SilenceTimeout > TimeSpan.FromHours(1))
+            return $"SilenceTimeout is {SilenceTimeout}; it must be 0.1 s to an hour.";
+        if (!Enum.IsDefined(typeof(RotationOrder), RotationOrder))
+            return $"RotationOrder is {RotationOrder}; it must be one of the six orders.";
+        if (!Enum.IsDefined(typeof(SkeletonVariant), SkeletonVariant))
+            return $"SkeletonVariant is {SkeletonVariant}; it must be Neck1 or Spine3.";
+        if (MaxValues is < 1 or > 1_000_000)
+            return $"MaxValues is {MaxValues}; it must be 1 to 1,000,000.";
+        if (Reconnect is null)
+            return "Reconnect is null; set its Enabled to false to switch reconnecting off.";
+
+        return Reconnect.FindFault();
+    }
+}

@@ -1,0 +1,12 @@
+namespace NeuronMocap.Protocol;
+
+// Where the receive path delivers what it found, on the receive thread, in the order of arrival.
+internal interface IPacketReceiver
+{
+    // A new connection stands; what comes over it does not continue what came before.
+    void OnLinkOpened();
+
+    void OnPacket(in ReceivedPacket packet);
+
+    void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason);
+}

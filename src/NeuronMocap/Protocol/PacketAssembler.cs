@@ -1,0 +1,91 @@
+namespace NeuronMocap.Protocol;
+
+// Joins the pieces in which one sender's bytes arrive. Packets that lie whole in a piece are handed over in place; only the unfinished tail
+// of a piece is copied, and grows by no more than the scanner asked for until it is a packet or is known to be none. Not thread-safe.
+internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver receiver, int source = 0)
+{
+    private const int InitialCapacity = 4096;
+
+    private byte[] _tail = [];
+    private int _tailLength;
+    private int _needed;
+
+    public int Source => source;
+
+    // Bytes that arrived and are not yet known to be a packet.
+    public int PendingBytes => _tailLength;
+
+    public void Push(ArraySegment<byte> piece, long timestamp)
+    {
+        while (_tailLength > 0 && piece.Count > 0)
+        {
+            int taken = Math.Min(_needed - _tailLength, piece.Count);
+            Append(piece.Slice(0, taken));
+            piece = piece.Slice(taken);
+            if (_tailLength < _needed)
+                return;
+
+            KeepTail(Deliver(new ArraySegment<byte>(_tail, 0, _tailLength), timestamp));
+        }
+
+        if (piece.Count > 0)
+            KeepTail(Deliver(piece, timestamp));
+    }
+
+    // Gives up the unfinished tail: what follows it is known to be missing.
+    public void Abandon()
+    {
+        if (_tailLength == 0)
+            return;
+
+        int length = _tailLength;
+        _tailLength = 0;
+        receiver.OnSkipped(_tail.AsSpan(0, length), SkipReason.Incomplete);
+    }
+
+    private ArraySegment<byte> Deliver(ArraySegment<byte> bytes, long timestamp)
+    {
+        while (bytes.Count > 0)
+        {
+            ScanResult result = scanner.Scan(bytes);
+            if (result.Status == ScanStatus.NeedMore)
+            {
+                _needed = result.Length;
+                break;
+            }
+
+            ArraySegment<byte> found = bytes.Slice(0, result.Length);
+            if (result.Status == ScanStatus.Packet)
+                receiver.OnPacket(new ReceivedPacket(result.Kind, found, timestamp, source));
+            else
+                receiver.OnSkipped(found, result.Reason);
+
+            bytes = bytes.Slice(result.Length);
+        }
+
+        return bytes;
+    }
+
+    // The rest may lie inside the tail itself; the copy handles the overlap.
+    private void KeepTail(ArraySegment<byte> rest)
+    {
+        if (rest.Count > 0)
+        {
+            byte[] target = RoomFor(_needed);
+            Buffer.BlockCopy(rest.Array!, rest.Offset, target, 0, rest.Count);
+            _tail = target;
+        }
+
+        _tailLength = rest.Count;
+    }
+
+    private void Append(ArraySegment<byte> bytes)
+    {
+        Buffer.BlockCopy(bytes.Array!, bytes.Offset, _tail, _tailLength, bytes.Count);
+        _tailLength += bytes.Count;
+    }
+
+    // The scanner has checked the length against the caps before it asked for it.
+    private byte[] RoomFor(int length) =>
+        _tail.Length >= length ? _tail : new byte[Math.Max(length, InitialCapacity)];
+}

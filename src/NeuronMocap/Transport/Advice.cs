@@ -1,0 +1,53 @@
+namespace NeuronMocap.Transport;
+
+// The sentences that tell a person what happened and which setting to look at.
+internal static class Advice
+{
+    public static string HostNotFound(string host) =>
+        $"The host name '{host}' has no address. Check its spelling, or give the IP address of the computer that runs Axis Neuron.";
+
+    public static string ClosedByPeer(string target) =>
+        $"{target} closed the connection: Axis Neuron was stopped, or its broadcasting was switched off.";
+
+    public static string NoFrames(string target, TimeSpan silence) =>
+        $"Connected to {target}, but nothing has arrived for {silence.TotalSeconds:0.#} s. In Axis Neuron, connect the suit or play a take, "
+        + "and check that broadcasting of BVH or calculation data is on.";
+
+    public static string NoDatagrams(string target, TimeSpan silence) =>
+        $"Nothing has arrived on {target} for {silence.TotalSeconds:0.#} s. In Axis Neuron's broadcasting settings choose UDP, and enter this "
+        + "computer's address and this port as the destination; check that the firewall lets UDP in.";
+
+    public static string UnknownFormat(string target, string format) =>
+        $"Data arrives from {target}, but it is {format}.";
+
+    public static string TcpFailed(ConnectionReason reason, LinkOptions options, Exception exception)
+    {
+        string target = $"{options.Host}:{options.Port}";
+        return reason switch
+        {
+            ConnectionReason.Refused =>
+                $"{target} refused the connection: nothing listens there. In Axis Neuron's broadcasting settings switch BVH on, choose TCP, "
+                + "and check that the port is the same.",
+            ConnectionReason.TimedOut =>
+                $"{target} did not answer within {options.ConnectTimeout.TotalSeconds:0.#} s. Check the address, that both computers are on the "
+                + "same network, and that no firewall blocks the port.",
+            ConnectionReason.HostNotFound => HostNotFound(options.Host),
+            ConnectionReason.Unreachable => $"There is no route to {target}. Check the address and that the network is connected.",
+            ConnectionReason.Reset => $"{target} cut the connection off: Axis Neuron was closed, or something between resets connections.",
+            ConnectionReason.AddressUnavailable =>
+                $"The local address {options.LocalAddress} does not belong to this computer. Choose one that does, or none.",
+            ConnectionReason.AccessDenied => $"This computer does not allow a connection to {target}. Check its firewall.",
+            _ => $"The connection to {target} failed: {exception.Message}",
+        };
+    }
+
+    public static string UdpFailed(ConnectionReason reason, LinkOptions options, Exception exception) => reason switch
+    {
+        ConnectionReason.PortInUse =>
+            $"UDP port {options.Port} is used by another program. Close it, or choose another port here and in Axis Neuron's broadcasting settings.",
+        ConnectionReason.AddressUnavailable =>
+            $"The local address {options.LocalAddress} does not belong to this computer. Choose one that does, or none to receive on all.",
+        ConnectionReason.AccessDenied => $"This computer does not allow UDP port {options.Port}. Choose a port of 1024 or more.",
+        _ => $"Receiving on UDP port {options.Port} failed: {exception.Message}",
+    };
+}

@@ -1,0 +1,47 @@
+namespace NeuronMocap.Transport;
+
+/// <summary>Why a reader's connection is in its state.</summary>
+public enum ConnectionReason
+{
+    /// <summary>Nothing went wrong.</summary>
+    None,
+
+    /// <summary>The caller stopped the reader.</summary>
+    Requested,
+
+    /// <summary>The address answered that nothing listens on the port.</summary>
+    Refused,
+
+    /// <summary>The address did not answer within the time of the connect option.</summary>
+    TimedOut,
+
+    /// <summary>The host name has no address.</summary>
+    HostNotFound,
+
+    /// <summary>There is no route to the address.</summary>
+    Unreachable,
+
+    /// <summary>The server cut the connection off.</summary>
+    Reset,
+
+    /// <summary>The server closed the connection in an orderly way.</summary>
+    ClosedByPeer,
+
+    /// <summary>Another program uses the local port.</summary>
+    PortInUse,
+
+    /// <summary>The local address to bind does not belong to this machine.</summary>
+    AddressUnavailable,
+
+    /// <summary>The system does not allow the operation: a privileged port, or a firewall.</summary>
+    AccessDenied,
+
+    /// <summary>Connected, but no bytes arrive.</summary>
+    NoData,
+
+    /// <summary>Connected and bytes arrive, but they are no packets of this protocol.</summary>
+    UnknownFormat,
+
+    /// <summary>Another error of the network; the message carries the system's words.</summary>
+    NetworkError,
+}

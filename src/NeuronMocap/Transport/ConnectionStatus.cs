@@ -1,0 +1,33 @@
+using System.Diagnostics;
+using System.Net;
+
+namespace NeuronMocap.Transport;
+
+/// <summary>State of a reader's connection, with the reason of the last change.</summary>
+/// <param name="State">What the connection is doing.</param>
+/// <param name="Reason">Why; <see cref="ConnectionReason.None"/> when nothing went wrong.</param>
+/// <param name="Message">One or two English sentences for people; where a setting can help, they name it.</param>
+public readonly record struct ConnectionStatus(ConnectionState State, ConnectionReason Reason, string Message)
+{
+    /// <summary>This machine's side of the connection, or the bound UDP port; null while there is none.</summary>
+    public EndPoint? LocalEndPoint { get; init; }
+
+    /// <summary>The server's side of a TCP connection; null while there is none, and for UDP.</summary>
+    public EndPoint? RemoteEndPoint { get; init; }
+
+    /// <summary>Number of attempts since frames last arrived, the running one included.</summary>
+    public int Attempt { get; init; }
+
+    /// <summary>Time until the next attempt; null unless the state is <see cref="ConnectionState.Waiting"/>.</summary>
+    public TimeSpan? RetryIn { get; init; }
+
+    /// <summary>When the change happened: ticks of <see cref="Stopwatch"/>.</summary>
+    public long Timestamp { get; init; } = Stopwatch.GetTimestamp();
+
+    /// <summary>Whether the connection stands, whatever arrives over it.</summary>
+    public bool IsConnected => State is ConnectionState.Connected or ConnectionState.Receiving or ConnectionState.Silent;
+
+    /// <summary>State and message.</summary>
+    /// <returns>A line for a log.</returns>
+    public override string ToString() => $"{State}: {Message}";
+}

@@ -1,0 +1,66 @@
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Transport;
+
+// Opens links one after the other for as long as the reader runs: connect, receive until the end, say why, wait, again.
+internal sealed class ConnectionSupervisor(
+    Func<Link> createLink,
+    ReconnectPolicy policy,
+    StatusBoard status,
+    LinkActivity activity,
+    Func<double> jitter)
+{
+    // Completes with the status to end with, when stopped or, with reconnecting off, after the first link.
+    public async Task<ConnectionStatus> RunAsync(IPacketReceiver receiver, CancellationToken stop)
+    {
+        int failures = 0;
+        while (true)
+        {
+            (LinkEnd end, bool delivered) = await RunLinkAsync(receiver, failures + 1, stop).ConfigureAwait(false);
+            if (stop.IsCancellationRequested)
+                return new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller.");
+            if (!policy.Enabled)
+                return new ConnectionStatus(ConnectionState.Stopped, end.Reason, end.Message) { Attempt = failures + 1 };
+
+            failures = delivered ? 0 : failures + 1;
+            await WaitAsync(end, failures, stop).ConfigureAwait(false);
+        }
+    }
+
+    // Delivered: whether frames came over the link. A server that accepts and closes at once must not be tried again without a delay.
+    private async Task<(LinkEnd End, bool Delivered)> RunLinkAsync(IPacketReceiver receiver, int attempt, CancellationToken stop)
+    {
+        using Link link = createLink();
+        using CancellationTokenRegistration closing = stop.Register(link.Close);
+        status.Set(new ConnectionStatus(ConnectionState.Connecting, ConnectionReason.None, $"Connecting to {link.Target}.") { Attempt = attempt });
+
+        LinkEnd end = await link.OpenAsync(stop).ConfigureAwait(false);
+        if (end.Reason != ConnectionReason.None || stop.IsCancellationRequested)
+            return (end, false);
+
+        activity.Begin(link.Target);
+        receiver.OnLinkOpened();
+        status.Set(new ConnectionStatus(ConnectionState.Connected, ConnectionReason.None, $"Connected to {link.Target}; waiting for frames.")
+        {
+            Attempt = attempt,
+            LocalEndPoint = link.LocalEndPoint,
+            RemoteEndPoint = link.RemoteEndPoint,
+        });
+        end = await link.ReceiveAsync(receiver).ConfigureAwait(false);
+        return (end, activity.HasPackets);
+    }
+
+    private async Task WaitAsync(LinkEnd end, int failures, CancellationToken stop)
+    {
+        TimeSpan delay = policy.GetDelay(failures, jitter());
+        status.Set(new ConnectionStatus(ConnectionState.Waiting, end.Reason, end.Message) { Attempt = failures, RetryIn = delay });
+        try
+        {
+            await Task.Delay(delay, stop).ConfigureAwait(false);
+        }
+        catch (OperationCanceledException)
+        {
+            // The loop looks at the token next.
+        }
+    }
+}

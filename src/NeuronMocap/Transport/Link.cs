@@ -1,0 +1,30 @@
+using System.Net;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Transport;
+
+// One attempt to receive: opened once, received from once, closed by anyone at any time. Closing the socket is what ends both waits.
+internal abstract class Link : IDisposable
+{
+    public EndPoint? LocalEndPoint { get; protected set; }
+
+    public EndPoint? RemoteEndPoint { get; protected set; }
+
+    // What the status messages call the other side.
+    public abstract string Target { get; }
+
+    // Completes with the reason of failure, or with None when the link stands. Throws nothing that the network can cause.
+    public abstract Task<LinkEnd> OpenAsync(CancellationToken stop);
+
+    // Delivers packets until the link ends, and completes with the reason. Throws nothing that the network can cause.
+    public abstract Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver);
+
+    public abstract void Close();
+
+    public void Dispose() => Close();
+}
+
+internal readonly record struct LinkEnd(ConnectionReason Reason, string Message)
+{
+    public static LinkEnd None => new(ConnectionReason.None, string.Empty);
+}

@@ -1,0 +1,89 @@
+using System.Diagnostics;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Transport;
+
+// Knows what the running link has brought, and turns it into the states Receiving and Silent. The receive loop writes, a timer reads; every
+// field stands alone and a check that sees an older value only comes to its conclusion one period later.
+internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool isUdp)
+{
+    // The first bytes since the last packet that belong to none, and why.
+    private readonly byte[] _skipped = new byte[16];
+    private volatile int _skippedLength;
+    private volatile SkipReason _skipReason;
+    private volatile string _target = string.Empty;
+    private volatile bool _hasPackets;
+    private long _lastPacket;
+
+    public bool HasPackets => _hasPackets;
+
+    // Receive loop, between two links.
+    public void Begin(string target)
+    {
+        _target = target;
+        _hasPackets = false;
+        _skippedLength = 0;
+        Volatile.Write(ref _lastPacket, Stopwatch.GetTimestamp());
+    }
+
+    // Receive loop, for every packet.
+    public void OnPacket(long timestamp)
+    {
+        Volatile.Write(ref _lastPacket, timestamp);
+        _skippedLength = 0;
+        if (status.State == ConnectionState.Receiving)
+            return;
+
+        _hasPackets = true;
+        status.TrySet(
+            current => current.IsConnected && current.State != ConnectionState.Receiving,
+            current => current with
+            {
+                State = ConnectionState.Receiving,
+                Reason = ConnectionReason.None,
+                Message = $"Receiving from {_target}.",
+                Attempt = 0,
+                Timestamp = timestamp,
+            });
+    }
+
+    // Receive loop, for bytes that are no packets.
+    public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
+    {
+        int length = _skippedLength;
+        if (length == 0)
+            _skipReason = reason;
+
+        bytes = bytes[..Math.Min(bytes.Length, _skipped.Length - length)];
+        bytes.CopyTo(_skipped.AsSpan(length));
+        _skippedLength = length + bytes.Length;
+    }
+
+    // Timer.
+    public void Check(long now)
+    {
+        if (status.State is not (ConnectionState.Connected or ConnectionState.Receiving or ConnectionState.Silent))
+            return;
+
+        double seconds = (now - Volatile.Read(ref _lastPacket)) / (double)Stopwatch.Frequency;
+        if (seconds < silence.TotalSeconds)
+            return;
+
+        (ConnectionReason reason, string message) = Explain();
+        status.TrySet(
+            current => current.IsConnected && (current.State != ConnectionState.Silent || current.Reason != reason),
+            current => current with { State = ConnectionState.Silent, Reason = reason, Message = message, Timestamp = now });
+    }
+
+    private (ConnectionReason Reason, string Message) Explain()
+    {
+        int length = _skippedLength;
+        if (length > 0)
+        {
+            string format = FormatGuess.Describe(_skipped.AsSpan(0, length), _skipReason);
+            return (ConnectionReason.UnknownFormat, Advice.UnknownFormat(_target, format));
+        }
+
+        return (ConnectionReason.NoData, isUdp ? Advice.NoDatagrams(_target, silence) : Advice.NoFrames(_target, silence));
+    }
+}

@@ -1,0 +1,25 @@
+using System.Net.Sockets;
+
+namespace NeuronMocap.Transport;
+
+internal static class SocketErrors
+{
+    public static ConnectionReason ToReason(SocketError error) => error switch
+    {
+        SocketError.ConnectionRefused => ConnectionReason.Refused,
+        SocketError.TimedOut => ConnectionReason.TimedOut,
+        SocketError.HostNotFound or SocketError.NoData or SocketError.TryAgain or SocketError.NoRecovery => ConnectionReason.HostNotFound,
+        SocketError.NetworkUnreachable or SocketError.HostUnreachable or SocketError.HostDown or SocketError.NetworkDown => ConnectionReason.Unreachable,
+        SocketError.ConnectionReset or SocketError.ConnectionAborted or SocketError.NetworkReset or SocketError.Shutdown => ConnectionReason.Reset,
+        SocketError.AddressAlreadyInUse => ConnectionReason.PortInUse,
+        SocketError.AddressNotAvailable => ConnectionReason.AddressUnavailable,
+        SocketError.AccessDenied => ConnectionReason.AccessDenied,
+        _ => ConnectionReason.NetworkError,
+    };
+
+    // The pipe wraps the socket's exception; closing a socket under a pending operation gives a different one on every runtime.
+    public static SocketException? Find(Exception exception) => exception as SocketException ?? exception.InnerException as SocketException;
+
+    public static bool IsExpected(Exception exception) =>
+        exception is SocketException or IOException or ObjectDisposedException or OperationCanceledException;
+}

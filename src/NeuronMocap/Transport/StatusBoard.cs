@@ -1,0 +1,65 @@
+namespace NeuronMocap.Transport;
+
+// Holds the newest status and tells about changes, in their order, one at a time, on the thread that made the change or on one that is
+// telling already; never under the lock, so that a handler may call whatever it likes.
+internal sealed class StatusBoard(Action<ConnectionStatus> changed)
+{
+    private readonly object _lock = new();
+    private readonly Queue<ConnectionStatus> _untold = new();
+    private bool _telling;
+    private ConnectionStatus _current = new(ConnectionState.Created, ConnectionReason.None, "Not started.");
+    private volatile ConnectionState _state;
+
+    // Read by the receive path for every packet, so without the lock.
+    public ConnectionState State => _state;
+
+    public ConnectionStatus Current
+    {
+        get
+        {
+            lock (_lock)
+                return _current;
+        }
+    }
+
+    public void Set(ConnectionStatus status) => TrySet(_ => true, _ => status);
+
+    // Changes the status only where the current one allows it: watchdog, receive loop and caller meet here. Stopped is final.
+    public bool TrySet(Predicate<ConnectionStatus> allowed, Func<ConnectionStatus, ConnectionStatus> change)
+    {
+        lock (_lock)
+        {
+            if (_current.State == ConnectionState.Stopped || !allowed(_current))
+                return false;
+
+            _current = change(_current);
+            _state = _current.State;
+            _untold.Enqueue(_current);
+            if (_telling)
+                return true;
+
+            _telling = true;
+        }
+
+        Tell();
+        return true;
+    }
+
+    private void Tell()
+    {
+        while (true)
+        {
+            ConnectionStatus status;
+            lock (_lock)
+            {
+                if (!_untold.TryDequeue(out status))
+                {
+                    _telling = false;
+                    return;
+                }
+            }
+
+            changed(status);
+        }
+    }
+}

@@ -1,0 +1,75 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Transport;
+
+// A UDP port that anyone may send to (protocol.md section 4.2).
+internal sealed class UdpLink(LinkOptions options) : Link
+{
+    // Room for a burst of frames while the receive thread is busy: about half a second of 100 avatars at 60 Hz.
+    private const int SocketBufferSize = 4 * 1024 * 1024;
+
+    private readonly object _lock = new();
+    private Socket? _socket;
+    private bool _closed;
+
+    public override string Target => $"UDP port {options.Port}";
+
+    public override Task<LinkEnd> OpenAsync(CancellationToken stop) => Task.FromResult(Bind());
+
+    public override async Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver)
+    {
+        var senders = new UdpSenders(new PacketScanner(options.MaxValues), receiver);
+        try
+        {
+            await UdpReceiver.ReceiveAsync(_socket!, senders).ConfigureAwait(false);
+            return LinkEnd.None;
+        }
+        catch (Exception exception) when (SocketErrors.IsExpected(exception))
+        {
+            return Failed(exception);
+        }
+    }
+
+    public override void Close()
+    {
+        lock (_lock)
+        {
+            _closed = true;
+            _socket?.Dispose();
+        }
+    }
+
+    private LinkEnd Bind()
+    {
+        IPAddress address = options.LocalAddress ?? IPAddress.Any;
+        lock (_lock)
+        {
+            if (_closed)
+                return LinkEnd.None;
+
+            _socket = new Socket(address.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
+            try
+            {
+                _socket.ReceiveBufferSize = SocketBufferSize;
+                if (options.SharePort)
+                    _socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, optionValue: true);
+
+                _socket.Bind(new IPEndPoint(address, options.Port));
+                LocalEndPoint = _socket.LocalEndPoint;
+                return LinkEnd.None;
+            }
+            catch (SocketException exception)
+            {
+                return Failed(exception);
+            }
+        }
+    }
+
+    private LinkEnd Failed(Exception exception)
+    {
+        ConnectionReason reason = SocketErrors.ToReason(SocketErrors.Find(exception)?.SocketErrorCode ?? SocketError.OperationAborted);
+        return new LinkEnd(reason, Advice.UdpFailed(reason, options, exception));
+    }
+}

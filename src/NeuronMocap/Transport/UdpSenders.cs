@@ -1,0 +1,75 @@
+using System.Net;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Transport;
+
+// One assembler for every address that sends to the port: Axis Neuron on macOS cuts a frame into two datagrams, and two senders interleave
+// (protocol.md section 4.2). Used by the receive loop alone.
+internal sealed class UdpSenders(PacketScanner scanner, IPacketReceiver receiver)
+{
+    // Anyone can send from thousands of forged addresses; the one that was silent longest makes room.
+    private const int Limit = 64;
+
+    private readonly Dictionary<SocketAddress, Sender> _senders = [];
+    private int _nextSource;
+    private long _clock;
+
+    public void Push(SocketAddress address, ArraySegment<byte> datagram, long timestamp)
+    {
+        if (!_senders.TryGetValue(address, out Sender? sender))
+            sender = Add(address);
+
+        sender.LastUsed = ++_clock;
+
+        // A datagram that begins with a header cannot be the rest of the packet before it: that rest was lost. Joining the two would give
+        // one frame made of two.
+        if (sender.Assembler.PendingBytes > 0 && scanner.StartsPacket(datagram))
+            sender.Assembler.Abandon();
+
+        sender.Assembler.Push(datagram, timestamp);
+    }
+
+    private Sender Add(SocketAddress address)
+    {
+        if (_senders.Count >= Limit)
+            RemoveOldest();
+
+        var sender = new Sender(new PacketAssembler(scanner, receiver, _nextSource++));
+        _senders.Add(Copy(address), sender);
+        return sender;
+    }
+
+    private void RemoveOldest()
+    {
+        SocketAddress? oldest = null;
+        long used = long.MaxValue;
+        foreach ((SocketAddress address, Sender sender) in _senders)
+        {
+            if (sender.LastUsed >= used)
+                continue;
+
+            used = sender.LastUsed;
+            oldest = address;
+        }
+
+        _senders[oldest!].Assembler.Abandon();
+        _senders.Remove(oldest!);
+    }
+
+    // The receive loop uses its address object again for the next datagram.
+    private static SocketAddress Copy(SocketAddress address)
+    {
+        var copy = new SocketAddress(address.Family, address.Size);
+        for (int i = 0; i < address.Size; i++)
+            copy[i] = address[i];
+
+        return copy;
+    }
+
+    private sealed class Sender(PacketAssembler assembler)
+    {
+        public PacketAssembler Assembler => assembler;
+
+        public long LastUsed { get; set; }
+    }
+}
