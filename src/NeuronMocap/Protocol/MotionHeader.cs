@@ -54,7 +54,8 @@ public readonly record struct MotionHeader
     /// <param name="source">Bytes that start at the first token.</param>
     /// <param name="header">The header, when there is one.</param>
     /// <returns>
-    /// False when fewer than 64 bytes are given, a token is wrong, the version is unknown or the packet would have more bytes than an int counts.
+    /// False when fewer than 64 bytes are given, a token is wrong, the version is unknown or the packet would have more bytes than an int
+    /// counts.
     /// </returns>
     public static bool TryRead(ReadOnlySpan<byte> source, out MotionHeader header)
     {

@@ -28,8 +28,9 @@ internal static class PublicSurface
     private static string OfType(Type type)
     {
         IEnumerable<string> bases = [.. BaseOf(type), .. InterfacesOf(type)];
-        string inherits = string.Join(", ", bases);
-        return $"{TypeText.Of(type)} [{KindOf(type)}]{(inherits.Length > 0 ? " : " + inherits : "")}{TypeText.Constraints(type.GetGenericArguments())}";
+        string list = string.Join(", ", bases);
+        string inherits = list.Length > 0 ? " : " + list : "";
+        return $"{TypeText.Of(type)} [{KindOf(type)}]{inherits}{TypeText.Constraints(type.GetGenericArguments())}";
     }
 
     private static string KindOf(Type type)
@@ -97,9 +98,11 @@ internal static class PublicSurface
             return $"{name} = {Convert.ToString(field.GetRawConstantValue(), CultureInfo.InvariantCulture)}";
 
         string type = TypeText.Of(field);
-        return field.IsLiteral
-            ? $"{name} -> {type} = {TypeText.Literal(field.GetRawConstantValue())} [const]"
-            : $"{name} -> {type}{(field.IsStatic ? " [static]" : "")}{(field.IsInitOnly ? " [readonly]" : "")}{(field.IsFamily ? " [protected]" : "")}";
+        if (field.IsLiteral)
+            return $"{name} -> {type} = {TypeText.Literal(field.GetRawConstantValue())} [const]";
+
+        string modifiers = (field.IsStatic ? " [static]" : "") + (field.IsInitOnly ? " [readonly]" : "") + (field.IsPublic ? "" : " [protected]");
+        return $"{name} -> {type}{modifiers}";
     }
 
     private static string OfProperty(PropertyInfo property)
@@ -108,7 +111,8 @@ internal static class PublicSurface
         string name = $"{TypeText.Of(property.DeclaringType!)}.{(index.Length > 0 ? $"this[{index}]" : property.Name)}";
         string required = Has(property, "RequiredMemberAttribute") ? " [required]" : "";
         MethodInfo first = property.GetAccessors(nonPublic: true).First(IsVisible);
-        return $"{name} {{ {Accessor(property.GetMethod, "get")}{Setter(property.SetMethod)}}} -> {TypeText.Of(property)}{Modifiers(first)}{required}";
+        string accessors = Accessor(property.GetMethod, "get") + Setter(property.SetMethod);
+        return $"{name} {{ {accessors}}} -> {TypeText.Of(property)}{Modifiers(first)}{required}";
     }
 
     private static string Setter(MethodInfo? setter)

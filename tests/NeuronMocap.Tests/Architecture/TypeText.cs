@@ -48,7 +48,9 @@ internal static class TypeText
             (true, true, _) => "out ",
             (true, _, true) => "in ",
             (true, _, _) => "ref ",
-            _ => parameter.CustomAttributes.Any(one => one.AttributeType.Name is "ParamArrayAttribute" or "ParamCollectionAttribute") ? "params " : "",
+            _ => parameter.CustomAttributes.Any(one => one.AttributeType.Name is "ParamArrayAttribute" or "ParamCollectionAttribute")
+                ? "params "
+                : "",
         };
         string value = parameter.HasDefaultValue ? " = " + DefaultOf(parameter) : "";
         return $"{modifier}{type} {parameter.Name}{value}";
@@ -73,7 +75,8 @@ internal static class TypeText
                 parts.Add("class");
             if (attributes.HasFlag(GenericParameterAttributes.NotNullableValueTypeConstraint))
                 parts.Add("struct");
-            parts.AddRange(argument.GetGenericParameterConstraints().Where(one => one != typeof(ValueType)).Select(Of).Order(StringComparer.Ordinal));
+            IEnumerable<Type> bases = argument.GetGenericParameterConstraints().Where(one => one != typeof(ValueType));
+            parts.AddRange(bases.Select(Of).Order(StringComparer.Ordinal));
             if (attributes.HasFlag(GenericParameterAttributes.DefaultConstructorConstraint) && !parts.Contains("struct", StringComparer.Ordinal))
                 parts.Add("new()");
             if (parts.Count > 0)

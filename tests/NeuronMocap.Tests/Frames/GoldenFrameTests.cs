@@ -6,7 +6,9 @@ using NeuronMocap.Tests.Skeleton;
 
 namespace NeuronMocap.Tests.Frames;
 
-/// <summary>The published figures of a frame that an Axis Studio sent (protocol.md section 3.2): the bones that the table gives, zero for the others.</summary>
+/// <summary>
+/// The published figures of a frame that an Axis Studio sent (protocol.md section 3.2): the bones that the table gives, zero for the others.
+/// </summary>
 public sealed class GoldenFrameTests
 {
     private static readonly (int Index, Vector3 Position, Vector3 Angles)[] Table =

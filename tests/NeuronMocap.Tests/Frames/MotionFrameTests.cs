@@ -289,7 +289,8 @@ public sealed class MotionFrameTests
         byte[] buffer = new byte[offset + packet.Length + 5];
         packet.CopyTo(buffer, offset);
         var frame = new MotionFrame(format ?? SkeletonFormat.Default);
-        frame.Borrow(new ReceivedPacket(PacketKind.Motion, new ArraySegment<byte>(buffer, offset, packet.Length), Stopwatch.GetTimestamp(), Source: 0));
+        var lent = new ArraySegment<byte>(buffer, offset, packet.Length);
+        frame.Borrow(new ReceivedPacket(PacketKind.Motion, lent, Stopwatch.GetTimestamp(), Source: 0));
         return frame;
     }
 

@@ -2,7 +2,9 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>The rules of the stream, told slowly and over the whole of the bytes at once: what <see cref="PacketScanner"/> is compared with.</summary>
+/// <summary>
+/// The rules of the stream, told slowly and over the whole of the bytes at once: what <see cref="PacketScanner"/> is compared with.
+/// </summary>
 internal static class ReferenceScanner
 {
     public static (List<FoundPacket> Packets, long Skipped, int Pending) Read(byte[] bytes, int maxValues = 10_224)

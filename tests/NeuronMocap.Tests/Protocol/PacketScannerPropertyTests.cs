@@ -32,11 +32,10 @@ public sealed class PacketScannerPropertyTests
             foreach (IEnumerable<ArraySegment<byte>> pieces in deliveries)
             {
                 var scan = ScanAll.Of(pieces, scanner);
-                bool same = scan.Packets.Count == expected.Count
-                    && scan.Packets.Zip(expected).All(pair => pair.First.Kind == pair.Second.Kind && pair.First.Bytes.SequenceEqual(pair.Second.Bytes))
-                    && scan.Skipped == skipped
-                    && scan.Pending == pending;
-                Assert.True(same, $"Seed {seed}: expected {Describe(expected, skipped, pending)}, found {Describe(scan.Packets, scan.Skipped, scan.Pending)}.");
+                Assert.Equal(
+                    $"seed {seed}: {Describe(expected, skipped, pending)}",
+                    $"seed {seed}: {Describe(scan.Packets, scan.Skipped, scan.Pending)}");
+                Assert.All(scan.Packets.Zip(expected), pair => Assert.Equal(pair.Second.Bytes, pair.First.Bytes));
             }
         }
 

@@ -70,7 +70,6 @@ public sealed class DefaultOffsetsTests
     [InlineData(SkeletonVariant.Spine3)]
     public void In_both_variants_head_shoulders_and_hands_are_at_the_same_place(SkeletonVariant variant)
     {
-        Assert.Equal(144.102f, StandingAt(Bone.Head, variant).Y, 1e-3f);
         Assert.Equal(new Vector3(0, 144.102f, 0), StandingAt(Bone.Head, variant), Within(1e-3f));
         Assert.Equal(new Vector3(2.55f, 130.002f, 0), StandingAt(Bone.LeftShoulder, variant), Within(1e-3f));
         Assert.Equal(new Vector3(-64, 130.002f, 0), StandingAt(Bone.RightHand, variant), Within(1e-3f));
@@ -80,7 +79,8 @@ public sealed class DefaultOffsetsTests
     [Fact]
     public void The_older_variant_differs_in_the_spine_the_neck_and_the_shoulders_only()
     {
-        Bone[] changed = [.. BoneHierarchy.Bones.ToArray().Where(bone => DefaultOffsets.Get(bone) != DefaultOffsets.Get(bone, SkeletonVariant.Spine3))];
+        IEnumerable<Bone> changed = BoneHierarchy.Bones.ToArray()
+            .Where(bone => DefaultOffsets.Get(bone) != DefaultOffsets.Get(bone, SkeletonVariant.Spine3));
         Assert.Equal(
             [Bone.Spine, Bone.Spine1, Bone.Spine2, Bone.Neck, Bone.Neck1, Bone.Head, Bone.RightShoulder, Bone.LeftShoulder],
             changed);

@@ -10,8 +10,13 @@ public sealed class EulerAnglesTests
     public static TheoryData<RotationOrder> Orders => [.. Enum.GetValues<RotationOrder>()];
 
     [Fact]
-    public void The_orders_have_the_vendors_numbers() =>
-        Assert.Equal(["XZY", "YXZ", "XYZ", "YZX", "ZXY", "ZYX"], Enumerable.Range(0, 6).Select(number => ((RotationOrder)number).ToString()).ToArray());
+    public void The_orders_have_the_vendors_numbers()
+    {
+        IEnumerable<RotationOrder> byNumber = Enumerable.Range(0, 6).Select(number => (RotationOrder)number);
+        Assert.Equal(
+            [RotationOrder.XZY, RotationOrder.YXZ, RotationOrder.XYZ, RotationOrder.YZX, RotationOrder.ZXY, RotationOrder.ZYX],
+            byNumber);
+    }
 
     // One quarter turn carries an axis to the next one: Y carries Z to X, X carries Y to Z, Z carries X to Y.
     [Theory]
@@ -26,7 +31,8 @@ public sealed class EulerAnglesTests
     [InlineData(RotationOrder.YZX, 0, 0, 90, "+X +Z -Y")]
     [InlineData(RotationOrder.ZXY, -90, 0, 0, "-Y +X +Z")]
     [InlineData(RotationOrder.YXZ, 180, 0, 0, "-X +Y -Z")]
-    public void Quarter_turns_carry_the_axes_where_a_right_hand_says(RotationOrder order, float first, float second, float third, string expected)
+    public void Quarter_turns_carry_the_axes_where_a_right_hand_says(
+        RotationOrder order, float first, float second, float third, string expected)
     {
         Quaternion rotation = EulerAngles.ToQuaternion(new Vector3(first, second, third), order);
         Vector3[] turned = [.. ((Vector3[])[Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ]).Select(axis => Vector3.Transform(axis, rotation))];

@@ -102,19 +102,20 @@ public sealed class ForwardKinematicsTests
         {
             BoneTransform local = pose[(int)bone];
             var rotation = ReferenceRotation.FromQuaternion(local.Rotation);
-            double[] position = [local.Position.X, local.Position.Y, local.Position.Z];
+            double[] position = Doubles(local.Position);
             if (BoneHierarchy.GetParent(bone, variant) is { } parent)
                 (rotation, position) = Place(rotations[(int)parent], positions[(int)parent], rotation, position);
             else if (root is { } reference)
-                (rotation, position) = Place(ReferenceRotation.FromQuaternion(reference.Rotation), [reference.Position.X, reference.Position.Y, reference.Position.Z], rotation, position);
+                (rotation, position) = Place(ReferenceRotation.FromQuaternion(reference.Rotation), Doubles(reference.Position), rotation, position);
 
             (rotations[(int)bone], positions[(int)bone]) = (rotation, position);
-            Vector3 found = world[(int)bone].Position;
-            double error = Math.Max(Math.Abs(position[0] - found.X), Math.Max(Math.Abs(position[1] - found.Y), Math.Abs(position[2] - found.Z)));
+            double error = position.Zip(Doubles(world[(int)bone].Position)).Max(pair => Math.Abs(pair.First - pair.Second));
             Assert.True(error < 1e-3, $"{bone} is off by {error} cm.");
             Assert.True(rotation.Distance(world[(int)bone].Rotation) < 1e-5, $"{bone} is turned otherwise.");
         }
     }
+
+    private static double[] Doubles(Vector3 vector) => [vector.X, vector.Y, vector.Z];
 
     private static (ReferenceRotation Rotation, double[] Position) Place(
         ReferenceRotation parent, double[] origin, ReferenceRotation rotation, double[] position)

@@ -20,9 +20,9 @@ internal sealed class ReferenceRotation
     /// <summary>The columns are where the unit vectors go, found through the quaternion product q v q*.</summary>
     public static ReferenceRotation FromQuaternion(Quaternion rotation)
     {
-        double length = Math.Sqrt(
-            ((double)rotation.X * rotation.X) + ((double)rotation.Y * rotation.Y) + ((double)rotation.Z * rotation.Z) + ((double)rotation.W * rotation.W));
-        double[] q = [rotation.W / length, rotation.X / length, rotation.Y / length, rotation.Z / length];
+        double[] q = [rotation.W, rotation.X, rotation.Y, rotation.Z];
+        double length = Math.Sqrt(q.Sum(part => part * part));
+        q = [.. q.Select(part => part / length)];
         double[] conjugate = [q[0], -q[1], -q[2], -q[3]];
         double[,] rows = new double[3, 3];
         for (int column = 0; column < 3; column++)
