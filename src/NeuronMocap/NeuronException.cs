@@ -1,0 +1,25 @@
+namespace NeuronMocap;
+
+/// <summary>Base of the exceptions that the library throws for reasons outside the program: the network, a server, a file.</summary>
+public class NeuronException : Exception
+{
+    /// <summary>Makes an exception without a message.</summary>
+    public NeuronException()
+    {
+    }
+
+    /// <summary>Makes an exception.</summary>
+    /// <param name="message">What happened and what to do about it.</param>
+    public NeuronException(string message)
+        : base(message)
+    {
+    }
+
+    /// <summary>Makes an exception that another one caused.</summary>
+    /// <param name="message">What happened and what to do about it.</param>
+    /// <param name="innerException">The cause.</param>
+    public NeuronException(string message, Exception innerException)
+        : base(message, innerException)
+    {
+    }
+}
