@@ -208,15 +208,15 @@ internal ref struct BvhHierarchyReader
             _text.ReadWord();
 
         bool isFirst = _open!.Channels.Count == 0 && !_inEndSite;
+        if (!isFirst && !IsStatement(_text.PeekWord()))
+            throw Refuse($"The {(_inEndSite ? "End Site" : "second CHANNELS")} of {Describe(_open)} has channels; whose values they are cannot be known.");
+
         if (isFirst)
             _open.FirstChannel = _channelCount;
 
         int read = 0;
         while (TryReadChannel(isKnownOnly: !hasCount || !(read < count), out BvhChannel channel))
         {
-            if (!isFirst)
-                throw Refuse($"The {(_inEndSite ? "End Site" : "second CHANNELS")} of {Describe(_open)} has channels; whose values they are cannot be known.");
-
             _open.AddChannel(channel);
             read++;
         }

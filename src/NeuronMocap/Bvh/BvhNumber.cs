@@ -1,4 +1,5 @@
-using System.Buffers.Text;
+using System.Globalization;
+using System.Text;
 
 namespace NeuronMocap.Bvh;
 
@@ -7,14 +8,15 @@ namespace NeuronMocap.Bvh;
 /// <para>
 /// With at most 53 bits of digits and a power of ten that a double holds exactly, one division gives the double nearest to the decimal.
 /// Narrowing that rounds a second time, which goes wrong only where the double lies exactly between two floats: then, and outside those
-/// bounds, the framework's parser decides. All that motion files contain takes the short way, whose result does not depend on the
-/// runtime; some runtimes' own parsers narrow a double without looking.
+/// bounds, float.Parse itself decides. All that motion files contain takes the short way. Utf8Parser would need no copy, but is not exact:
+/// halfway between two floats it rounds up where zeros follow the fraction (7.115569763501211648000000E+19, .NET 10).
 /// </para>
 /// </summary>
 internal static class BvhNumber
 {
     private const ulong ExactIntegers = 1UL << 53;
     private const ulong RoomForADigit = (ulong.MaxValue - 9) / 10;
+    private const int ShortWord = 128;
     private const int LargestExponent = 99_999;
     private const long DiscardedBits = (1L << 29) - 1;
     private const long HalfOfThem = 1L << 28;
@@ -32,12 +34,13 @@ internal static class BvhNumber
         if (number.IsExact && TryNarrow(number, out value))
             return true;
 
-        // It rejects an exponent that it cannot count.
-        if (!Utf8Parser.TryParse(word, out value, out int used) || used != word.Length)
-            value = number.Exponent > 0 && number.Digits > 0 ? float.PositiveInfinity : 0;
+        Span<char> text = word.Length <= ShortWord ? stackalloc char[ShortWord] : new char[word.Length];
+        text = text[..Encoding.ASCII.GetChars(word, text)];
 
-        value = MathF.Abs(value);
-        value = number.IsNegative ? -value : value;
+        // Older runtimes reject what is too large.
+        if (!float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out value))
+            value = number.IsNegative ? float.NegativeInfinity : float.PositiveInfinity;
+
         return true;
     }
 
@@ -46,11 +49,12 @@ internal static class BvhNumber
     {
         value = 0;
         lastDigit = 0;
-        if (!TryScan(word, out Scanned number) || !Utf8Parser.TryParse(word, out value, out int used) || used != word.Length)
+        if (!TryScan(word, out Scanned number))
             return false;
 
         lastDigit = number.Exponent;
-        return !double.IsInfinity(value);
+        return double.TryParse(Encoding.ASCII.GetString(word), NumberStyles.Float, CultureInfo.InvariantCulture, out value)
+            && double.IsFinite(value);
     }
 
     // False where the double lies halfway between two floats: the decimal may lie to either side of it.
