@@ -18,7 +18,7 @@ public sealed class SyntheticActor : MotionSource
     // Stages of the lap that avatars begin at: multiples of this part of it stay well apart from each other, however many there are.
     private const double GoldenPart = 0.38196601125010515;
 
-    private const float StandingHeight = 83.6f;
+    private const float StandingHeight = 83.4f;
     private const float BreathsPerLap = 10;
 
     private static readonly Vector3[] Offsets = [.. BoneHierarchy.Bones.ToArray().Select(bone => DefaultOffsets.Get(bone))];
@@ -75,7 +75,7 @@ public sealed class SyntheticActor : MotionSource
         for (int bone = 0; bone < BoneHierarchy.BoneCount; bone++)
             pose[bone] = new BoneTransform(Offsets[bone], Quaternion.Identity);
 
-        WriteHips(moment, gesture, lap, pose);
+        WriteHips(moment, lap, pose);
         WriteLegs(moment, pose);
         Torso.Write(moment, gesture, breath, pose);
         WriteArms(moment, gesture, breath, pose);
@@ -131,16 +131,15 @@ public sealed class SyntheticActor : MotionSource
         return seconds < GaitMoment.LapSeconds ? seconds : seconds - GaitMoment.LapSeconds;
     }
 
-    private void WriteHips(in GaitMoment moment, in Gesture gesture, float lap, Span<BoneTransform> pose)
+    private void WriteHips(in GaitMoment moment, float lap, Span<BoneTransform> pose)
     {
         float walking = moment.Walking;
-        float stretch = gesture.AmountOf(GestureKind.Stretch);
         float idle = (1 - walking) * MathF.Sin(lap * 5);
 
         // The pelvis shifts over the standing foot, and into the ring; it is low when both feet are on the ground, far apart.
         float left = (moment.Weight * 2.2f) + (walking * 1f) + (idle * 1.2f);
         Vector3 place = WalkingPath.Point(moment.Station, left, _ringX);
-        place.Y = StandingHeight - (walking * 3.1f) + (moment.Rise * 1.6f) - (idle * idle * 0.4f) + (stretch * 0.3f);
+        place.Y = StandingHeight - (walking * 2.9f) + (moment.Rise * 1.6f) - (idle * idle * 0.4f);
 
         // The side of the swinging leg comes forward and hangs a little.
         Quaternion rotation = Turn.Y(WalkingPath.Heading(moment.Station) + (moment.Stride * 5))

@@ -24,11 +24,11 @@ internal readonly struct FootPose
         float station = Ease.Lerp(swing.From, swing.To, travel);
         float heading = WalkingPath.Heading(station) + (side * ToeOut);
 
-        // A short step, at the start and end of a walk, lifts the foot less.
-        float size = (swing.To - swing.From) * 0.5f;
+        // A short step, at the start and end of a walk, turns the foot less.
+        float size = (1 + swing.To - swing.From) / 3f;
         float pitch = size * ((RollDegrees * Ease.Bump(v, 0, 0.26f, 0.75f)) - (ToeUpDegrees * Ease.Bump(v, 0.55f, 0.85f, 1)));
         float pivot = Ease.Lerp(ToeLength, -HeelLength, Ease.Step(v, 0.35f, 0.75f));
-        float height = Clearance * (0.5f + (0.5f * size)) * Ease.Bump(v, 0, 0.5f, 1);
+        float height = Clearance * Ease.Bump(v, 0, 0.5f, 1);
 
         Quaternion yaw = Turn.Y(heading);
         Vector3 ground = WalkingPath.Point(station, side * HalfTrack, ringX);

@@ -14,7 +14,8 @@ internal readonly struct GaitMoment
     // with the same foot, and two rounds of the ring to start at the same place.
     private const double StopUnits = 10;
 
-    private const float Lag = 0.04f;
+    private const float WalkingLag = 0.04f;
+    private const float StandingLead = 0.06f;
 
     private readonly int _start;
     private readonly int _steps;
@@ -68,8 +69,8 @@ internal readonly struct GaitMoment
     public float Walking => IsWalking ? Ease.Plateau(Units, 0, 1, _steps, _steps + 1) : 0;
 
     // The way of the body: constant speed between an acceleration and a deceleration. When a foot lands, the body is a little nearer to
-    // the other one, so that the rear leg is not longer than the front one.
-    public float Station => _start + (IsWalking ? Advance() - (Lag * Walking) : 0);
+    // the other one, so that the rear leg is not longer than the front one; at a stop its weight is before the ankles.
+    public float Station => _start + (IsWalking ? Advance() : 0) + Ease.Lerp(StandingLead, -WalkingLag, Walking);
 
     // A cosine of the stride: 1 when the right foot lands in front, -1 when the left one does.
     public float Stride => IsWalking ? -Sign * Walking * MathF.Cos(MathF.PI * Units) : 0;

@@ -12,7 +12,7 @@ internal static class Torso
         float look = gesture.AmountOf(GestureKind.LookAround) * MathF.Sin(gesture.Seconds * (2 * MathF.PI / 3.2f));
 
         // A third of each on every spine bone. Walking leans forward, and into the ring, which is to the left.
-        float pitch = (moment.Walking * 1.2f) - (stretch * 4) + (gesture.AmountOf(GestureKind.CountFingers) * 2);
+        float pitch = (moment.Walking * 1.2f) - (stretch * 2.8f) + (gesture.AmountOf(GestureKind.CountFingers) * 2);
         float yaw = (-moment.Stride * 3.4f) + (look * 5) + (moment.Walking * 1.5f);
         float roll = (-moment.Weight * 1.3f) - (moment.Walking * 0.8f);
         Quaternion bend = Turn.Y(yaw) * Turn.Z(roll);
