@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Help;
 using System.Net.Sockets;
 using System.Runtime.InteropServices;
+using NeuronMocap;
 using NeuronMocap.Server;
 using NeuronMocap.Simulator;
 
@@ -51,7 +52,7 @@ int Run(ParseResult parsed)
     {
         return Fail($"--udp: the host name leads nowhere ({exception.SocketErrorCode}).");
     }
-    catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or InvalidDataException)
+    catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException)
     {
         return Fail($"--bvh: {exception.Message}");
     }

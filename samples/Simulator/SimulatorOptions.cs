@@ -3,6 +3,7 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Simulator;
@@ -19,10 +20,6 @@ internal static class SimulatorOptions
     public static BroadcasterOptions Create(SimulatorCommand command, ParseResult result, SimulatorSources sources)
     {
         string[] udp = result.GetValue(command.Udp) ?? [];
-        bool isCalculating = result.GetValue(command.Calculation);
-        if (isCalculating && SourceFactory.Calculation is null)
-            throw new UsageException("--calculation: this build makes no calculation packets.");
-
         return new BroadcasterOptions
         {
             Sources = sources.Avatars,
@@ -36,7 +33,7 @@ internal static class SimulatorOptions
             Reference = result.GetValue(command.Reference) == OnOff.On,
             RotationOrder = result.GetValue(command.Order) ?? sources.Order ?? RotationOrder.YXZ,
             DataVersion = result.GetValue(command.Header) == HeaderLayout.Old ? DataVersion.Old : DataVersion.New,
-            Calculation = isCalculating ? SourceFactory.Calculation : null,
+            Calculation = result.GetValue(command.Calculation) ? CalculationSynthesizer.Write : null,
             Fragment = result.GetValue(command.Fragment),
         };
     }

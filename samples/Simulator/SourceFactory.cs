@@ -1,3 +1,4 @@
+using NeuronMocap.Bvh;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
@@ -18,14 +19,29 @@ internal sealed record SimulatorSources(IReadOnlyList<MotionSource> Avatars, Rot
 /// <summary>Makes the performances that the options name. The only place that knows which kinds there are.</summary>
 internal static class SourceFactory
 {
-    /// <summary>Computes calculation packets; null while there are none to be had.</summary>
-    public static CalculationWriter? Calculation => null;
-
     /// <summary>Makes the performances.</summary>
     /// <param name="settings">What the options name.</param>
-    /// <exception cref="UsageException">The options ask for something that this program does not have.</exception>
+    /// <exception cref="NeuronException">The file is no BVH file, or not one of this skeleton.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="InvalidDataException">The file is not a take of this skeleton.</exception>
-    public static SimulatorSources Create(SourceSettings settings) => throw new UsageException(
-        settings.Bvh is null ? "--synthetic: this build has no synthetic actor." : "--bvh: this build cannot read BVH files.");
+    public static SimulatorSources Create(SourceSettings settings) =>
+        settings.Bvh is { } file ? OpenTake(file, settings) : MakeActors(settings.Avatars);
+
+    private static SimulatorSources MakeActors(int count)
+    {
+        MotionSource[] actors = [.. Enumerable.Range(0, count).Select(avatar => new SyntheticActor(avatar: avatar))];
+        return new SimulatorSources(actors, Order: null, "synthetic actor");
+    }
+
+    // Every avatar plays the same take.
+    private static SimulatorSources OpenTake(FileInfo file, SourceSettings settings)
+    {
+        BvhDocument document = BvhDocument.Load(file.FullName);
+        var take = new BvhSource(document);
+        MotionSource source = settings.Loop ? new LoopedSource(take) : take;
+        string repairs = document.RepairCount == 0 ? string.Empty : $", {document.RepairCount} repairs, first {document.Repairs[0]}";
+        return new SimulatorSources(
+            [.. Enumerable.Repeat(source, settings.Avatars)],
+            take.RotationOrder,
+            $"{file.Name}: {document.FrameCount} frames at {document.FrameRate:0.##} Hz{repairs}");
+    }
 }

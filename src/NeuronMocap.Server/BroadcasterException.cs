@@ -4,7 +4,7 @@ using System.Net.Sockets;
 namespace NeuronMocap.Server;
 
 /// <summary>A <see cref="Broadcaster"/> could not take its port or reach its destination; the message says which setting to change.</summary>
-public sealed class BroadcasterException : Exception
+public sealed class BroadcasterException : NeuronException
 {
     /// <summary>Makes an exception without a message.</summary>
     public BroadcasterException()
@@ -21,7 +21,7 @@ public sealed class BroadcasterException : Exception
     /// <summary>Makes an exception with a cause.</summary>
     /// <param name="message">What happened and what to do.</param>
     /// <param name="innerException">The cause.</param>
-    public BroadcasterException(string message, Exception? innerException)
+    public BroadcasterException(string message, Exception innerException)
         : base(message, innerException)
     {
     }

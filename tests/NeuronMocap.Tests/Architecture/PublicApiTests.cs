@@ -1,6 +1,5 @@
 using System.Reflection;
 using System.Runtime.Versioning;
-using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Tests.Architecture;
 

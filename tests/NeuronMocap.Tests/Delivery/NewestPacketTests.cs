@@ -1,6 +1,5 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
-using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Delivery;
 

@@ -1,7 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Frames;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tests.Skeleton;
 
 namespace NeuronMocap.Tests.Frames;

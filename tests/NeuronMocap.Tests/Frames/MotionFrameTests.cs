@@ -3,7 +3,6 @@ using System.Numerics;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tests.Skeleton;
 
 namespace NeuronMocap.Tests.Frames;

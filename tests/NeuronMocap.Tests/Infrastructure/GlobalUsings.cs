@@ -1,1 +1,2 @@
+global using NeuronMocap.Tests.Infrastructure;
 global using Xunit;

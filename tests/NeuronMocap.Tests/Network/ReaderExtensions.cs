@@ -1,3 +1,5 @@
+using NeuronMocap.Frames;
+
 namespace NeuronMocap.Tests.Network;
 
 internal static class ReaderExtensions
@@ -13,7 +15,7 @@ internal static class ReaderExtensions
         await arrived.Task.Soon();
         reader.MotionReceived -= Check;
 
-        void Check(Frames.MotionFrame frame)
+        void Check(MotionFrame frame)
         {
             if (reader.GetStatistics().MotionFrames >= count)
                 arrived.TrySetResult();

@@ -1,5 +1,4 @@
 using NeuronMocap.Protocol;
-using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Tests.Protocol;
 

@@ -1,5 +1,4 @@
 using NeuronMocap.Protocol;
-using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Tests.Protocol;
 
@@ -24,10 +23,10 @@ public sealed class PacketScannerPropertyTests
 
             IEnumerable<IEnumerable<ArraySegment<byte>>> deliveries =
             [
-                .. Deliveries.Of(stream, Delivery.Whole),
-                .. Deliveries.Of(stream, Delivery.ByteByByte),
-                Deliveries.Random(stream, random),
-                Deliveries.Random(stream, random),
+                .. Splits.Of(stream, Splitting.Whole),
+                .. Splits.Of(stream, Splitting.ByteByByte),
+                Splits.Random(stream, random),
+                Splits.Random(stream, random),
             ];
             foreach (IEnumerable<ArraySegment<byte>> pieces in deliveries)
             {
@@ -52,7 +51,7 @@ public sealed class PacketScannerPropertyTests
             var random = new Random(seed);
             byte[] stream = RandomStream(random);
             var whole = ScanAll.Of(stream, scanner);
-            var pieces = ScanAll.Of(Deliveries.Random(stream, random), scanner);
+            var pieces = ScanAll.Of(Splits.Random(stream, random), scanner);
             refused += whole.UnknownVersions + whole.TooLarge;
 
             Assert.True(
@@ -79,7 +78,7 @@ public sealed class PacketScannerPropertyTests
                 garbage[i] = TokenBytes[garbage[i] % TokenBytes.Length];
         }
 
-        var scan = ScanAll.Of(Deliveries.Random(garbage, random), new PacketScanner(1_000_000));
+        var scan = ScanAll.Of(Splits.Random(garbage, random), new PacketScanner(1_000_000));
 
         Assert.Equal(garbage.Length, scan.Packets.Sum(packet => (long)packet.Bytes.Length) + scan.Skipped + scan.Pending);
     }

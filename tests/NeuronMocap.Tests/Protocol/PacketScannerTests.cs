@@ -1,5 +1,4 @@
 using NeuronMocap.Protocol;
-using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Tests.Protocol;
 
@@ -9,77 +8,77 @@ public sealed class PacketScannerTests
     private static readonly byte[] Second = GoldenPackets.OldMotion([4, 5], avatar: 2);
     private static readonly byte[] Third = GoldenPackets.CalculationData([6], frame: 3);
 
-    [Theory, EveryDelivery]
-    public void Packets_back_to_back_come_out_in_order(Delivery delivery) =>
-        AssertFound(delivery, [.. First, .. Second, .. Third, .. First], [First, Second, Third, First], skipped: 0);
+    [Theory, EverySplitting]
+    public void Packets_back_to_back_come_out_in_order(Splitting splitting) =>
+        AssertFound(splitting, [.. First, .. Second, .. Third, .. First], [First, Second, Third, First], skipped: 0);
 
-    [Theory, EveryDelivery]
-    public void Noise_before_between_and_behind_packets_is_skipped(Delivery delivery)
+    [Theory, EverySplitting]
+    public void Noise_before_between_and_behind_packets_is_skipped(Splitting splitting)
     {
         byte[] noise = [0x00, 0x01, 0xDD, 0xEE, 0x12, 0x88];
-        AssertFound(delivery, [.. noise, .. First, .. noise, .. noise, .. Second, .. noise], [First, Second], skipped: 24);
+        AssertFound(splitting, [.. noise, .. First, .. noise, .. noise, .. Second, .. noise], [First, Second], skipped: 24);
     }
 
-    [Theory, EveryDelivery]
-    public void A_first_token_without_its_second_is_noise(Delivery delivery)
+    [Theory, EverySplitting]
+    public void A_first_token_without_its_second_is_noise(Splitting splitting)
     {
         byte[] header = First[..64];
         header[63] = 0xEF;
-        AssertFound(delivery, [.. header, .. Second], [Second], skipped: 64);
+        AssertFound(splitting, [.. header, .. Second], [Second], skipped: 64);
     }
 
-    [Theory, EveryDelivery]
-    public void The_second_token_of_another_kind_does_not_close_a_header(Delivery delivery)
+    [Theory, EverySplitting]
+    public void The_second_token_of_another_kind_does_not_close_a_header(Splitting splitting)
     {
         byte[] header = First[..64];
         header[63] = 0x99;
-        AssertFound(delivery, [.. header, .. Second], [Second], skipped: 64);
+        AssertFound(splitting, [.. header, .. Second], [Second], skipped: 64);
     }
 
-    [Theory, EveryDelivery]
-    public void A_single_FF_before_a_packet_does_not_hide_it(Delivery delivery) =>
-        AssertFound(delivery, [0xFF, .. First, 0xFF, .. Second], [First, Second], skipped: 2);
+    [Theory, EverySplitting]
+    public void A_single_FF_before_a_packet_does_not_hide_it(Splitting splitting) =>
+        AssertFound(splitting, [0xFF, .. First, 0xFF, .. Second], [First, Second], skipped: 2);
 
-    [Theory, EveryDelivery]
-    public void Runs_of_FF_do_not_hide_a_packet(Delivery delivery)
+    [Theory, EverySplitting]
+    public void Runs_of_FF_do_not_hide_a_packet(Splitting splitting)
     {
         byte[] run = [.. Enumerable.Repeat((byte)0xFF, 200)];
-        AssertFound(delivery, [.. run, .. First, .. run, .. Second], [First, Second], skipped: 400);
+        AssertFound(splitting, [.. run, .. First, .. run, .. Second], [First, Second], skipped: 400);
     }
 
-    [Theory, EveryDelivery]
-    public void Bytes_of_tokens_in_no_order_are_noise(Delivery delivery)
+    [Theory, EverySplitting]
+    public void Bytes_of_tokens_in_no_order_are_noise(Splitting splitting)
     {
         byte[] noise = new WireBytes().Hex("FF DD FF FF DD EE FF EE FF 88 FF 99 FF AA FF BB DD DD FF FF FF 88 99 AA BB EE FF DD").ToArray();
-        AssertFound(delivery, [.. noise, .. First, .. noise, .. Third], [First, Third], skipped: 2 * noise.Length);
+        AssertFound(splitting, [.. noise, .. First, .. noise, .. Third], [First, Third], skipped: 2 * noise.Length);
     }
 
-    [Theory, EveryDelivery]
-    public void A_look_alike_of_a_token_just_before_a_packet_does_not_swallow_it(Delivery delivery) =>
-        AssertFound(delivery, [0xFF, 0xDD, .. First, 0xFF, 0x88, .. Second, 0xFF, 0xAA, 0x00, .. Third], [First, Second, Third], skipped: 7);
+    [Theory, EverySplitting]
+    public void A_look_alike_of_a_token_just_before_a_packet_does_not_swallow_it(Splitting splitting) =>
+        AssertFound(splitting, [0xFF, 0xDD, .. First, 0xFF, 0x88, .. Second, 0xFF, 0xAA, 0x00, .. Third], [First, Second, Third], skipped: 7);
 
-    [Theory, EveryDelivery]
-    public void A_token_pair_among_the_values_belongs_to_the_packet(Delivery delivery)
+    [Theory, EverySplitting]
+    public void A_token_pair_among_the_values_belongs_to_the_packet(Splitting splitting)
     {
         byte[] packet = GoldenPackets.NewMotion(new float[40]);
         First.CopyTo(packet, 64 + 11);
-        AssertFound(delivery, [.. packet, .. Second], [packet, Second], skipped: 0);
+        AssertFound(splitting, [.. packet, .. Second], [packet, Second], skipped: 0);
     }
 
-    [Theory, EveryDelivery]
-    public void A_packet_whose_start_was_missed_is_skipped_up_to_the_next(Delivery delivery) =>
-        AssertFound(delivery, [.. First[10..], .. Second], [Second], skipped: First.Length - 10);
+    [Theory, EverySplitting]
+    public void A_packet_whose_start_was_missed_is_skipped_up_to_the_next(Splitting splitting) =>
+        AssertFound(splitting, [.. First[10..], .. Second], [Second], skipped: First.Length - 10);
 
     // The stream has neither length prefix nor checksum: the header's promise is kept with whatever follows, as the vendor's library does
     // (protocol.md section 5). The packet that was eaten into is lost, the one behind it is found.
-    [Theory, EveryDelivery]
-    public void A_truncated_packet_takes_the_bytes_of_the_next_one_as_its_values(Delivery delivery)
+    [Theory, EverySplitting]
+    public void A_truncated_packet_takes_the_bytes_of_the_next_one_as_its_values(Splitting splitting)
     {
         byte[] whole = GoldenPackets.NewMotion(new float[20]);
         byte[] truncated = whole[..^40];
         byte[] taken = [.. truncated, .. First[..40]];
 
-        AssertFound(delivery, [.. truncated, .. First, .. Second, .. Third], [taken, Second, Third], skipped: First.Length - 40);
+        AssertFound(splitting, [.. truncated, .. First, .. Second, .. Third], [taken, Second, Third], skipped: First.Length - 40);
     }
 
     [Theory]
@@ -91,8 +90,8 @@ public sealed class PacketScannerTests
     public void A_motion_packet_of_an_unknown_version_is_skipped_for_that_reason(string version)
     {
         byte[] unknown = GoldenPackets.NewMotion([1, 2, 3], version: version);
-        foreach (Delivery delivery in Enum.GetValues<Delivery>())
-            AssertFound(delivery, [.. First, .. unknown, .. Second], [First, Second], skipped: unknown.Length, unknownVersions: 1);
+        foreach (Splitting splitting in Enum.GetValues<Splitting>())
+            AssertFound(splitting, [.. First, .. unknown, .. Second], [First, Second], skipped: unknown.Length, unknownVersions: 1);
     }
 
     [Theory]
@@ -101,25 +100,25 @@ public sealed class PacketScannerTests
     public void Revision_and_build_are_not_looked_at(string version)
     {
         byte[] packet = GoldenPackets.NewMotion([1], version: version);
-        AssertFound(Delivery.Whole, packet, [packet], skipped: 0);
+        AssertFound(Splitting.Whole, packet, [packet], skipped: 0);
     }
 
-    [Theory, EveryDelivery]
-    public void A_packet_of_no_values_is_a_whole_packet_of_64_bytes(Delivery delivery)
+    [Theory, EverySplitting]
+    public void A_packet_of_no_values_is_a_whole_packet_of_64_bytes(Splitting splitting)
     {
         byte[] motion = GoldenPackets.NewMotion([]);
         byte[] calculation = GoldenPackets.CalculationData([]);
         byte[] command = GoldenPackets.OldCommand(command: 4, count: 0, payload: 0);
-        AssertFound(delivery, [.. motion, .. calculation, .. command, .. First], [motion, calculation, command, First], skipped: 0);
+        AssertFound(splitting, [.. motion, .. calculation, .. command, .. First], [motion, calculation, command, First], skipped: 0);
     }
 
-    [Theory, EveryDelivery]
-    public void Commands_are_as_long_as_id_and_count_say(Delivery delivery)
+    [Theory, EverySplitting]
+    public void Commands_are_as_long_as_id_and_count_say(Splitting splitting)
     {
         byte[] sizes = GoldenPackets.OldCommand(command: 0, count: 2, payload: 128);
         byte[] text = GoldenPackets.OldCommand(command: 4, count: 3, payload: 3);
         byte[] frequency = GoldenPackets.OldCommand(command: 3, count: 7, payload: 0);
-        AssertFound(delivery, [.. sizes, .. text, .. frequency, .. First], [sizes, text, frequency, First], skipped: 0);
+        AssertFound(splitting, [.. sizes, .. text, .. frequency, .. First], [sizes, text, frequency, First], skipped: 0);
     }
 
     [Theory]
@@ -192,7 +191,7 @@ public sealed class PacketScannerTests
     public void A_packet_that_drips_in_byte_by_byte_is_looked_at_four_times()
     {
         byte[] packet = GoldenPackets.NewMotion(new float[354]);
-        var scan = ScanAll.Of(Deliveries.Of(packet, Delivery.ByteByByte).Single());
+        var scan = ScanAll.Of(Splits.Of(packet, Splitting.ByteByByte).Single());
 
         Assert.Equal(packet, Assert.Single(scan.Packets).Bytes);
         Assert.Equal([2, 64, 1480], scan.Waits);
@@ -227,9 +226,9 @@ public sealed class PacketScannerTests
     private static IEnumerable<byte[]> Kinds(ReadOnlySpan<float> values) =>
         [GoldenPackets.NewMotion(values), GoldenPackets.OldMotion(values), GoldenPackets.CalculationData(values)];
 
-    private static void AssertFound(Delivery delivery, byte[] stream, byte[][] packets, long skipped, int unknownVersions = 0)
+    private static void AssertFound(Splitting splitting, byte[] stream, byte[][] packets, long skipped, int unknownVersions = 0)
     {
-        foreach (IEnumerable<ArraySegment<byte>> pieces in Deliveries.Of(stream, delivery))
+        foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(stream, splitting))
         {
             var scan = ScanAll.Of(pieces);
 

@@ -1,16 +1,15 @@
 using NeuronMocap.Protocol;
-using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Tests.Protocol;
 
 public sealed class StreamFixtureTests
 {
     [Theory]
-    [EveryDelivery("new-180", "new-186", "new-354", "new-360", "old-354", "studio-354", "calculation", "mixed", "zero-count")]
-    public void A_foreign_encoders_packets_come_out_exactly(string name, Delivery delivery)
+    [EverySplitting("new-180", "new-186", "new-354", "new-360", "old-354", "studio-354", "calculation", "mixed", "zero-count")]
+    public void A_foreign_encoders_packets_come_out_exactly(string name, Splitting splitting)
     {
         StreamFixture fixture = StreamFixture.Load(name);
-        foreach (IEnumerable<ArraySegment<byte>> pieces in Deliveries.Of(fixture.Bytes, delivery))
+        foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(fixture.Bytes, splitting))
         {
             var scan = ScanAll.Of(pieces);
             FoundPacket[] delivered = [.. scan.Packets.Where(CarriesValues)];
@@ -24,11 +23,11 @@ public sealed class StreamFixtureTests
     }
 
     [Theory]
-    [EveryDelivery]
-    public void In_the_mixed_stream_the_command_is_one_packet_and_all_else_that_is_no_frame_is_skipped(Delivery delivery)
+    [EverySplitting]
+    public void In_the_mixed_stream_the_command_is_one_packet_and_all_else_that_is_no_frame_is_skipped(Splitting splitting)
     {
         StreamFixture fixture = StreamFixture.Load("mixed");
-        foreach (IEnumerable<ArraySegment<byte>> pieces in Deliveries.Of(fixture.Bytes, delivery))
+        foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(fixture.Bytes, splitting))
         {
             var scan = ScanAll.Of(pieces);
             FoundPacket command = Assert.Single(scan.Packets, packet => packet.Kind == PacketKind.Command);
@@ -40,11 +39,11 @@ public sealed class StreamFixtureTests
     }
 
     [Theory]
-    [EveryDelivery("text", "studio-calculation")]
-    public void A_stream_of_another_format_is_skipped_whole(string name, Delivery delivery)
+    [EverySplitting("text", "studio-calculation")]
+    public void A_stream_of_another_format_is_skipped_whole(string name, Splitting splitting)
     {
         StreamFixture fixture = StreamFixture.Load(name);
-        foreach (IEnumerable<ArraySegment<byte>> pieces in Deliveries.Of(fixture.Bytes, delivery))
+        foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(fixture.Bytes, splitting))
         {
             var scan = ScanAll.Of(pieces);
 

@@ -1,6 +1,7 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 
@@ -84,15 +85,15 @@ public sealed class TcpReaderTests : IDisposable
     public async Task The_options_reach_the_frames()
     {
         NeuronReaderOptions options = _server.Options();
-        options.RotationOrder = Skeleton.RotationOrder.ZXY;
-        options.SkeletonVariant = Skeleton.SkeletonVariant.Spine3;
+        options.RotationOrder = RotationOrder.ZXY;
+        options.SkeletonVariant = SkeletonVariant.Spine3;
         await using var reader = new NeuronReader(options);
-        var format = new TaskCompletionSource<Skeleton.SkeletonFormat>();
+        var format = new TaskCompletionSource<SkeletonFormat>();
         reader.MotionReceived += frame => format.TrySetResult(frame.Format);
         reader.Start();
         using TestConnection connection = await _server.AcceptAsync();
         await connection.SendAsync(TestPackets.Motion(1));
-        Assert.Equal(new Skeleton.SkeletonFormat(Skeleton.RotationOrder.ZXY, Skeleton.SkeletonVariant.Spine3), await format.Task.Soon());
+        Assert.Equal(new SkeletonFormat(RotationOrder.ZXY, SkeletonVariant.Spine3), await format.Task.Soon());
     }
 
     [Fact]

@@ -1,4 +1,3 @@
-using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Transport;

@@ -3,7 +3,6 @@ using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
-using Xunit;
 
 namespace NeuronMocap.Tests.Server.Sources;
 

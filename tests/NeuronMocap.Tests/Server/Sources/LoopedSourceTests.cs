@@ -1,7 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
-using Xunit;
 
 namespace NeuronMocap.Tests.Server.Sources;
 

@@ -5,7 +5,7 @@ using Xunit.v3;
 namespace NeuronMocap.Tests.Infrastructure;
 
 /// <summary>A way in which the same bytes can arrive.</summary>
-public enum Delivery
+public enum Splitting
 {
     Whole,
     EverySplitInTwo,
@@ -16,19 +16,19 @@ public enum Delivery
     PiecesOf1024,
 }
 
-internal static class Deliveries
+internal static class Splits
 {
-    /// <summary>Cuts bytes up: one list of pieces for each variant of the delivery.</summary>
-    public static IEnumerable<IEnumerable<ArraySegment<byte>>> Of(byte[] bytes, Delivery delivery) => delivery switch
+    /// <summary>Cuts bytes up: one list of pieces for each variant of the splitting.</summary>
+    public static IEnumerable<IEnumerable<ArraySegment<byte>>> Of(byte[] bytes, Splitting splitting) => splitting switch
     {
-        Delivery.Whole => [[bytes]],
-        Delivery.EverySplitInTwo => Enumerable.Range(1, Math.Max(0, bytes.Length - 1)).Select(at => SplitAt(bytes, at)),
-        Delivery.ByteByByte => [Pieces(bytes, 1)],
-        Delivery.PiecesOf3 => [Pieces(bytes, 3)],
-        Delivery.PiecesOf7 => [Pieces(bytes, 7)],
-        Delivery.PiecesOf64 => [Pieces(bytes, 64)],
-        Delivery.PiecesOf1024 => [Pieces(bytes, 1024)],
-        _ => throw new ArgumentOutOfRangeException(nameof(delivery)),
+        Splitting.Whole => [[bytes]],
+        Splitting.EverySplitInTwo => Enumerable.Range(1, Math.Max(0, bytes.Length - 1)).Select(at => SplitAt(bytes, at)),
+        Splitting.ByteByByte => [Pieces(bytes, 1)],
+        Splitting.PiecesOf3 => [Pieces(bytes, 3)],
+        Splitting.PiecesOf7 => [Pieces(bytes, 7)],
+        Splitting.PiecesOf64 => [Pieces(bytes, 64)],
+        Splitting.PiecesOf1024 => [Pieces(bytes, 1024)],
+        _ => throw new ArgumentOutOfRangeException(nameof(splitting)),
     };
 
     /// <summary>Cuts bytes into pieces of random sizes, small ones more often.</summary>
@@ -52,16 +52,16 @@ internal static class Deliveries
     }
 }
 
-/// <summary>Runs a theory once for each <see cref="Delivery"/>, its last parameter; with names, once for each name and delivery.</summary>
+/// <summary>Runs a theory once for each <see cref="Splitting"/>, its last parameter; with names, once for each name and splitting.</summary>
 [AttributeUsage(AttributeTargets.Method)]
-public sealed class EveryDeliveryAttribute(params string[] names) : DataAttribute
+public sealed class EverySplittingAttribute(params string[] names) : DataAttribute
 {
     public override ValueTask<IReadOnlyCollection<ITheoryDataRow>> GetData(MethodInfo testMethod, DisposalTracker disposalTracker)
     {
-        Delivery[] deliveries = Enum.GetValues<Delivery>();
+        Splitting[] deliveries = Enum.GetValues<Splitting>();
         ITheoryDataRow[] rows = names.Length == 0
-            ? [.. deliveries.Select(delivery => new TheoryDataRow(delivery))]
-            : [.. names.SelectMany(name => deliveries.Select(delivery => new TheoryDataRow(name, delivery)))];
+            ? [.. deliveries.Select(splitting => new TheoryDataRow(splitting))]
+            : [.. names.SelectMany(name => deliveries.Select(splitting => new TheoryDataRow(name, splitting)))];
         return new(rows);
     }
 

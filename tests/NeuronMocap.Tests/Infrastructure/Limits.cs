@@ -1,8 +1,9 @@
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Tests.Infrastructure;
 
+/// <summary>Waits for things that happen at once unless something is broken.</summary>
 internal static class Limits
 {
-    // For what must happen: far longer than it ever takes, so that only a failure reaches it.
+    // Far longer than anything ever takes, so that only a failure reaches it.
     public static readonly TimeSpan Unexpected = TimeSpan.FromSeconds(60);
 
     public static Task Soon(this Task task) => task.WaitAsync(Unexpected, TestContext.Current.CancellationToken);

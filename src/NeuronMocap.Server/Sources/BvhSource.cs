@@ -1,0 +1,129 @@
+using System.Numerics;
+using NeuronMocap.Bvh;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Server.Sources;
+
+/// <summary>
+/// A take from a BVH file of Neuron's 59 bones, one row for each frame. Values are broadcast as they stand in the file, bit for bit, where the
+/// broadcast has the file's rotation order; positions that the file has no channels for are its OFFSETs.
+/// </summary>
+public sealed class BvhSource : MotionSource
+{
+    private readonly BvhSkeletonMap _map;
+    private readonly Lazy<FootContactEstimate> _contacts;
+
+    /// <summary>Makes a source of a file.</summary>
+    /// <param name="document">The file.</param>
+    /// <exception cref="NeuronException">The file's skeleton is not Neuron's, or it has no frames; the message says what is different.</exception>
+    public BvhSource(BvhDocument document)
+    {
+        ArgumentNullException.ThrowIfNull(document);
+        if (!BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out string? reason))
+            throw new NeuronException($"This is not a take of the 59 bones that Axis Neuron records. {reason}");
+        if (document.FrameCount == 0)
+            throw new NeuronException("The file holds a skeleton and no frames.");
+
+        _map = map;
+        _contacts = new Lazy<FootContactEstimate>(() => new FootContactEstimate(this, map));
+    }
+
+    /// <inheritdoc/>
+    public override double FrameRate => _map.Document.FrameRate;
+
+    /// <inheritdoc/>
+    public override long? FrameCount => _map.Document.FrameCount;
+
+    /// <inheritdoc/>
+    public override bool HasDisplacement => _map.Layout.HasDisplacement;
+
+    /// <inheritdoc/>
+    public override SkeletonVariant Variant => _map.Format.Variant;
+
+    /// <summary>Order of the file's rotation values.</summary>
+    public RotationOrder RotationOrder => _map.Format.RotationOrder;
+
+    /// <inheritdoc/>
+    public override void GetPose(long frame, Span<BoneTransform> pose) => _map.CopyLocalTransforms(checked((int)frame), pose);
+
+    /// <summary>Which feet are on the ground, estimated from their height and speed: a file does not say. The first call reads the whole take.</summary>
+    /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
+    /// <returns>True for each foot that touches.</returns>
+    public override (bool Left, bool Right) GetFootContacts(long frame) => _contacts.Value[checked((int)frame)];
+
+    /// <inheritdoc/>
+    public override void WriteValues(long frame, ChannelLayout layout, RotationOrder order, Span<float> values)
+    {
+        if (order != RotationOrder)
+        {
+            base.WriteValues(frame, layout, order, values);
+            return;
+        }
+
+        Span<float> row = stackalloc float[_map.Layout.ValueCount];
+        _map.CopyValues(checked((int)frame), row);
+        values[..layout.ValueCount].Clear();
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            int position = layout.PositionIndex(bone);
+            if (position >= 0)
+                WritePosition(bone, row, values[position..]);
+
+            row.Slice(_map.Layout.RotationIndex(bone), 3).CopyTo(values[layout.RotationIndex(bone)..]);
+        }
+    }
+
+    private void WritePosition(Bone bone, ReadOnlySpan<float> row, Span<float> destination)
+    {
+        int position = _map.Layout.PositionIndex(bone);
+        if (position >= 0)
+            row.Slice(position, 3).CopyTo(destination);
+        else
+            Write(destination, _map[bone].Offset);
+    }
+
+    // A foot touches while its lower end is near the lowest that any foot of the take comes to, and hardly moves.
+    private sealed class FootContactEstimate
+    {
+        private const float NearGround = 3; // cm
+        private const float LargestSpeed = 30; // cm/s
+
+        private readonly (bool Left, bool Right)[] _contacts;
+
+        public FootContactEstimate(BvhSource source, BvhSkeletonMap map)
+        {
+            int count = map.Document.FrameCount;
+            Vector3[] left = new Vector3[count];
+            Vector3[] right = new Vector3[count];
+            Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
+            for (int frame = 0; frame < count; frame++)
+            {
+                source.GetPose(frame, pose);
+                ForwardKinematics.ToWorld(pose, pose, source.Variant);
+                left[frame] = LowestPoint(pose[(int)Bone.LeftFoot], map[Bone.LeftFoot].EndSite);
+                right[frame] = LowestPoint(pose[(int)Bone.RightFoot], map[Bone.RightFoot].EndSite);
+            }
+
+            float ground = Math.Min(left.Min(static point => point.Y), right.Min(static point => point.Y));
+            double rate = source.FrameRate;
+            _contacts = new (bool, bool)[count];
+            for (int frame = 0; frame < count; frame++)
+                _contacts[frame] = (Touches(left, frame, ground, rate), Touches(right, frame, ground, rate));
+        }
+
+        public (bool Left, bool Right) this[int frame] => _contacts[frame];
+
+        private static Vector3 LowestPoint(BoneTransform foot, Vector3? endSite)
+        {
+            Vector3 toes = foot.TransformPoint(endSite ?? Vector3.Zero);
+            return toes.Y < foot.Position.Y ? toes : foot.Position;
+        }
+
+        private static bool Touches(Vector3[] points, int frame, float ground, double rate)
+        {
+            Vector3 before = points[Math.Max(0, frame - 1)];
+            Vector3 after = points[Math.Min(points.Length - 1, frame + 1)];
+            return points[frame].Y - ground < NearGround && Vector3.Distance(before, after) * rate / 2 < LargestSpeed;
+        }
+    }
+}
