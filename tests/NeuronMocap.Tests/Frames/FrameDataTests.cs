@@ -1,0 +1,61 @@
+using NeuronMocap.Frames;
+using NeuronMocap.Tests.Infrastructure;
+
+namespace NeuronMocap.Tests.Frames;
+
+public sealed class FrameDataTests
+{
+    private static readonly byte[] Large = GoldenPackets.NewMotion([1, 2, 3, 4]);
+    private static readonly byte[] Small = GoldenPackets.NewMotion([5]);
+
+    [Fact]
+    public void A_copy_after_a_borrow_is_the_copied_packet_and_leaves_the_lent_memory_alone()
+    {
+        byte[] lent = [0, 0, 0, .. Large, 0];
+        var data = default(FrameData);
+        data.Borrow(new ArraySegment<byte>(lent, 3, Large.Length));
+        data.Copy(Small);
+
+        Assert.Equal(Small, data.Packet.ToArray());
+        Assert.Equal(Small[..64], data.Header.ToArray());
+        Assert.Equal([5f], data.Values.ToArray());
+        Assert.Equal([0, 0, 0, .. Large, 0], lent);
+    }
+
+    [Fact]
+    public void Copies_of_any_sizes_follow_each_other()
+    {
+        var data = default(FrameData);
+        foreach (byte[] packet in (byte[][])[Small, Large, Small, GoldenPackets.NewMotion([]), Large])
+        {
+            data.Copy(packet);
+            Assert.Equal(packet, data.Packet.ToArray());
+            Assert.Equal((packet.Length - 64) / 4, data.Values.Length);
+        }
+    }
+
+    [Fact]
+    public void A_copy_that_fits_the_memory_of_the_one_before_allocates_nothing()
+    {
+        var data = default(FrameData);
+        data.Copy(Large);
+        Allocations.AssertNone(() =>
+        {
+            data.Copy(Small);
+            data.Copy(Large);
+        });
+    }
+
+    // What a big-endian machine does with a packet before it reads the values.
+    [Fact]
+    public void Swapping_reverses_the_bytes_of_every_value_and_of_nothing_else()
+    {
+        var data = default(FrameData);
+        data.Copy(Large);
+        data.SwapValues();
+
+        Assert.Equal(Large[..64], data.Header.ToArray());
+        for (int i = 64; i < Large.Length; i += 4)
+            Assert.Equal([Large[i + 3], Large[i + 2], Large[i + 1], Large[i]], data.Packet.Slice(i, 4).ToArray());
+    }
+}
