@@ -139,7 +139,7 @@ public sealed class SyntheticActor : MotionSource
         // The pelvis shifts over the standing foot, and into the ring; it is low when both feet are on the ground, far apart.
         float left = (moment.Weight * 2.2f) + (walking * 1f) + (idle * 1.2f);
         Vector3 place = WalkingPath.Point(moment.Station, left, _ringX);
-        place.Y = StandingHeight - (walking * 2.9f) + (moment.Rise * 1.6f) - (idle * idle * 0.4f);
+        place.Y = StandingHeight - (walking * 3.3f) + (moment.Rise * 1.9f) - (idle * idle * 0.4f);
 
         // The side of the swinging leg comes forward and hangs a little.
         Quaternion rotation = Turn.Y(WalkingPath.Heading(moment.Station) + (moment.Stride * 5))
