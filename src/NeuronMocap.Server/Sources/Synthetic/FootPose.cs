@@ -6,9 +6,10 @@ namespace NeuronMocap.Server.Sources.Synthetic;
 // in flight the point that the foot turns about moves along the sole to the heel, and the foot comes down heel first and flat at landing.
 internal readonly struct FootPose
 {
-    public const float AnkleHeight = 10;
-    public const float ToeLength = 15.75f;
-    public const float HeelLength = 5;
+    // The foot's End Site is this far below and before the ankle; the heel is as far below.
+    private const float AnkleHeight = 10;
+    private const float ToeLength = 15.75f;
+    private const float HeelLength = 5;
 
     private const float HalfTrack = 6.5f;
     private const float ToeOut = 6;

@@ -58,7 +58,8 @@ public class CalculationSynthesizerTests
     public void A_body_at_rest_feels_one_g_downwards_in_the_axes_of_each_bone()
     {
         Quaternion bowed = Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2);
-        CalculationFrame calculation = Calculate(Move((_, pose) => pose[(int)Bone.Neck] = pose[(int)Bone.Neck] with { Rotation = bowed }), 9);
+        FormulaSource bowing = Move((_, pose) => pose[(int)Bone.Neck] = pose[(int)Bone.Neck] with { Rotation = bowed });
+        CalculationFrame calculation = Calculate(bowing, 9);
 
         foreach (Bone bone in BoneHierarchy.Bones)
         {
