@@ -10,17 +10,18 @@ namespace NeuronMocap.Server.Sources;
 /// <para>
 /// The world's axes are those of the BVH stream: right-handed, Y up, X to the subject's left at rest, Z forward. A real server's axes are a
 /// setting; files that Axis Neuron exports have Z pointing down. Positions are metres, at the middle between a bone's joint and the next
-/// joint of its chain, or its End Site, for which the default body's is taken; the middle finger continues a hand. The hips' is their joint, as
-/// in recordings. Velocities are metres per second. The quaternion is the bone's rotation in the world, as of a sensor whose axes are the bone's.
+/// joint of its chain, or its End Site, for which the default body's is taken; the middle finger continues a hand. The position of the
+/// hips is their joint, as in recordings. Velocities are metres per second. The quaternion is the bone's rotation in the world, as of a
+/// sensor whose axes are the bone's.
 /// </para>
 /// <para>
-/// Acceleration and angular velocity are in the bone's axes. The manual does not give their units; these follow recordings. The acceleration
-/// is gravity minus that of the bone's centre, in multiples of 9.80665 m/s²: 1 downwards at rest, which is what an accelerometer
-/// measures with its sign changed. The angular velocity is in radians per second.
+/// Acceleration and angular velocity are in the bone's axes. The manual does not give their units; these follow recordings. The
+/// acceleration is gravity minus that of the bone's centre, in multiples of 9.80665 m/s²: 1 downwards at rest, which is what an
+/// accelerometer measures with its sign changed. The angular velocity is in radians per second.
 /// </para>
 /// <para>
-/// All come from a frame and its two neighbours. Where one of them does not exist, velocity and angular velocity are one-sided differences and
-/// the acceleration is the neighbour's; a performance of one frame is at rest, one of two is not accelerated.
+/// All come from a frame and its two neighbours. Where one of them does not exist, velocity and angular velocity are one-sided differences
+/// and the acceleration is the neighbour's; a performance of one frame is at rest, one of two is not accelerated.
 /// </para>
 /// </summary>
 public static class CalculationSynthesizer
@@ -36,7 +37,8 @@ public static class CalculationSynthesizer
     /// <param name="source">The performance.</param>
     /// <param name="frame">Frame number, from 0, below the source's <see cref="MotionSource.FrameCount"/>.</param>
     /// <param name="values">
-    /// Exactly 946 values for 59 bones or 338 for 21: <see cref="CalculationFrame.FullValueCount"/>, <see cref="CalculationFrame.BodyValueCount"/>.
+    /// Exactly 946 values for 59 bones (<see cref="CalculationFrame.FullValueCount"/>) or 338 for 21
+    /// (<see cref="CalculationFrame.BodyValueCount"/>); all of them are written.
     /// </param>
     /// <exception cref="ArgumentException">There is room for another number of values.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The source has no such frame.</exception>

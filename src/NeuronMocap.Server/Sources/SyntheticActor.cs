@@ -5,9 +5,9 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Server.Sources;
 
 /// <summary>
-/// An actor that needs no take: it walks round a ring of two metres, stops every few steps, and waves, looks around, counts with its fingers
-/// or stretches. Its body is the default one (<see cref="DefaultOffsets"/>, variant Neck1). A foot on the ground does not move, and no foot
-/// goes below the ground, which is at Y = 0.
+/// An actor that needs no take: it walks round a ring of two metres, stops every few steps, and waves, looks around, counts with its
+/// fingers or stretches. Its body is the default one (<see cref="DefaultOffsets"/>, variant Neck1). A foot on the ground does not move, and
+/// no foot goes below the ground, which is at Y = 0.
 /// <para>
 /// The programme repeats every 40 seconds; a pose is computed from the frame number alone, in the same time and to the same precision for
 /// any frame up to 2^53. Immutable: any number of threads may ask at once. Asking allocates nothing.
@@ -31,8 +31,8 @@ public sealed class SyntheticActor : MotionSource
     /// <summary>Makes an actor.</summary>
     /// <param name="frameRate">Frames per second; the actor's speed does not depend on it.</param>
     /// <param name="avatar">
-    /// Which of several actors, from 0: each has a ring of its own, 320 cm further along X than the one before, begins at another point of the
-    /// programme and makes its gestures in another order. Two neighbours' paths are 120 cm apart where they are closest.
+    /// Which of several actors, from 0: each has a ring of its own, 320 cm further along X than the one before, begins at another point of
+    /// the programme and makes its gestures in another order. Two neighbours' paths are 120 cm apart where they are closest.
     /// </param>
     /// <exception cref="ArgumentOutOfRangeException">The rate is not a positive number, or the avatar is negative.</exception>
     public SyntheticActor(double frameRate = 60, int avatar = 0)
@@ -83,7 +83,7 @@ public sealed class SyntheticActor : MotionSource
     }
 
     /// <summary>
-    /// Which feet are on the ground with the whole sole. A foot that is rolling over its toes has begun to leave. One is always on the ground.
+    /// Which feet are on the ground with the whole sole; at least one is. A foot that is rolling over its toes has begun to leave.
     /// </summary>
     /// <param name="frame">Frame number, from 0.</param>
     /// <returns>True for each foot that is planted.</returns>
@@ -93,6 +93,8 @@ public sealed class SyntheticActor : MotionSource
         var moment = new GaitMoment(SecondsInLap(frame));
         return (moment.GetFoot(right: false).IsPlanted, moment.GetFoot(right: true).IsPlanted);
     }
+
+    private static float PelvisHeading(in GaitMoment moment) => WalkingPath.Heading(moment.Station) + (moment.Stride * 5);
 
     private static void WriteHands(in Gesture gesture, float lap, Span<BoneTransform> pose)
     {
@@ -137,12 +139,12 @@ public sealed class SyntheticActor : MotionSource
         float idle = (1 - walking) * MathF.Sin(lap * 5);
 
         // The pelvis shifts over the standing foot, and into the ring; it is low when both feet are on the ground, far apart.
-        float left = (moment.Weight * 2.2f) + (walking * 1f) + (idle * 1.2f);
+        float left = (moment.Weight * 2.2f) + walking + (idle * 1.2f);
         Vector3 place = WalkingPath.Point(moment.Station, left, _ringX);
-        place.Y = StandingHeight - (walking * 2.9f) + (moment.Rise * 1.6f) - (idle * idle * 0.4f);
+        place.Y = StandingHeight - (walking * 3.3f) + (moment.Rise * 1.9f) - (idle * idle * 0.4f);
 
         // The side of the swinging leg comes forward and hangs a little.
-        Quaternion rotation = Turn.Y(WalkingPath.Heading(moment.Station) + (moment.Stride * 5))
+        Quaternion rotation = Turn.Y(PelvisHeading(moment))
             * Turn.Z((moment.Weight * 3) - (walking * 0.6f) + idle)
             * Turn.X(walking * 2);
         pose[(int)Bone.Hips] = new BoneTransform(place, rotation);
@@ -150,7 +152,7 @@ public sealed class SyntheticActor : MotionSource
 
     private void WriteLegs(in GaitMoment moment, Span<BoneTransform> pose)
     {
-        float heading = WalkingPath.Heading(moment.Station) + (moment.Stride * 5);
+        float heading = PelvisHeading(moment);
         var right = new FootPose(moment.GetFoot(right: true), right: true, _ringX);
         var left = new FootPose(moment.GetFoot(right: false), right: false, _ringX);
         Leg.Solve(Bone.RightUpLeg, right, Turn.Y((heading + right.Heading) / 2), pose);

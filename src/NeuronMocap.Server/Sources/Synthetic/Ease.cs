@@ -1,6 +1,6 @@
 namespace NeuronMocap.Server.Sources.Synthetic;
 
-// Curves that start and end at rest, so that whatever is joined there joins smoothly. Speed and acceleration of a step are zero at its ends.
+// Curves that start and end at rest, so that whatever is joined there joins smoothly. A step's acceleration is zero at its ends, too.
 internal static class Ease
 {
     public static float Step(float x)

@@ -6,14 +6,15 @@ namespace NeuronMocap.Server.Sources.Synthetic;
 // in flight the point that the foot turns about moves along the sole to the heel, and the foot comes down heel first and flat at landing.
 internal readonly struct FootPose
 {
-    public const float AnkleHeight = 10;
-    public const float ToeLength = 15.75f;
-    public const float HeelLength = 5;
+    // The foot's End Site is this far below and before the ankle; the heel is as far below.
+    private const float AnkleHeight = 10;
+    private const float ToeLength = 15.75f;
+    private const float HeelLength = 5;
 
     private const float HalfTrack = 6.5f;
     private const float ToeOut = 6;
-    private const float RollDegrees = 38;
-    private const float ToeUpDegrees = 14;
+    private const float RollDegrees = 36;
+    private const float ToeUpDegrees = 10;
     private const float Clearance = 3.5f;
 
     public FootPose(FootSwing swing, bool right, float ringX)
@@ -26,7 +27,7 @@ internal readonly struct FootPose
 
         // A short step, at the start and end of a walk, turns the foot less.
         float size = (1 + swing.To - swing.From) / 3f;
-        float pitch = size * ((RollDegrees * Ease.Bump(v, 0, 0.26f, 0.75f)) - (ToeUpDegrees * Ease.Bump(v, 0.55f, 0.85f, 1)));
+        float pitch = size * ((RollDegrees * Ease.Bump(v, 0, 0.3f, 0.75f)) - (ToeUpDegrees * Ease.Bump(v, 0.55f, 0.85f, 1)));
         float pivot = Ease.Lerp(ToeLength, -HeelLength, Ease.Step(v, 0.35f, 0.75f));
         float height = Clearance * Ease.Bump(v, 0, 0.5f, 1);
 

@@ -20,10 +20,10 @@ internal static class Torso
         Write(pose, Bone.Spine1, bend * Turn.X(pitch - (0.4f * breath)));
         Write(pose, Bone.Spine2, bend * Turn.X(pitch - (0.8f * breath)));
 
-        Quaternion chest = Quaternion.Identity;
-        for (Bone bone = Bone.Hips; bone <= Bone.Spine2; bone = bone == Bone.Hips ? Bone.Spine : bone + 1)
-            chest *= pose[(int)bone].Rotation;
-
+        Quaternion chest = pose[(int)Bone.Hips].Rotation
+            * pose[(int)Bone.Spine].Rotation
+            * pose[(int)Bone.Spine1].Rotation
+            * pose[(int)Bone.Spine2].Rotation;
         float headYaw = WalkingPath.Heading(moment.Station) + (moment.Walking * 10) + (look * 48);
         headYaw += moment.IsWalking ? gesture.AmountOf(GestureKind.Wave) * 30 : 0;
         float headPitch = 4 + (gesture.AmountOf(GestureKind.CountFingers) * 22) - (stretch * 16) + (look * look * 6) + (0.3f * breath);

@@ -57,7 +57,8 @@ public class CalculationSynthesizerTests
     public void A_body_at_rest_feels_one_g_downwards_in_the_axes_of_each_bone()
     {
         Quaternion bowed = Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2);
-        CalculationFrame calculation = Calculate(Move((_, pose) => pose[(int)Bone.Neck] = pose[(int)Bone.Neck] with { Rotation = bowed }), 9);
+        FormulaSource bowing = Move((_, pose) => pose[(int)Bone.Neck] = pose[(int)Bone.Neck] with { Rotation = bowed });
+        CalculationFrame calculation = Calculate(bowing, 9);
 
         foreach (Bone bone in BoneHierarchy.Bones)
         {
@@ -87,7 +88,9 @@ public class CalculationSynthesizerTests
         Quaternion bowed = Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2);
         FormulaSource turning = Move((frame, pose) =>
         {
-            pose[0] = pose[0] with { Rotation = Quaternion.CreateFromAxisAngle(Vector3.UnitY, (float)(frame / Rate * 3)) };
+            // A quaternion and its negative are the same rotation; a source may change between them at any time.
+            Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, (float)(frame / Rate * 3));
+            pose[0] = pose[0] with { Rotation = frame % 4 < 2 ? turn : -turn };
             pose[(int)Bone.Neck] = pose[(int)Bone.Neck] with { Rotation = bowed };
         });
 

@@ -106,7 +106,7 @@ public class SyntheticActorGaitTests
             foreach (Bone shin in (Bone[])[Bone.RightLeg, Bone.LeftLeg])
             {
                 Quaternion knee = pose[(int)shin].Rotation;
-                Assert.InRange(2 * Math.Atan2(knee.X, knee.W) * (180 / Math.PI), 5, 75);
+                Assert.InRange(2 * Math.Atan2(knee.X, knee.W) * (180 / Math.PI), 10, 70);
                 Assert.Equal(0, knee.Y, 5);
                 Assert.Equal(0, knee.Z, 5);
             }
