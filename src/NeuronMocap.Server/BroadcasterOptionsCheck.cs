@@ -15,10 +15,17 @@ internal static class BroadcasterOptionsCheck
         Require(options.AvatarNames.Count <= options.Sources.Count, nameof(options.AvatarNames), "takes no more names than there are sources", options.AvatarNames.Count);
         CheckNetwork(options);
         CheckFormat(options);
-        Require(options.Rate is null or (>= 0.01 and <= 100_000) or BroadcasterOptions.MaxRate, nameof(options.Rate), "is 0.01 to 100,000 Hz or MaxRate", options.Rate);
+        CheckRate(options);
         Require(options.FrameLimit is null or >= 1, nameof(options.FrameLimit), "is at least 1 frame", options.FrameLimit);
         Require(options.QueueLength is >= 1 and <= 65_536, nameof(options.QueueLength), "is 1 to 65,536 frames", options.QueueLength);
         Require(options.CloseTimeout >= TimeSpan.Zero && options.CloseTimeout <= TimeSpan.FromMinutes(10), nameof(options.CloseTimeout), "is 0 to 10 minutes", options.CloseTimeout);
+    }
+
+    private static void CheckRate(BroadcasterOptions options)
+    {
+        double own = options.Sources[0].FrameRate;
+        Require(options.Rate is null or (>= 0.01 and <= 100_000) or BroadcasterOptions.MaxRate, nameof(options.Rate), "is 0.01 to 100,000 Hz or MaxRate", options.Rate);
+        Require(options.Rate is not null || own is >= 0.01 and <= 100_000, nameof(options.Rate), "has to be set when the first source's own is not 0.01 to 100,000 Hz", own);
     }
 
     private static void CheckNetwork(BroadcasterOptions options)

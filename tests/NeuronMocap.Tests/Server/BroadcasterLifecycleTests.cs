@@ -190,6 +190,20 @@ public sealed class BroadcasterLifecycleTests
         Assert.Contains($"BroadcasterOptions.{setting} ", exception.Message, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData(0)]
+    [InlineData(double.NaN)]
+    [InlineData(double.PositiveInfinity)]
+    public void A_source_without_a_usable_rate_needs_one_set(double own)
+    {
+        BroadcasterOptions options = Expect.Options();
+        options.Sources = [new FailingSource(0, own)];
+        options.Rate = null;
+        Assert.Throws<ArgumentException>("Rate", () => new Broadcaster(options));
+        options.Rate = 50;
+        Assert.Equal(50, new Broadcaster(options).Rate);
+    }
+
     [Fact]
     public void Waiting_for_a_client_needs_a_port()
     {
