@@ -6,7 +6,7 @@ using NeuronMocap.Server.Clients;
 
 namespace NeuronMocap.Server;
 
-// Who is served, from the first byte to the last. All of it runs under the gate, on the threads of the listener, the pacer and the recipients.
+// Who is served, from the first byte to the last: on the threads of the listener, the pacer and the recipients, and under the gate.
 public sealed partial class Broadcaster
 {
     private void Open()

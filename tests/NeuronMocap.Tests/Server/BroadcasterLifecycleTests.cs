@@ -91,7 +91,8 @@ public sealed class BroadcasterLifecycleTests
         await Limits.UntilAsync(() => broadcaster.Statistics.Clients == (hasClients ? 2 : 0));
         gone?.Reset();
 
-        await Task.WhenAll(broadcaster.DisposeAsync().AsTask(), Task.Run(broadcaster.Dispose, TestContext.Current.CancellationToken)).Soon();
+        Task again = Task.Run(broadcaster.Dispose, TestContext.Current.CancellationToken);
+        await Task.WhenAll(broadcaster.DisposeAsync().AsTask(), again).Soon();
         await broadcaster.Completion.Soon();
         await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 0);
         using var late = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
