@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.CommandLine.Help;
-using System.Net.Sockets;
 using System.Runtime.InteropServices;
 using NeuronMocap;
 using NeuronMocap.Server;
@@ -24,8 +23,7 @@ int Run(ParseResult parsed)
 {
     try
     {
-        var settings = new SourceSettings(parsed.GetValue(command.Bvh), parsed.GetValue(command.Avatars) ?? 1, parsed.GetValue(command.Loop));
-        SimulatorSources sources = SourceFactory.Create(settings);
+        SimulatorSources sources = CreateSources(parsed);
         BroadcasterOptions options = SimulatorOptions.Create(command, parsed, sources);
         using var broadcaster = new Broadcaster(options);
         using PosixSignalRegistration interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Stop);
@@ -44,17 +42,26 @@ int Run(ParseResult parsed)
     {
         return Complain(exception.Message);
     }
+    catch (SimulatorException exception)
+    {
+        return Fail(exception.Message);
+    }
     catch (BroadcasterException exception)
     {
         return Fail($"{OptionOf(exception.Setting)}: {exception.Message}");
     }
-    catch (SocketException exception)
+}
+
+SimulatorSources CreateSources(ParseResult parsed)
+{
+    try
     {
-        return Fail($"--udp: the host name leads nowhere ({exception.SocketErrorCode}).");
+        return SourceFactory.Create(new SourceSettings(
+            parsed.GetValue(command.Bvh), parsed.GetValue(command.Avatars) ?? 1, parsed.GetValue(command.Loop)));
     }
     catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException)
     {
-        return Fail($"--bvh: {exception.Message}");
+        throw new SimulatorException($"--bvh: {exception.Message}");
     }
 }
 

@@ -9,7 +9,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Simulator;
 
-/// <summary>The values of a setting of Axis Neuron that is a switch there. Not bool: the parser takes that for an option without a value.</summary>
+/// <summary>A switch that is written out. Not a bool, which the parser takes for an option without a value.</summary>
 internal enum OnOff
 {
     On,
@@ -33,7 +33,10 @@ internal sealed class SimulatorCommand : RootCommand
         Reference.CustomParser = ParseWord<OnOff>("on", "off");
         Header.CustomParser = ParseWord<HeaderLayout>("new", "old");
         foreach (Option option in (Option[])
-            [Bvh, Synthetic, Bind, Port, Udp, Avatars, Rate, Frames, Loop, WaitForClient, Displacement, Reference, Order, Header, Calculation, Fragment])
+            [
+                Bvh, Synthetic, Bind, Port, Udp, Avatars, Rate, Frames, Loop, WaitForClient,
+                Displacement, Reference, Order, Header, Calculation, Fragment,
+            ])
         {
             Add(option);
         }
@@ -41,9 +44,16 @@ internal sealed class SimulatorCommand : RootCommand
         Validators.Add(CheckTogether);
     }
 
-    public Option<FileInfo?> Bvh { get; } = new("--bvh") { HelpName = "FILE", Description = "Play a BVH file of the Perception Neuron skeleton." };
+    public Option<FileInfo?> Bvh { get; } = new("--bvh")
+    {
+        HelpName = "FILE",
+        Description = "Play a BVH file of the Perception Neuron skeleton.",
+    };
 
-    public Option<bool> Synthetic { get; } = new("--synthetic") { Description = "Play a synthetic actor, without end. This is the default." };
+    public Option<bool> Synthetic { get; } = new("--synthetic")
+    {
+        Description = "Play a synthetic actor, without end. This is the default.",
+    };
 
     public Option<IPAddress> Bind { get; } = new("--bind")
     {
@@ -68,14 +78,22 @@ internal sealed class SimulatorCommand : RootCommand
     public Option<double?> Rate { get; } = new("--rate")
     {
         HelpName = "HZ|max",
-        Description = "Frames per second, 0.01 to 100000, or max: as fast as each client reads, each from frame 0, losing nothing. Default: the source's own.",
+        Description = "Frames per second, 0.01 to 100000, or max: as fast as each client reads, each from frame 0, losing nothing. "
+            + "Default: the source's own.",
     };
 
-    public Option<long?> Frames { get; } = new("--frames") { HelpName = "N", Description = "Frames of each avatar to send, at least 1. Default: all." };
+    public Option<long?> Frames { get; } = new("--frames")
+    {
+        HelpName = "N",
+        Description = "Frames of each avatar to send, at least 1. Default: all.",
+    };
 
     public Option<bool> Loop { get; } = new("--loop") { Description = "Start a finite take again at its end." };
 
-    public Option<bool> WaitForClient { get; } = new("--wait-for-client") { Description = "Send nothing before the first TCP client, which then gets frame 0." };
+    public Option<bool> WaitForClient { get; } = new("--wait-for-client")
+    {
+        Description = "Send nothing before the first TCP client, which then gets frame 0.",
+    };
 
     public Option<OnOff?> Displacement { get; } = new("--displacement")
     {

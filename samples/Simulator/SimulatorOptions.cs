@@ -16,7 +16,7 @@ internal static class SimulatorOptions
     /// <param name="result">A command line without errors.</param>
     /// <param name="sources">What to play.</param>
     /// <exception cref="UsageException">An option has no meaning here.</exception>
-    /// <exception cref="SocketException">A host name leads nowhere.</exception>
+    /// <exception cref="SimulatorException">A host name leads nowhere.</exception>
     public static BroadcasterOptions Create(SimulatorCommand command, ParseResult result, SimulatorSources sources)
     {
         string[] udp = result.GetValue(command.Udp) ?? [];
@@ -47,8 +47,15 @@ internal static class SimulatorOptions
         if (IPAddress.TryParse(host, out IPAddress? address))
             return new IPEndPoint(address, port);
 
-        // IPv4 first: the vendor's readers bind to nothing else (protocol.md section 4.2).
-        IPAddress[] addresses = Dns.GetHostAddresses(host);
-        return new IPEndPoint(addresses.OrderBy(candidate => candidate.AddressFamily != AddressFamily.InterNetwork).First(), port);
+        try
+        {
+            // IPv4 first: the vendor's readers bind to nothing else (protocol.md section 4.2).
+            IPAddress[] addresses = Dns.GetHostAddresses(host);
+            return new IPEndPoint(addresses.OrderBy(candidate => candidate.AddressFamily != AddressFamily.InterNetwork).First(), port);
+        }
+        catch (SocketException exception)
+        {
+            throw new SimulatorException($"--udp: the host name {host} leads nowhere ({exception.SocketErrorCode}).");
+        }
     }
 }

@@ -51,7 +51,8 @@ internal sealed class SimulatorReport(Broadcaster broadcaster, BroadcasterOption
         BroadcasterStatistics statistics = broadcaster.Statistics;
         return string.Create(
             CultureInfo.InvariantCulture,
-            $"{Count(statistics.Clients, "client")}, {Count(statistics.FramesSent, "frame")} sent, {Count(statistics.PacketsDropped, "packet")} dropped, {statistics.BytesSent / 1e6:0.0} MB");
+            $"{Count(statistics.Clients, "client")}, {Count(statistics.FramesSent, "frame")} sent, "
+            + $"{Count(statistics.PacketsDropped, "packet")} dropped, {statistics.BytesSent / 1e6:0.0} MB");
     }
 
     private static string Count(long number, string noun) =>

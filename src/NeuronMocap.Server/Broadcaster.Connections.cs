@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using System.Diagnostics.CodeAnalysis;
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Server.Broadcasting;
@@ -7,7 +6,7 @@ using NeuronMocap.Server.Clients;
 
 namespace NeuronMocap.Server;
 
-// Who is served, from the first byte to the last. All of it runs under the gate, on the threads of the listener, the pacer and the recipients.
+// Who is served, from the first byte to the last: on the threads of the listener, the pacer and the recipients, and under the gate.
 public sealed partial class Broadcaster
 {
     private void Open()
@@ -82,29 +81,27 @@ public sealed partial class Broadcaster
                 return;
             }
 
-            if (!TryCreateSession(socket, out TcpClientSession? session))
-                return;
-
-            // In the list and at its place in the log before the first frame is made.
-            _accepted++;
-            _recipients.Add(session);
-            session.Worker.Start();
-            Begin();
+            if (TryServe(socket))
+                Begin();
         }
     }
 
-    private bool TryCreateSession(Socket socket, [NotNullWhen(true)] out TcpClientSession? session)
+    // The client has its place in the log before the first frame is made.
+    private bool TryServe(Socket socket)
     {
         try
         {
-            session = new TcpClientSession(socket, _plan, CreateFeed(), _options.Fragment, _options.CloseTimeout, OnRecipientEnded);
+            var session = new TcpClientSession(socket, _plan, CreateFeed(), _options.Fragment, _options.CloseTimeout, OnRecipientEnded);
+            session.Worker.Start();
+            _recipients.Add(session);
+            _accepted++;
             return true;
         }
-        catch (SocketException)
+        catch (Exception exception) when (exception is SocketException or OutOfMemoryException)
         {
-            // Reset before it was greeted.
+            // It was reset before it was greeted, or the system has no thread left for it.
+            _refused++;
             socket.Dispose();
-            session = null;
             return false;
         }
     }

@@ -54,7 +54,9 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <summary>Where TCP clients connect, with the real port; null before the start and without a listener.</summary>
     public IPEndPoint? LocalEndPoint { get; private set; }
 
-    /// <summary>Frames per second: the setting or the first source's own; <see cref="BroadcasterOptions.MaxRate"/> when not paced.</summary>
+    /// <summary>
+    /// Frames per second: the setting or the first source's own; <see cref="BroadcasterOptions.MaxRate"/> when not paced.
+    /// </summary>
     public double Rate { get; }
 
     /// <summary>Which values the motion packets carry: the settings, and the first source where they leave it to it.</summary>
@@ -97,8 +99,10 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     {
         lock (_gate)
         {
+            if (_isOver)
+                throw new ObjectDisposedException(nameof(Broadcaster), "The broadcaster was stopped.");
             if (_isStarted)
-                throw _isOver ? new ObjectDisposedException(nameof(Broadcaster)) : new InvalidOperationException("The broadcaster was started before.");
+                throw new InvalidOperationException("The broadcaster was started before.");
 
             Open();
             _isStarted = true;
@@ -108,13 +112,14 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         }
     }
 
-    /// <summary>Closes all connections at once, without waiting for clients, and ends all threads. Returns within seconds; may be repeated.</summary>
+    /// <summary>
+    /// Closes all connections at once, without waiting for clients, and ends all threads. Returns within seconds; may be repeated.
+    /// </summary>
     public void Stop()
     {
         Worker?[] workers;
         lock (_gate)
         {
-            _isStarted = true;
             workers = [_listener?.Worker, _pacer?.Worker, .. _recipients.ConvertAll(recipient => recipient.Worker)];
             Close(error: null);
         }
@@ -135,7 +140,10 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     {
         var names = new AvatarName[options.Sources.Count];
         for (int i = 0; i < names.Length; i++)
-            names[i] = new AvatarName(i < options.AvatarNames.Count ? options.AvatarNames[i] : "Char" + i.ToString("00", CultureInfo.InvariantCulture));
+        {
+            string ordinary = "Char" + i.ToString("00", CultureInfo.InvariantCulture);
+            names[i] = new AvatarName(i < options.AvatarNames.Count ? options.AvatarNames[i] : ordinary);
+        }
 
         return new FramePlan(
             options.Sources,

@@ -3,7 +3,9 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Server;
 
-/// <summary>A <see cref="Broadcaster"/> could not take its port or reach its destination; the message says which setting to change.</summary>
+/// <summary>
+/// A <see cref="Broadcaster"/> could not take its port or reach its destination; the message says which setting to change.
+/// </summary>
 public sealed class BroadcasterException : NeuronException
 {
     /// <summary>Makes an exception without a message.</summary>
@@ -36,7 +38,8 @@ public sealed class BroadcasterException : NeuronException
     {
         SocketError.AddressAlreadyInUse => new BroadcasterException(
             nameof(BroadcasterOptions.Port),
-            $"Port {endPoint.Port} on {endPoint.Address} is used by another program; end that one, or choose another Port (0 takes any free one).",
+            $"Port {endPoint.Port} on {endPoint.Address} is used by another program; "
+            + "end that one, or choose another Port (0 takes any free one).",
             cause),
         SocketError.AccessDenied => new BroadcasterException(
             nameof(BroadcasterOptions.Port),
@@ -44,7 +47,8 @@ public sealed class BroadcasterException : NeuronException
             cause),
         _ => new BroadcasterException(
             nameof(BroadcasterOptions.BindAddress),
-            $"This machine cannot listen on the address {endPoint.Address}; set BindAddress to one of its own, or to 0.0.0.0 for all ({cause.SocketErrorCode}).",
+            $"This machine cannot listen on the address {endPoint.Address} ({cause.SocketErrorCode}); "
+            + "set BindAddress to one of its own, or to 0.0.0.0 for all.",
             cause),
     };
 

@@ -50,8 +50,8 @@ public sealed class BroadcasterOptions
     /// Frames per second, 0.01 to 100,000, or <see cref="MaxRate"/>; null takes the first source's own. Default: null.
     /// <para>
     /// At a number, each frame is made once, at its time, and sent to all; a client that does not read loses whole packets and delays
-    /// nobody. At <see cref="MaxRate"/> every client gets the whole take from frame 0 as fast as it reads, loses nothing, and its connection
-    /// is closed after the last frame; UDP, which cannot push back, is sent as fast as the system takes it.
+    /// nobody. At <see cref="MaxRate"/> every client gets the whole take from frame 0 as fast as it reads, loses nothing, and its
+    /// connection is closed after the last frame; UDP, which cannot push back, is sent as fast as the system takes it.
     /// </para>
     /// </summary>
     public double? Rate { get; set; }

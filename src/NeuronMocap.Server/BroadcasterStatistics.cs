@@ -21,7 +21,9 @@ public readonly record struct BroadcasterStatistics
     /// <summary>TCP clients that were served since the start.</summary>
     public long Accepted { get; }
 
-    /// <summary>TCP clients that were turned away because there were <see cref="BroadcasterOptions.MaxClients"/>.</summary>
+    /// <summary>
+    /// TCP clients that were turned away: there were <see cref="BroadcasterOptions.MaxClients"/>, or the system had no room for one more.
+    /// </summary>
     public long Refused { get; }
 
     /// <summary>Motion packets handed to the network, of all avatars and to all receivers together.</summary>

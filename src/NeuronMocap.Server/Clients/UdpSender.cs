@@ -14,7 +14,8 @@ internal sealed class UdpSender : Recipient
     private readonly byte[] _buffer;
     private long _motionPackets;
 
-    public UdpSender(Socket socket, IPEndPoint destination, FramePlan plan, FrameFeed feed, int? fragment, Action<Recipient, Exception?> ended)
+    public UdpSender(
+        Socket socket, IPEndPoint destination, FramePlan plan, FrameFeed feed, int? fragment, Action<Recipient, Exception?> ended)
         : base(socket, destination, plan, feed, ended)
     {
         _fragment = fragment ?? int.MaxValue;

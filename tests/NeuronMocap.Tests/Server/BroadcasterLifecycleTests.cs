@@ -91,7 +91,8 @@ public sealed class BroadcasterLifecycleTests
         await Limits.UntilAsync(() => broadcaster.Statistics.Clients == (hasClients ? 2 : 0));
         gone?.Reset();
 
-        await Task.WhenAll(broadcaster.DisposeAsync().AsTask(), Task.Run(broadcaster.Dispose, TestContext.Current.CancellationToken)).Soon();
+        Task again = Task.Run(broadcaster.Dispose, TestContext.Current.CancellationToken);
+        await Task.WhenAll(broadcaster.DisposeAsync().AsTask(), again).Soon();
         await broadcaster.Completion.Soon();
         await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 0);
         using var late = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
@@ -188,6 +189,20 @@ public sealed class BroadcasterLifecycleTests
         spoil(options);
         ArgumentException exception = Assert.Throws<ArgumentException>(() => new Broadcaster(options));
         Assert.Contains($"BroadcasterOptions.{setting} ", exception.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(double.NaN)]
+    [InlineData(double.PositiveInfinity)]
+    public void A_source_without_a_usable_rate_needs_one_set(double own)
+    {
+        BroadcasterOptions options = Expect.Options();
+        options.Sources = [new FailingSource(0, own)];
+        options.Rate = null;
+        Assert.Throws<ArgumentException>("Rate", () => new Broadcaster(options));
+        options.Rate = 50;
+        Assert.Equal(50, new Broadcaster(options).Rate);
     }
 
     [Fact]

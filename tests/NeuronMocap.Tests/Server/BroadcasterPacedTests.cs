@@ -170,7 +170,9 @@ public sealed class BroadcasterPacedTests
     }
 
     private static long GetDropped(Broadcaster broadcaster, TestClient client) =>
-        broadcaster.GetClients().Where(entry => Equals(entry.RemoteEndPoint, client.Socket.LocalEndPoint)).Sum(entry => entry.PacketsDropped);
+        broadcaster.GetClients()
+            .Where(entry => Equals(entry.RemoteEndPoint, client.Socket.LocalEndPoint))
+            .Sum(entry => entry.PacketsDropped);
 
     private static bool CanConnect(Broadcaster broadcaster)
     {

@@ -45,9 +45,9 @@ internal sealed class TestSource(int seed = 0, long? frameCount = null) : Motion
 }
 
 // A performance that fails in one frame.
-internal sealed class FailingSource(long badFrame) : MotionSource
+internal sealed class FailingSource(long badFrame, double frameRate = 1000) : MotionSource
 {
-    public override double FrameRate => 1000;
+    public override double FrameRate { get; } = frameRate;
 
     public override long? FrameCount => null;
 
