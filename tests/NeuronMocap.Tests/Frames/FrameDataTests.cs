@@ -1,5 +1,4 @@
 using NeuronMocap.Frames;
-using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Tests.Frames;
 
