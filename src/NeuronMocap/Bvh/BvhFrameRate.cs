@@ -12,7 +12,7 @@ namespace NeuronMocap.Bvh;
 /// </summary>
 internal static class BvhFrameRate
 {
-    /// <summary>Hz, where a file does not say: what Axis Neuron's own takes have.</summary>
+    /// <summary>Hz, where a file does not say: that of a suit with fewer than 18 sensors (manual section 1.3).</summary>
     public const int Default = 120;
 
     private const double ShortestTime = 1e-6;
