@@ -100,7 +100,7 @@ internal ref struct BvhHierarchyReader
 
         _text.ReadWord();
         LeaveEndSite();
-        if (isRoot != _open is null)
+        if (isRoot != (_open is null))
             Repair(isRoot ? $"A ROOT inside {Describe(_open!)} is read as a JOINT." : "A JOINT outside of any other is read as a ROOT.");
 
         _open = new BvhJoint(ReadName(), _joints.Count, _open) { FirstChannel = _channelCount };
@@ -117,7 +117,7 @@ internal ref struct BvhHierarchyReader
     {
         ReadOnlySpan<byte> name = _text.ReadToBrace();
         ReadOnlySpan<byte> next = _text.PeekWord();
-        if (name.IsEmpty && !next.IsEmpty && next[0] is not ((byte)'{' or (byte)'}'))
+        if (name.IsEmpty && !IsStatement(next))
             name = _text.ReadToBrace();
 
         return Encoding.UTF8.GetString(name);

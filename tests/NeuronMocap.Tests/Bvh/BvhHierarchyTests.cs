@@ -101,6 +101,16 @@ public class BvhHierarchyTests
         AssertSame(Parse(TwoRows), Parse(TwoRows.Replace("Spine\n", "\n  Spine\n", StringComparison.Ordinal)));
 
     [Fact]
+    public void A_statement_on_the_next_line_is_no_name()
+    {
+        BvhDocument document = Parse(TwoRows.Replace("JOINT Spine\n    {", "JOINT", StringComparison.Ordinal));
+
+        Assert.Equal("Hips ", NamesOf(document));
+        Assert.Equal(new Vector3(0.5f, 14.307f, 0.1f), document.Joints[1].Offset);
+        Assert.Equal([6, 6], document.Repairs.Select(repair => repair.Line));
+    }
+
+    [Fact]
     public void Several_roots_are_several_joints_without_a_parent()
     {
         BvhDocument document = Parse(Hierarchy + Hierarchy.Replace("HIERARCHY\n", "", StringComparison.Ordinal));

@@ -25,14 +25,14 @@ public class BvhRobustnessTests
         byte[] original = Encoding.UTF8.GetBytes(TwoRows);
         byte[] bits = Encoding.Latin1.GetBytes(Bits);
         int read = 0;
-        for (int seed = 0; seed < 20_000; seed++)
+        for (int seed = 0; seed < 5_000; seed++)
         {
             var random = new Random(seed);
             byte[] text = Mutate(original, bits, random);
             read += IsRead(text, $"seed {seed}") ? 1 : 0;
         }
 
-        Assert.InRange(read, 1000, 20_000);
+        Assert.InRange(read, 1_000, 5_000);
     }
 
     [Fact]
@@ -43,7 +43,7 @@ public class BvhRobustnessTests
             "HIERARCHY", "ROOT", "JOINT", "End", "Site", "OFFSET", "CHANNELS", "MOTION", "Frames:", "Frame", "Time:", "{", "}",
             "Xposition", "Zrotation", "a", "0", "1", "3", "-2.5", "1e99", "nan", "\n", "\r\n", ":",
         ];
-        for (int seed = 0; seed < 20_000; seed++)
+        for (int seed = 0; seed < 5_000; seed++)
         {
             var random = new Random(seed);
             IEnumerable<string> picked = Enumerable.Range(0, random.Next(60)).Select(_ => words[random.Next(words.Length)]);
