@@ -41,7 +41,7 @@ internal sealed class BvhBoneColumns
         int index = Layout.PositionIndex(bone);
         int count = joint.Channels.Count(IsPosition);
         if (count != (index < 0 ? 0 : 3))
-            return $"Joint {joint.Name} has {count} position channels; a packet has three for the hips, and three or none for all the others.";
+            return $"Joint {joint.Name} has {count} position channels; a packet has 3 for the hips, and 3 or none for all the others.";
 
         for (int axis = 0; axis < count; axis++)
         {

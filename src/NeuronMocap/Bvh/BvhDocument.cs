@@ -1,8 +1,8 @@
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// A BVH file: a hierarchy of joints and rows of values that move it. Holds what the file says, in its own order and units (Axis Neuron:
-/// centimetres and degrees); <see cref="BvhSkeletonMap"/> finds Neuron's bones in it. Immutable once read; thread-safe.
+/// A BVH file: a hierarchy of joints, and rows of values that move it. Holds what the file says, in its own order and units (Axis
+/// Neuron: centimetres and degrees); <see cref="BvhSkeletonMap"/> finds Neuron's bones in it. Immutable once read; thread-safe.
 /// <para>
 /// Reading is lenient: what is wrong but has one sensible reading is read that way and listed in <see cref="Repairs"/>. Keywords are read in
 /// any case; white space, blank lines and the kind of line ends have no meaning beyond ending a row. Values are the binary32 nearest to

@@ -5,14 +5,14 @@ namespace NeuronMocap.Bvh;
 /// runs four per cent fast. So the rate is the usual one whose period, rounded to as many digits, gives the text of the file; of
 /// several, the one with the nearest period. Without any, the text is taken by its word.
 /// <para>
-/// 125 and 250 Hz are left out of the usual rates on purpose: to three decimals they cannot be told from 120 and 240, which motion capture
-/// systems do run at. A file that means 125 says so with a fourth digit, 0.0080. The same holds for 100 against 96 the other way round:
+/// 125 and 250 Hz are left out of the usual rates on purpose: to three decimals they cannot be told from 120 and 240, which are the more
+/// common by far. A file that means 125 says so with a fourth digit, 0.0080. The same holds for 100 against 96 the other way round:
 /// 0.010 is exactly 100, and stays it.
 /// </para>
 /// </summary>
 internal static class BvhFrameRate
 {
-    /// <summary>Hz, where a file does not say: that of Axis Neuron with up to 17 sensors.</summary>
+    /// <summary>Hz, where a file does not say: that of a suit with fewer than 18 sensors (manual section 1.3).</summary>
     public const int Default = 120;
 
     private const double ShortestTime = 1e-6;

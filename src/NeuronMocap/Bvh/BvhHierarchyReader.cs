@@ -62,7 +62,10 @@ internal ref struct BvhHierarchyReader
         while (!_text.TryReadWord("HIERARCHY"u8))
         {
             if (_text.ReadWord().IsEmpty)
-                throw new BvhFormatException($"There is no HIERARCHY; the file begins with {BvhText.Quote(first)}.", start.Line, start.Column);
+            {
+                string message = $"There is no HIERARCHY; the file begins with {BvhText.Quote(first)}.";
+                throw new BvhFormatException(message, start.Line, start.Column);
+            }
         }
 
         if (!BvhText.AreEqual(first, "HIERARCHY"u8))
@@ -97,7 +100,7 @@ internal ref struct BvhHierarchyReader
 
         _text.ReadWord();
         LeaveEndSite();
-        if (isRoot != _open is null)
+        if (isRoot != (_open is null))
             Repair(isRoot ? $"A ROOT inside {Describe(_open!)} is read as a JOINT." : "A JOINT outside of any other is read as a ROOT.");
 
         _open = new BvhJoint(ReadName(), _joints.Count, _open) { FirstChannel = _channelCount };
@@ -114,7 +117,7 @@ internal ref struct BvhHierarchyReader
     {
         ReadOnlySpan<byte> name = _text.ReadToBrace();
         ReadOnlySpan<byte> next = _text.PeekWord();
-        if (name.IsEmpty && !next.IsEmpty && next[0] is not ((byte)'{' or (byte)'}'))
+        if (name.IsEmpty && !IsStatement(next))
             name = _text.ReadToBrace();
 
         return Encoding.UTF8.GetString(name);
@@ -209,7 +212,10 @@ internal ref struct BvhHierarchyReader
 
         bool isFirst = _open!.Channels.Count == 0 && !_inEndSite;
         if (!isFirst && !IsStatement(_text.PeekWord()))
-            throw Refuse($"The {(_inEndSite ? "End Site" : "second CHANNELS")} of {Describe(_open)} has channels; whose values they are cannot be known.");
+        {
+            string owner = _inEndSite ? "End Site" : "second CHANNELS";
+            throw Refuse($"The {owner} of {Describe(_open)} has channels; whose values they are cannot be known.");
+        }
 
         if (isFirst)
             _open.FirstChannel = _channelCount;
@@ -222,8 +228,11 @@ internal ref struct BvhHierarchyReader
         }
 
         _channelCount += read;
-        if (!hasCount || read != count)
-            Repair($"CHANNELS of {Describe(_open)} announces {(hasCount ? BvhText.Quote(word) : "no number")} and names {read}; the names are followed.");
+        if (hasCount && read == count)
+            return;
+
+        string announced = hasCount ? BvhText.Quote(word) : "no number";
+        Repair($"CHANNELS of {Describe(_open)} announces {announced} and names {read}; the names are followed.");
     }
 
     private bool TryReadChannel(bool isKnownOnly, out BvhChannel channel)

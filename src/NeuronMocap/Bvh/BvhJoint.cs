@@ -24,18 +24,20 @@ public sealed class BvhJoint
     public BvhJoint? Parent { get; }
 
     /// <summary>
-    /// Position relative to the parent in the rest pose, in the file's unit of length (Axis Neuron: centimetres). Where the joint has position
-    /// channels these replace it: in real takes the two differ by up to 1.3 cm.
+    /// Position relative to the parent in the rest pose, in the file's unit of length (Axis Neuron: centimetres). Where the joint has
+    /// position channels these replace it: in real takes the two differ by up to 1.3 cm.
     /// </summary>
     public Vector3 Offset { get; internal set; }
 
-    /// <summary>The joint's values in the order of the row; rotations are applied in this order: R(first) · R(second) · R(third) on column vectors.</summary>
+    /// <summary>
+    /// The joint's values in the order of the row. Rotations are applied in this order: R(first) · R(second) · R(third) on column vectors.
+    /// </summary>
     public IReadOnlyList<BvhChannel> Channels => _channels;
 
     /// <summary>Index of the joint's first value within a row; where there are no channels, of the value that would follow.</summary>
     public int FirstChannel { get; internal set; }
 
-    /// <summary>Where the bone ends, relative to the joint and in the file's unit of length; null for a joint without an End Site.</summary>
+    /// <summary>Where the bone ends, relative to the joint, in the file's unit of length; null for a joint without an End Site.</summary>
     public Vector3? EndSite { get; internal set; }
 
     internal bool HasOffset { get; set; }

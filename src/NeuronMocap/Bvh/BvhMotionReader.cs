@@ -135,7 +135,7 @@ internal ref struct BvhMotionReader
         LeaveOutOpenLines();
         int rows = _channelCount == 0 ? 0 : (_rowEnd - _blockStart) / _channelCount;
         if (_framesLine == 0)
-            _repairs.Add(_blockLine, $"The number of frames is missing; {rows} rows were counted.");
+            _repairs.Add(_blockLine, $"The number of frames is missing; {rows} are there.");
         else if (_frames != rows)
             _repairs.Add(_framesLine, $"{BvhText.Quote(_framesWord)} frames are announced and {rows} rows are there; the rows count.");
     }

@@ -29,8 +29,8 @@ public sealed class BvhSkeletonMap
     public SkeletonFormat Format { get; }
 
     /// <summary>
-    /// What the file's values fill of a motion packet: 354 when every bone has position channels, 180 when only the hips have; the Reference
-    /// node is not part of a file.
+    /// The motion packet that the file's values fill: 354 when every bone has position channels, 180 when only the hips have. The
+    /// Reference node is not part of a file.
     /// </summary>
     public ChannelLayout Layout { get; }
 

@@ -72,9 +72,13 @@ public class BvhHierarchyTests
     [Fact]
     public void Keywords_are_read_in_any_case()
     {
-        string text = TwoRows.ToUpperInvariant().Replace("HIPS", "Hips", StringComparison.Ordinal).Replace("SPINE", "Spine", StringComparison.Ordinal);
-        AssertSame(Parse(TwoRows), Parse(text));
-        AssertSame(Parse(TwoRows), Parse(text.ToLowerInvariant().Replace("hips", "Hips", StringComparison.Ordinal).Replace("spine", "Spine", StringComparison.Ordinal)));
+        foreach (string text in (string[])[TwoRows.ToUpperInvariant(), TwoRows.ToLowerInvariant()])
+        {
+            string named = text
+                .Replace("Hips", "Hips", StringComparison.OrdinalIgnoreCase)
+                .Replace("Spine", "Spine", StringComparison.OrdinalIgnoreCase);
+            AssertSame(Parse(TwoRows), Parse(named));
+        }
     }
 
     [Theory]
@@ -95,6 +99,16 @@ public class BvhHierarchyTests
     [Fact]
     public void A_name_may_stand_on_the_next_line() =>
         AssertSame(Parse(TwoRows), Parse(TwoRows.Replace("Spine\n", "\n  Spine\n", StringComparison.Ordinal)));
+
+    [Fact]
+    public void A_statement_on_the_next_line_is_no_name()
+    {
+        BvhDocument document = Parse(TwoRows.Replace("JOINT Spine\n    {", "JOINT", StringComparison.Ordinal));
+
+        Assert.Equal("Hips ", NamesOf(document));
+        Assert.Equal(new Vector3(0.5f, 14.307f, 0.1f), document.Joints[1].Offset);
+        Assert.Equal([6, 6], document.Repairs.Select(repair => repair.Line));
+    }
 
     [Fact]
     public void Several_roots_are_several_joints_without_a_parent()

@@ -98,7 +98,7 @@ public class BvhMotionTests
         BvhDocument document = Parse($"{Hierarchy}MOTION\nFrame Time: 0.008\n{Row}");
 
         Assert.Equal(1, document.FrameCount);
-        Assert.Equal(new BvhRepair(16, "The number of frames is missing; 1 rows were counted."), OnlyRepair(document));
+        Assert.Equal(new BvhRepair(16, "The number of frames is missing; 1 are there."), OnlyRepair(document));
     }
 
     [Theory]
@@ -195,7 +195,7 @@ public class BvhMotionTests
                 new BvhRepair(22, "A further MOTION begins here; its rows follow those before it."),
                 new BvhRepair(25, "A further frame time, '0.017', is ignored."),
                 new BvhRepair(27, "A further MOTION begins here; its rows follow those before it."),
-                new BvhRepair(27, "The number of frames is missing; 0 rows were counted."),
+                new BvhRepair(27, "The number of frames is missing; 0 are there."),
             ],
             document.Repairs);
     }

@@ -67,7 +67,7 @@ public class BvhNumberTests
         Assert.False(BvhNumber.TryParse(Encoding.UTF8.GetBytes(text), out double _, out _));
     }
 
-    // The decimals that a recorder prints, where reading by way of a double alone goes wrong once in a few hundred million.
+    // What a recorder prints, to various precisions.
     [Fact]
     public void Random_decimals_are_read_as_the_framework_does()
     {
@@ -95,7 +95,7 @@ public class BvhNumberTests
     public void Numbers_at_and_beside_the_middle_of_two_floats_are_read_as_the_framework_does()
     {
         var random = new Random(3);
-        for (int i = 0; i < 50_000; i++)
+        for (int i = 0; i < 10_000; i++)
         {
             int bits = random.Next(0x00800000, 0x7F000000);
             if (i % 2 == 0)
@@ -109,7 +109,8 @@ public class BvhNumberTests
                 AssertLikeTheFramework(near.ToString("E15", CultureInfo.InvariantCulture));
             }
 
-            AssertLikeTheFramework(middle.ToString("E60", CultureInfo.InvariantCulture).Replace("E", "0000000000000001E", StringComparison.Ordinal));
+            string beyond = middle.ToString("E60", CultureInfo.InvariantCulture);
+            AssertLikeTheFramework(beyond.Replace("E", "0000000000000001E", StringComparison.Ordinal));
         }
     }
 

@@ -25,14 +25,14 @@ public class BvhRobustnessTests
         byte[] original = Encoding.UTF8.GetBytes(TwoRows);
         byte[] bits = Encoding.Latin1.GetBytes(Bits);
         int read = 0;
-        for (int seed = 0; seed < 20_000; seed++)
+        for (int seed = 0; seed < 5_000; seed++)
         {
             var random = new Random(seed);
             byte[] text = Mutate(original, bits, random);
             read += IsRead(text, $"seed {seed}") ? 1 : 0;
         }
 
-        Assert.InRange(read, 1000, 20_000);
+        Assert.InRange(read, 1_000, 5_000);
     }
 
     [Fact]
@@ -40,10 +40,10 @@ public class BvhRobustnessTests
     {
         string[] words =
         [
-            "HIERARCHY", "ROOT", "JOINT", "End", "Site", "OFFSET", "CHANNELS", "MOTION", "Frames:", "Frame", "Time:", "{", "}", "Xposition", "Zrotation",
-            "a", "0", "1", "3", "-2.5", "1e99", "nan", "\n", "\r\n", ":",
+            "HIERARCHY", "ROOT", "JOINT", "End", "Site", "OFFSET", "CHANNELS", "MOTION", "Frames:", "Frame", "Time:", "{", "}",
+            "Xposition", "Zrotation", "a", "0", "1", "3", "-2.5", "1e99", "nan", "\n", "\r\n", ":",
         ];
-        for (int seed = 0; seed < 20_000; seed++)
+        for (int seed = 0; seed < 5_000; seed++)
         {
             var random = new Random(seed);
             IEnumerable<string> picked = Enumerable.Range(0, random.Next(60)).Select(_ => words[random.Next(words.Length)]);
@@ -71,7 +71,8 @@ public class BvhRobustnessTests
     public void An_honest_file_is_read_into_little_more_than_its_values()
     {
         const int frames = 10_000;
-        byte[] text = Encoding.UTF8.GetBytes($"{Hierarchy}MOTION\nFrames: {frames}\nFrame Time: 0.008\n{string.Concat(Enumerable.Repeat(Row, frames))}");
+        string rows = string.Concat(Enumerable.Repeat(Row, frames));
+        byte[] text = Encoding.UTF8.GetBytes($"{Hierarchy}MOTION\nFrames: {frames}\nFrame Time: 0.008\n{rows}");
         BvhDocument.Parse(text);
 
         long before = GC.GetAllocatedBytesForCurrentThread();

@@ -26,8 +26,9 @@ internal static class BvhSamples
 
         """;
 
-    /// <summary>Two joints, nine channels, two rows; as Axis Neuron lays it out, a blank line after MOTION and a space after each row included.</summary>
-    public const string TwoRows = Hierarchy + "MOTION\n\nFrames: 2\nFrame Time: 0.008\n1 2 3 4 5 6 7 8 9 \n-1 -2 -3 -4 -5 -6 -7 -8 -9 \n";
+    /// <summary>Two joints, nine channels, two rows; a blank line after MOTION and a space after each row, as Axis Neuron writes.</summary>
+    public const string TwoRows =
+        Hierarchy + "MOTION\n\nFrames: 2\nFrame Time: 0.008\n1 2 3 4 5 6 7 8 9 \n-1 -2 -3 -4 -5 -6 -7 -8 -9 \n";
 
     public const string Row = "1 2 3 4 5 6 7 8 9\n";
 
@@ -102,5 +103,6 @@ internal static class BvhSamples
     private static string Describe(BvhDocument document) => string.Join('\n', document.Joints.Select(Describe));
 
     private static string Describe(BvhJoint joint) =>
-        $"{joint.Index} {joint.Name} < {joint.Parent?.Index} at {joint.Offset} to {joint.EndSite}: {joint.FirstChannel} {string.Join(' ', joint.Channels)}";
+        $"{joint.Index} {joint.Name} < {joint.Parent?.Index} at {joint.Offset} to {joint.EndSite}: "
+        + $"{joint.FirstChannel} {string.Join(' ', joint.Channels)}";
 }

@@ -146,7 +146,9 @@ public class BvhSkeletonMapTests
     [Fact]
     public void Hips_that_hang_from_another_joint_are_not_neurons()
     {
-        string text = Neuron().Replace("ROOT Hips", "ROOT Reference\n{\nOFFSET 0 0 0\nJOINT Hips", StringComparison.Ordinal).Replace("MOTION", "}\nMOTION", StringComparison.Ordinal);
+        string text = Neuron()
+            .Replace("ROOT Hips", "ROOT Reference\n{\nOFFSET 0 0 0\nJOINT Hips", StringComparison.Ordinal)
+            .Replace("MOTION", "}\nMOTION", StringComparison.Ordinal);
         Assert.Equal("Joint Hips should hang from nothing, and does hang from Reference.", Refuse(text));
     }
 
