@@ -51,7 +51,7 @@ internal abstract class Recipient : IDisposable
     // Room for at least one frame.
     protected int ReadSize => Math.Max(BufferSize, Plan.FrameSize);
 
-    public void Dispose() => Socket.Dispose();
+    public virtual void Dispose() => Socket.Dispose();
 
     // Sends until the feed ends or the network refuses; true when all was sent.
     protected abstract bool SendAll();
@@ -85,7 +85,7 @@ internal abstract class Recipient : IDisposable
             error = exception;
         }
 
-        Socket.Dispose();
+        Dispose();
         _ended(this, error);
     }
 }

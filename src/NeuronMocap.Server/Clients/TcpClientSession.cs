@@ -29,6 +29,21 @@ internal sealed class TcpClientSession : Recipient
         _buffer = new byte[ReadSize + (fragment ?? 0)];
     }
 
+    // Closing alone resets a connection in the middle of a write; this way the client reads what was sent and then sees the end.
+    public override void Dispose()
+    {
+        try
+        {
+            Socket.Shutdown(SocketShutdown.Send);
+        }
+        catch (Exception exception) when (exception is SocketException or ObjectDisposedException)
+        {
+            // It was closed before, by either side.
+        }
+
+        base.Dispose();
+    }
+
     protected override bool SendAll()
     {
         _drained = DrainAsync();

@@ -10,19 +10,18 @@ public sealed class BroadcasterClientTests
 
     [Theory]
     [InlineData(BroadcasterOptions.MaxRate)]
-    [InlineData(2000)]
+    [InlineData(200)]
     public async Task A_client_that_resets_is_forgotten(double rate)
     {
-        BroadcasterOptions options = Options(rate);
+        BroadcasterOptions options = EndlessOptions(rate);
         await using Broadcaster broadcaster = Started(options);
         using TestClient witness = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
-        byte[] first = (await witness.ReadAsync())!;
         TestClient rude = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         await rude.ReadAsync();
         rude.Reset();
 
         await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 1);
-        await AssertGetsTheRestAsync(witness, first, options);
+        await AssertGetsFramesAsync(witness, options);
     }
 
     [Theory]
@@ -55,13 +54,14 @@ public sealed class BroadcasterClientTests
         await AssertGetsTheRestAsync(client, first, options);
     }
 
-    [Fact]
-    public async Task A_flood_of_short_connections_reaches_nobody_else()
+    [Theory]
+    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(200)]
+    public async Task A_flood_of_short_connections_reaches_nobody_else(double rate)
     {
-        BroadcasterOptions options = Options(2000);
+        BroadcasterOptions options = EndlessOptions(rate);
         await using Broadcaster broadcaster = Started(options);
         using TestClient witness = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
-        byte[] first = (await witness.ReadAsync())!;
         for (int i = 0; i < 200; i++)
         {
             TestClient visitor = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
@@ -71,7 +71,7 @@ public sealed class BroadcasterClientTests
                 visitor.Dispose();
         }
 
-        await AssertGetsTheRestAsync(witness, first, options);
+        await AssertGetsFramesAsync(witness, options);
     }
 
     [Fact]
@@ -106,6 +106,15 @@ public sealed class BroadcasterClientTests
         return options;
     }
 
+    // However long the test takes, it is not over before the witness has read, and nothing of the witness's is overwritten.
+    private static BroadcasterOptions EndlessOptions(double rate)
+    {
+        BroadcasterOptions options = Options(rate);
+        options.FrameLimit = null;
+        options.QueueLength = 20_000;
+        return options;
+    }
+
     private static Broadcaster Started(BroadcasterOptions options)
     {
         var broadcaster = new Broadcaster(options);
@@ -118,5 +127,14 @@ public sealed class BroadcasterClientTests
         List<byte[]> rest = await client.ReadToEndAsync();
         Expect.Frames([first, .. rest], options, options.FrameLimit!.Value);
         client.Dispose();
+    }
+
+    private static async Task AssertGetsFramesAsync(TestClient client, BroadcasterOptions options)
+    {
+        var packets = new List<byte[]>();
+        while (packets.Count < 100)
+            packets.Add((await client.ReadAsync())!);
+
+        Expect.Frames(packets, options, packets.Count);
     }
 }
