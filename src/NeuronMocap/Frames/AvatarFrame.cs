@@ -18,10 +18,10 @@ public abstract class AvatarFrame
     {
     }
 
-    /// <summary>Number of the avatar on the server, from 0.</summary>
+    /// <summary>Number of the avatar on the server, from 0. The 32 bits of the header as an int: negative from 2³¹ on.</summary>
     public abstract int AvatarIndex { get; }
 
-    /// <summary>Name of the avatar on the server. The same string for the same name; allocates only when a name is new.</summary>
+    /// <summary>Name of the avatar on the server. Allocates only when a name is new.</summary>
     public abstract string AvatarName { get; }
 
     /// <summary>

@@ -16,10 +16,13 @@ internal static class AvatarNames
         if (Texts.TryGetValue(name, out string? text))
             return text;
 
-        text = name.ToString();
-        if (Volatile.Read(ref _count) < Limit && Texts.TryAdd(name, text))
-            Interlocked.Increment(ref _count);
+        // A sender that makes up names empties the cache now and then; real names come back with their next frame.
+        if (Interlocked.Increment(ref _count) > Limit)
+        {
+            Texts.Clear();
+            Volatile.Write(ref _count, 0);
+        }
 
-        return text;
+        return Texts.GetOrAdd(name, name.ToString());
     }
 }

@@ -83,7 +83,7 @@ public static class DefaultOffsets
     public static Vector3 Get(Bone bone, SkeletonVariant variant = SkeletonVariant.Neck1)
     {
         Vector3 offset = Neck1Offsets[BoneHierarchy.CheckedIndex(bone)];
-        return variant == SkeletonVariant.Neck1 ? offset : GetSpine3(bone, offset);
+        return variant == SkeletonVariant.Spine3 ? GetSpine3(bone, offset) : offset;
     }
 
     /// <summary>Where a bone without children ends, relative to it: the End Site of a BVH file.</summary>

@@ -13,7 +13,7 @@ public class BvhTakeTests
     [Fact]
     public void A_recorded_take_is_read_without_repairs()
     {
-        BvhDocument document = BvhDocument.Load(RequireTake());
+        BvhDocument document = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
 
         Assert.Equal(59, document.Joints.Count);
         Assert.Equal(180, document.ChannelCount);
@@ -29,7 +29,7 @@ public class BvhTakeTests
     [Fact]
     public void The_skeleton_of_a_recorded_take_is_neurons()
     {
-        BvhDocument document = BvhDocument.Load(RequireTake());
+        BvhDocument document = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
 
         Assert.True(BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out string? reason), reason);
         Assert.Equal(new SkeletonFormat(RotationOrder.YXZ, SkeletonVariant.Spine3), map.Format);
@@ -42,7 +42,7 @@ public class BvhTakeTests
     [Fact]
     public void Every_number_of_a_recorded_take_is_the_float_nearest_to_its_text()
     {
-        string text = File.ReadAllText(RequireTake());
+        string text = File.ReadAllText(Fixtures.Require("test-take", "test.bvh"));
         BvhDocument document = BvhDocument.Parse(Encoding.UTF8.GetBytes(text));
 
         string[] words = text[text.IndexOf("Frame Time:", StringComparison.Ordinal)..].Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
@@ -56,7 +56,7 @@ public class BvhTakeTests
     [InlineData("\r")]
     public void A_recorded_take_with_other_line_ends_is_the_same(string lineEnd)
     {
-        string text = File.ReadAllText(RequireTake());
+        string text = File.ReadAllText(Fixtures.Require("test-take", "test.bvh"));
         Assert.Contains("\r\n", text, StringComparison.Ordinal);
 
         string converted = text.Replace("\r\n", lineEnd, StringComparison.Ordinal);
@@ -67,7 +67,7 @@ public class BvhTakeTests
     [Fact]
     public void The_feet_of_a_recorded_take_reach_the_ground()
     {
-        BvhDocument document = BvhDocument.Load(RequireTake());
+        BvhDocument document = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
         Assert.True(BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out _));
         BoneTransform[] bones = new BoneTransform[BoneHierarchy.BoneCount];
         map.CopyLocalTransforms(0, bones);
@@ -78,16 +78,5 @@ public class BvhTakeTests
             Vector3 toes = bones[(int)foot].TransformPoint(map[foot].EndSite!.Value);
             Assert.Equal(0, toes.Y, 0.001f);
         }
-    }
-
-    private static string RequireTake()
-    {
-        DirectoryInfo? root = new(AppContext.BaseDirectory);
-        while (root is not null && !File.Exists(Path.Combine(root.FullName, "NeuronDataReader.sln")))
-            root = root.Parent;
-
-        string path = Path.Combine(root?.Parent?.FullName ?? "", "shared", "data", "test-take", "test.bvh");
-        Assert.SkipUnless(File.Exists(path), "shared/data/test-take/test.bvh is not beside the repository.");
-        return path;
     }
 }

@@ -1,0 +1,91 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Reader;
+
+// The streams of a foreign encoder over real sockets, to the frames that an application sees.
+public sealed class FixtureReaderTests
+{
+    public static TheoryData<string> Names => ["new-180", "new-186", "new-354", "new-360", "old-354", "studio-354", "calculation", "mixed", "zero-count"];
+
+    [Theory]
+    [MemberData(nameof(Names))]
+    public async Task Over_tcp_whole(string name) => await OverTcpAsync(name, int.MaxValue);
+
+    [Theory]
+    [MemberData(nameof(Names))]
+    public async Task Over_tcp_byte_by_byte(string name) => await OverTcpAsync(name, 1);
+
+    [Theory]
+    [MemberData(nameof(Names))]
+    public async Task Over_tcp_in_odd_pieces(string name) => await OverTcpAsync(name, 777);
+
+    [Theory]
+    [MemberData(nameof(Names))]
+    public async Task Over_udp_coalesced(string name) => await OverUdpAsync(name, 60_000);
+
+    [Theory]
+    [MemberData(nameof(Names))]
+    public async Task Over_udp_in_datagrams_of_1024(string name) => await OverUdpAsync(name, 1024);
+
+    private static async Task OverTcpAsync(string name, int pieceSize)
+    {
+        StreamFixture fixture = StreamFixture.Load(name);
+        using var server = new TestServer();
+        await using var reader = new NeuronReader(server.Options());
+        using FrameQueue queue = reader.OpenQueue();
+        reader.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        await connection.SendPiecesAsync(fixture.Bytes, pieceSize);
+        connection.Close();
+        await reader.Completion.Soon();
+        AssertFrames(fixture, queue);
+        Assert.Equal(fixture.Bytes.Length, reader.GetStatistics().BytesReceived);
+    }
+
+    private static async Task OverUdpAsync(string name, int datagramSize)
+    {
+        StreamFixture fixture = StreamFixture.Load(name);
+        await using var reader = new NeuronReader(new NeuronReaderOptions { Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0 });
+        using FrameQueue queue = reader.OpenQueue();
+        await reader.StartAsync().Soon();
+        using var sender = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        sender.Connect(reader.Status.LocalEndPoint!);
+        foreach (byte[] datagram in fixture.Bytes.Chunk(datagramSize))
+            sender.Send(datagram);
+
+        await Limits.UntilAsync(() => queue.Count >= fixture.Expected.Count);
+        AssertFrames(fixture, queue);
+    }
+
+    private static void AssertFrames(StreamFixture fixture, FrameQueue queue)
+    {
+        int next = 0;
+        int count = queue.Pump(
+            motion =>
+            {
+                ExpectedPacket expected = fixture.Expected[next++];
+                Assert.Equal("frame", expected.Type);
+                Assert.Equal((expected.Displacement, expected.Reference), (motion.Header.HasDisplacement, motion.Header.HasReference));
+                Assert.Equal((expected.Displacement, expected.Reference), (motion.Layout.HasDisplacement, motion.Layout.HasReference));
+                AssertFrame(expected, motion);
+            },
+            calculation =>
+            {
+                ExpectedPacket expected = fixture.Expected[next++];
+                Assert.Equal("calculation", expected.Type);
+                AssertFrame(expected, calculation);
+            });
+        Assert.Equal(fixture.Expected.Count, count);
+    }
+
+    private static void AssertFrame(ExpectedPacket expected, AvatarFrame frame)
+    {
+        Assert.Equal((expected.Avatar, expected.Name, expected.Index), ((uint)frame.AvatarIndex, frame.AvatarName, frame.FrameIndex));
+        Assert.Equal(expected.Values.Select(BitConverter.SingleToInt32Bits), frame.Values.ToArray().Select(BitConverter.SingleToInt32Bits));
+    }
+}

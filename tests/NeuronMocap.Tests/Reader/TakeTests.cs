@@ -1,0 +1,129 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Delivery;
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tests.Reader;
+
+// A recorded take, broadcast and received over real TCP: every frame, every float.
+public sealed class TakeTests
+{
+    private const int RowCount = 2156;
+
+    [Theory]
+    [InlineData(null)]
+    [InlineData(1)]
+    [InlineData(7)]
+    [InlineData(1480)]
+    [InlineData(1481)]
+    [InlineData(65_536)]
+    public async Task Every_value_of_the_file_arrives_whatever_the_pieces(int? fragment)
+    {
+        BvhDocument take = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions
+        {
+            Sources = [new BvhSource(take)],
+            Port = 0,
+            Rate = BroadcasterOptions.MaxRate,
+            WaitForClient = true,
+            Fragment = fragment,
+        });
+        broadcaster.Start();
+
+        // The file's rows are what a packet without displacement carries, in the same order.
+        int row = 0;
+        await using NeuronReader reader = Connect(broadcaster);
+        reader.MotionReceived += frame =>
+        {
+            Assert.Equal((uint)row, frame.FrameIndex);
+            AssertSameBits(take.GetFrame(row++), frame.Values);
+        };
+        await ReceiveAllAsync(reader);
+        Assert.Equal(RowCount, row);
+        await broadcaster.Completion.Soon();
+    }
+
+    [Fact]
+    public async Task With_displacement_the_positions_are_the_files_offsets_and_the_rotations_its_values()
+    {
+        BvhDocument take = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions
+        {
+            Sources = [new BvhSource(take)],
+            Port = 0,
+            Rate = BroadcasterOptions.MaxRate,
+            Displacement = true,
+            Reference = true,
+        });
+        broadcaster.Start();
+        await using NeuronReader reader = Connect(broadcaster);
+        int row = 0;
+        reader.MotionReceived += frame =>
+        {
+            ReadOnlySpan<float> expected = take.GetFrame(row++);
+            AssertSameBits([0, 0, 0, 0, 0, 0], frame.Values[..6]);
+            AssertSameBits(expected[..6], frame.Values[6..12]);
+            for (int bone = 1; bone < BoneHierarchy.BoneCount; bone++)
+            {
+                BvhJoint joint = take.Joints[bone];
+                AssertSameBits([joint.Offset.X, joint.Offset.Y, joint.Offset.Z], frame.Values.Slice(6 + (bone * 6), 3));
+                AssertSameBits(expected.Slice(3 + (bone * 3), 3), frame.Values.Slice(9 + (bone * 6), 3));
+            }
+        };
+        await ReceiveAllAsync(reader);
+        Assert.Equal(RowCount, row);
+    }
+
+    [Fact]
+    public async Task Two_avatars_with_calculation_data_arrive_in_step()
+    {
+        BvhDocument take = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
+        var source = new BvhSource(take);
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions
+        {
+            Sources = [source, source],
+            Port = 0,
+            Rate = BroadcasterOptions.MaxRate,
+            Calculation = CalculationSynthesizer.Write,
+            FrameLimit = 200,
+        });
+        broadcaster.Start();
+        await using NeuronReader reader = Connect(broadcaster);
+        List<string> order = [];
+        int contacts = 0;
+        reader.MotionReceived += frame => order.Add($"{frame.FrameIndex}.{frame.AvatarIndex}");
+        reader.CalculationReceived += frame =>
+        {
+            Assert.Equal(order[^1], $"{frame.FrameIndex}.{frame.AvatarIndex}");
+            contacts += frame.LeftFootContact && frame.RightFootContact ? 1 : 0;
+        };
+        await ReceiveAllAsync(reader);
+        Assert.Equal(Enumerable.Range(0, 200).SelectMany(frame => new[] { $"{frame}.0", $"{frame}.1" }), order);
+
+        // The performer of this take stands.
+        Assert.Equal(400, contacts);
+    }
+
+    private static NeuronReader Connect(Broadcaster broadcaster) => new(new NeuronReaderOptions
+    {
+        Port = broadcaster.LocalEndPoint!.Port,
+        RotationOrder = RotationOrder.YXZ,
+        SkeletonVariant = SkeletonVariant.Spine3,
+        Reconnect = { Enabled = false },
+    });
+
+    private static async Task ReceiveAllAsync(NeuronReader reader)
+    {
+        List<Exception> failures = [];
+        reader.CallbackFailed += failures.Add;
+        reader.Start();
+        await reader.Completion.Soon();
+        Assert.Empty(failures);
+        ReaderStatistics statistics = reader.GetStatistics();
+        Assert.Equal((0L, 0L, 0L), (statistics.Lost, statistics.Dropped, statistics.SkippedBytes));
+    }
+
+    private static void AssertSameBits(ReadOnlySpan<float> expected, ReadOnlySpan<float> actual) =>
+        Assert.True(System.Runtime.InteropServices.MemoryMarshal.AsBytes(expected).SequenceEqual(System.Runtime.InteropServices.MemoryMarshal.AsBytes(actual)));
+}

@@ -1,0 +1,59 @@
+using System.Numerics;
+using System.Text;
+using NeuronMocap.Bvh;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tests.Server.Sources;
+
+public sealed class BvhSourceTests
+{
+    [Fact]
+    public void A_file_of_another_skeleton_is_refused_with_what_is_missing()
+    {
+        BvhDocument document = BvhDocument.Parse(Encoding.ASCII.GetBytes(
+            "HIERARCHY\nROOT Pelvis\n{\nOFFSET 0 0 0\nCHANNELS 3 Xrotation Yrotation Zrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n"
+            + "MOTION\nFrames: 1\nFrame Time: 0.01\n1 2 3\n"));
+        Assert.Contains("Hips", Assert.Throws<NeuronException>(() => new BvhSource(document)).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_skeleton_without_frames_is_refused()
+    {
+        BvhDocument document = BvhDocument.Parse(NeuronTake.Write(rows: 0));
+        Assert.Contains("no frames", Assert.Throws<NeuronException>(() => new BvhSource(document)).Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(RotationOrder.XYZ)]
+    [InlineData(RotationOrder.ZXY)]
+    public void Another_rotation_order_gives_the_same_pose(RotationOrder order)
+    {
+        var source = new BvhSource(BvhDocument.Parse(NeuronTake.Write(rows: 3)));
+        var layout = new ChannelLayout(hasDisplacement: true, hasReference: false);
+        float[] values = new float[layout.ValueCount];
+        BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
+        source.WriteValues(2, layout, order, values);
+        source.GetPose(2, pose);
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            ReadOnlySpan<float> angles = values.AsSpan(layout.RotationIndex(bone), 3);
+            Quaternion rotation = EulerAngles.ToQuaternion(new Vector3(angles[0], angles[1], angles[2]), order);
+            Assert.Equal(1, Math.Abs(Quaternion.Dot(rotation, pose[(int)bone].Rotation)), tolerance: 1e-5);
+        }
+    }
+
+    [Fact]
+    public void A_foot_in_the_air_has_no_contact_and_one_that_stands_has()
+    {
+        // The left leg is lifted in the second half of the take: the knee comes up and the foot with it.
+        var source = new BvhSource(BvhDocument.Parse(NeuronTake.Write(rows: 40, (row, bone) => (row, bone) switch
+        {
+            (>= 20, Bone.LeftUpLeg) => new Vector3(0, -60, 0),
+            _ => Vector3.Zero,
+        })));
+        Assert.Equal((true, true), source.GetFootContacts(5));
+        Assert.Equal((false, true), source.GetFootContacts(35));
+        Assert.Equal(40, source.FrameCount);
+    }
+}
