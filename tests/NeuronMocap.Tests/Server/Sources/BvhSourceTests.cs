@@ -47,11 +47,9 @@ public sealed class BvhSourceTests
     public void A_foot_in_the_air_has_no_contact_and_one_that_stands_has()
     {
         // The left leg is lifted in the second half of the take: the knee comes up and the foot with it.
-        var source = new BvhSource(BvhDocument.Parse(NeuronTake.Write(rows: 40, (row, bone) => (row, bone) switch
-        {
-            (>= 20, Bone.LeftUpLeg) => new Vector3(0, -60, 0),
-            _ => Vector3.Zero,
-        })));
+        byte[] file = NeuronTake.Write(
+            rows: 40, (row, bone) => row >= 20 && bone == Bone.LeftUpLeg ? new Vector3(0, -60, 0) : Vector3.Zero);
+        var source = new BvhSource(BvhDocument.Parse(file));
         Assert.Equal((true, true), source.GetFootContacts(5));
         Assert.Equal((false, true), source.GetFootContacts(35));
         Assert.Equal(40, source.FrameCount);
