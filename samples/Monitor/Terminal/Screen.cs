@@ -1,0 +1,99 @@
+using System.Text;
+using Spectre.Console;
+using Spectre.Console.Rendering;
+
+namespace NeuronMocap.Monitor.Terminal;
+
+/// <summary>
+/// The terminal's alternate screen. A frame is drawn into memory and only the lines that changed are sent, in one write: nothing flickers.
+/// Disposing of it brings the terminal back as it was.
+/// </summary>
+internal sealed class Screen : IDisposable
+{
+    private const string Begin = "\e[?1049h\e[?25l\e[?7l\e[2J";
+    private const string End = "\e[?7h\e[?25h\e[?1049l";
+
+    // Terminals that know these show what is between them at once; the others pass over them.
+    private const string BeginUpdate = "\e[?2026h";
+    private const string EndUpdate = "\e[?2026l";
+
+    private readonly Stream _output;
+    private readonly StringWriter _drawing = new();
+    private readonly IAnsiConsole _console;
+    private string[] _shown = [];
+    private int _width;
+    private int _height;
+
+    public Screen(Stream output)
+    {
+        _output = output;
+        _console = AnsiConsole.Create(new AnsiConsoleSettings
+        {
+            Ansi = AnsiSupport.Yes,
+            ColorSystem = (ColorSystemSupport)AnsiConsole.Profile.Capabilities.ColorSystem + 1,
+            Interactive = InteractionSupport.No,
+            Out = new AnsiConsoleOutput(_drawing),
+        });
+        _console.Profile.Capabilities.Unicode = true;
+        Enter();
+    }
+
+    /// <summary>Whether the terminal can show the view at all.</summary>
+    public static bool IsSupported => AnsiConsole.Profile.Capabilities.Ansi;
+
+    public static int Width => Math.Max(Console.WindowWidth, 1);
+
+    public static int Height => Math.Max(Console.WindowHeight, 1);
+
+    /// <summary>Takes the terminal, again after the program was suspended: everything is drawn anew.</summary>
+    public void Enter()
+    {
+        _width = 0;
+        Send(Begin);
+    }
+
+    public void Show(IRenderable view, int width, int height)
+    {
+        var update = new StringBuilder(BeginUpdate);
+        if (width != _width || height != _height)
+        {
+            (_width, _height) = (width, height);
+            _shown = new string[height];
+            update.Append("\e[2J");
+        }
+
+        string[] lines = Draw(view);
+        for (int row = 0; row < height; row++)
+        {
+            string line = row < lines.Length ? lines[row] : string.Empty;
+            if (string.Equals(line, _shown[row], StringComparison.Ordinal))
+                continue;
+
+            update.Append(null, $"\e[{row + 1};1H{line}\e[K");
+            _shown[row] = line;
+        }
+
+        Send(update.Append(EndUpdate).ToString());
+    }
+
+    public void Dispose()
+    {
+        Send(End);
+        _drawing.Dispose();
+    }
+
+    private string[] Draw(IRenderable view)
+    {
+        _console.Profile.Width = _width;
+        _console.Profile.Height = _height;
+        _drawing.GetStringBuilder().Clear();
+        _console.Write(view);
+        return _drawing.ToString().Split('\n');
+    }
+
+    private void Send(string text)
+    {
+        _output.Write(Encoding.UTF8.GetBytes(text));
+        _output.Flush();
+    }
+}
