@@ -8,7 +8,14 @@ internal readonly record struct BonePage(string Title, IReadOnlyList<Bone> Bones
 /// <summary>Which bones the table shows together.</summary>
 internal static class BoneSets
 {
-    private static readonly BonePage[] Sets =
+    private static readonly BonePage[] LongSets =
+    [
+        new("body", [.. CalculationOrder.Bones[..CalculationOrder.BodyBoneCount].ToArray().Order()]),
+        new("right hand", Range(Bone.RightHand, Bone.RightHandPinky3)),
+        new("left hand", Range(Bone.LeftHand, Bone.LeftHandPinky3)),
+    ];
+
+    private static readonly BonePage[] ShortSets =
     [
         new("overview", [Bone.Hips, Bone.Spine2, Bone.Head, Bone.RightHand, Bone.LeftHand, Bone.RightFoot, Bone.LeftFoot]),
         new("spine and head", [Bone.Hips, Bone.Spine, Bone.Spine1, Bone.Spine2, Bone.Neck, Bone.Neck1, Bone.Head]),
@@ -24,8 +31,10 @@ internal static class BoneSets
     /// <param name="rows">Rows of a page, at least 1.</param>
     public static BonePage GetPage(int page, int rows)
     {
-        BonePage[] pages = [.. Sets.SelectMany(set => Split(set, Math.Max(rows, 1)))];
-        return pages[page % pages.Length] with { Title = $"{pages[page % pages.Length].Title} ({(page % pages.Length) + 1}/{pages.Length})" };
+        BonePage[] sets = rows >= CalculationOrder.BodyBoneCount ? LongSets : ShortSets;
+        BonePage[] pages = [.. sets.SelectMany(set => Split(set, Math.Max(rows, 1)))];
+        int index = page % pages.Length;
+        return pages[index] with { Title = $"{pages[index].Title} ({index + 1}/{pages.Length})" };
     }
 
     private static IEnumerable<BonePage> Split(BonePage set, int rows) =>

@@ -5,53 +5,82 @@ using Spectre.Console;
 namespace NeuronMocap.Monitor.Terminal;
 
 /// <summary>Numbers of a page of bones: where they are in the world, and their rotation as the stream has it.</summary>
-internal static class BoneTable
+internal sealed class BoneTable
 {
     public const int HeadHeight = 1;
-    public const int NarrowWidth = 44;
-    public const int WideWidth = 64;
 
-    private const int NumberCount = 6;
+    private const int Gap = 1;
 
-    public static Table Create(Pose pose, IReadOnlyList<Bone> bones, int width)
+    private readonly Pose _pose;
+    private readonly IReadOnlyList<Bone> _bones;
+    private readonly bool _isWide;
+    private readonly int _nameWidth;
+
+    /// <summary>Lays the table out.</summary>
+    /// <param name="pose">The numbers.</param>
+    /// <param name="bones">A row for each.</param>
+    /// <param name="isWide">Whether there is room for whole names and decimals of the angles.</param>
+    public BoneTable(Pose pose, IReadOnlyList<Bone> bones, bool isWide)
     {
-        bool isWide = width >= WideWidth;
-        Table table = new Table().Border(TableBorder.None).Expand();
-        table.AddColumn(Column("bone", Justify.Left, Palette.DimStyle));
-        string order = pose.Format.RotationOrder.ToString();
-        foreach (string axis in (string[])["X", "Y", "Z"])
-            table.AddColumn(Column(isWide ? $"{axis} cm" : $"{axis}cm", Justify.Right, Palette.DimStyle));
-        foreach (char axis in order)
-            table.AddColumn(Column(isWide ? $"{axis} deg" : $"{axis}°", Justify.Right, Palette.DimStyle));
-        if (!isWide)
-        {
-            foreach (TableColumn column in table.Columns.Take(NumberCount))
-                column.PadRight(0);
-        }
+        (_pose, _bones, _isWide) = (pose, bones, isWide);
+        _nameWidth = bones.Max(bone => NameOf(bone).Length);
+    }
 
-        foreach (Bone bone in bones)
-            table.AddRow(MakeRow(pose, bone, isWide ? 1 : 0));
+    /// <summary>Columns that it takes. It depends on the bones only, not on the numbers: the skeleton beside it stands still.</summary>
+    public int Width => _nameWidth + (3 * (Gap + PositionWidth)) + (3 * (Gap + AngleWidth));
+
+    private int PositionWidth => _isWide ? 8 : 6;
+
+    private int AngleWidth => _isWide ? 7 : 4;
+
+    public Table Create()
+    {
+        Table table = new Table().Border(TableBorder.None);
+        table.AddColumn(new TableColumn(new Text("bone", Palette.DimStyle)) { NoWrap = true, Width = _nameWidth, Padding = new Padding(0) });
+        foreach (string axis in (string[])["X", "Y", "Z"])
+            table.AddColumn(NumberColumn($"{axis} cm", PositionWidth));
+        foreach (char axis in _pose.Format.RotationOrder.ToString())
+            table.AddColumn(NumberColumn(_isWide ? $"{axis} deg" : $"{axis}°", AngleWidth));
+
+        foreach (Bone bone in _bones)
+            table.AddRow(MakeRow(bone));
 
         return table;
     }
 
-    private static TableColumn Column(string title, Justify alignment, Style style) =>
-        new(new Text(title, style)) { NoWrap = true, Alignment = alignment };
-
-    private static Text[] MakeRow(Pose pose, Bone bone, int angleDecimals)
+    private static TableColumn NumberColumn(string title, int width) => new(new Text(title, Palette.DimStyle))
     {
-        string name = BoneHierarchy.GetName(bone, pose.Format.Variant);
-        BodyPart part = name.StartsWith("Left", StringComparison.Ordinal) ? BodyPart.Left
-            : name.StartsWith("Right", StringComparison.Ordinal) ? BodyPart.Right : BodyPart.Middle;
-        Vector3 position = pose.GetPosition(bone);
-        Vector3 angles = pose.GetAngles(bone);
+        NoWrap = true,
+        Width = width,
+        Alignment = Justify.Right,
+        Padding = new Padding(Gap, 0, 0, 0),
+    };
+
+    private Text[] MakeRow(Bone bone)
+    {
+        Vector3 position = _pose.GetPosition(bone);
+        Vector3 angles = _pose.GetAngles(bone);
+        int decimals = _isWide ? 1 : 0;
         return
         [
-            new Text(name, new Style(Palette.Of(part))).Ellipsis(),
+            new Text(NameOf(bone), new Style(Palette.Of(Wireframe.PartOf(bone)))),
             Number(position.X, 1), Number(position.Y, 1), Number(position.Z, 1),
-            Number(angles.X, angleDecimals), Number(angles.Y, angleDecimals), Number(angles.Z, angleDecimals),
+            Number(angles.X, decimals), Number(angles.Y, decimals), Number(angles.Z, decimals),
         ];
     }
 
-    private static Text Number(float value, int decimals) => new(Quantity.Fixed(value, decimals));
+    // Colours tell left from right, so that little is lost.
+    private string NameOf(Bone bone)
+    {
+        string name = BoneHierarchy.GetName(bone, _pose.Format.Variant);
+        return _isWide ? name : Wireframe.PartOf(bone) switch
+        {
+            BodyPart.Left => $"L.{name["Left".Length..]}",
+            BodyPart.Right => $"R.{name["Right".Length..]}",
+            _ => name,
+        };
+    }
+
+    // Ten metres and more are shown without decimals: the column stays as narrow as it is.
+    private static Text Number(float value, int decimals) => new(Quantity.Fixed(value, Math.Abs(value) < 999.9f ? decimals : 0));
 }

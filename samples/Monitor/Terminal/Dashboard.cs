@@ -11,6 +11,7 @@ internal static class Dashboard
 
     private const int FramedWidth = 100;
     private const int FramedHeight = 32;
+    private const int WideWidth = 150;
     private const int FooterHeight = 1;
 
     public static IRenderable Create(LiveState state, int width, int height)
@@ -26,7 +27,7 @@ internal static class Dashboard
         int bodyHeight = height - HeaderView.Height - avatarHeight - eventRows - border - FooterHeight;
         return new Layout().SplitRows(
             Fixed(HeaderView.Create(state), HeaderView.Height),
-            Fixed(Frame("avatars", AvatarTable.Create(state, avatarRows), framed), avatarHeight),
+            Fixed(Frame("avatars", AvatarTable.Create(state, avatarRows, framed ? width - 4 : width), framed), avatarHeight),
             CreateBody(state, width, bodyHeight, framed),
             Fixed(Frame("events", CreateEvents(state.Events, eventRows), framed), eventRows + border),
             Fixed(CreateFooter(), FooterHeight));
@@ -40,7 +41,7 @@ internal static class Dashboard
             return content;
 
         Panel panel = new Panel(content).Border(BoxBorder.Rounded).BorderColor(Palette.Ground).Padding(1, 0).Expand();
-        panel.Header = new PanelHeader($" {Markup.Escape(title)} ");
+        panel.Header = new PanelHeader($"\u00A0{Markup.Escape(title)}\u00A0");
         return panel;
     }
 
@@ -52,11 +53,11 @@ internal static class Dashboard
             return Fixed(ProblemView.Create(state, width), height);
 
         int inner = height - (framed ? 2 : 0);
-        int tableWidth = width - (framed ? 4 : 0) >= 2 * BoneTable.WideWidth - 12 ? BoneTable.WideWidth : BoneTable.NarrowWidth;
-        int tableSpace = tableWidth + (framed ? 4 : 0);
-        int drawingWidth = width - tableSpace - (framed ? 4 : 1);
         BonePage page = BoneSets.GetPage(state.BonePage, inner - BoneTable.HeadHeight - (framed ? 0 : 1));
-        IRenderable table = BoneTable.Create(pose, page.Bones, tableWidth);
+        var boneTable = new BoneTable(pose, page.Bones, isWide: width >= WideWidth);
+        int tableSpace = boneTable.Width + (framed ? 4 : 0);
+        int drawingWidth = width - tableSpace - (framed ? 4 : 1);
+        IRenderable table = boneTable.Create();
         if (!framed)
             table = new Rows(new StyledLine().Add($"bones: {page.Title}", Palette.DimStyle), table);
 
@@ -81,8 +82,8 @@ internal static class Dashboard
     {
         IEnumerable<IRenderable> lines = log.Newest(rows).Select(entry => new StyledLine()
             .Add($"{entry.Time:HH:mm:ss} ", Palette.DimStyle)
-            .Add(entry.Status.State.ToString(), new Style(Palette.Of(entry.Status.State)))
-            .Add(entry.Count > 1 ? $" ({entry.Count} times) " : " ", Palette.DimStyle)
+            .Add("● ", new Style(Palette.Of(entry.Status.State)))
+            .Add(entry.Count > 1 ? $"{entry.Count} times: " : string.Empty)
             .Add(entry.Status.Message, Palette.DimStyle));
         return new Rows(lines);
     }

@@ -55,7 +55,7 @@ internal static class HeaderView
 
     private static StyledLine Stream(LiveState state)
     {
-        string order = $"order {state.Options.RotationOrder} (assumed)";
+        string order = $"{state.Options.RotationOrder} assumed";
         if (state.Pose is not { } pose)
             return new StyledLine().Add($"stream: no motion frame yet · {order}", Palette.DimStyle);
 

@@ -11,7 +11,8 @@ internal sealed class LiveState(MonitorOptions options)
 {
     private readonly Dictionary<int, (bool Left, bool Right)> _contacts = [];
     private readonly RateMeter _bytes = new();
-    private readonly RateMeter _allocated = new();
+    private readonly RateMeter _allocatedHere = new();
+    private readonly RateMeter _allocatedElsewhere = new();
     private readonly long _start = Stopwatch.GetTimestamp();
     private int _collectionsAtReset;
 
@@ -44,7 +45,11 @@ internal sealed class LiveState(MonitorOptions options)
 
     public double BytesPerSecond => _bytes.PerSecond;
 
-    public double AllocatedBytesPerSecond => _allocated.PerSecond;
+    /// <summary>What drawing allocates.</summary>
+    public double BytesAllocatedByView => _allocatedHere.PerSecond;
+
+    /// <summary>What all other threads allocate: receiving, most of all.</summary>
+    public double BytesAllocatedElsewhere => Math.Max(_allocatedElsewhere.PerSecond, 0);
 
     public int Collections => GC.CollectionCount(0) - _collectionsAtReset;
 
@@ -59,7 +64,9 @@ internal sealed class LiveState(MonitorOptions options)
         ReaderStatistics total = reader.GetStatistics();
         Counters.Take(total, reader.GetAvatarStatistics());
         _bytes.Add(Now, total.BytesReceived);
-        _allocated.Add(Now, GC.GetTotalAllocatedBytes());
+        long here = GC.GetAllocatedBytesForCurrentThread();
+        _allocatedHere.Add(Now, here);
+        _allocatedElsewhere.Add(Now, GC.GetTotalAllocatedBytes() - here);
         if (Pose is null && MotionAvatars() is [var first, ..])
             Avatar = first;
         if (latest.TryTakeMotion(Avatar, out MotionFrame? motion))

@@ -21,6 +21,13 @@ internal static class Quantity
         _ => Format($"{(int)time.TotalHours} h {time.Minutes:00} min"),
     };
 
+    public static string Age(TimeSpan time) => time.TotalSeconds switch
+    {
+        < 60 => Duration(time),
+        < 3600 => Format($"{time.Minutes} min"),
+        _ => Format($"{(int)time.TotalHours} h"),
+    };
+
     public static string Count(long number) => Format($"{number:#,0}");
 
     public static string Fixed(double value, int decimals)

@@ -30,10 +30,10 @@ internal sealed class Screen : IDisposable
         _console = AnsiConsole.Create(new AnsiConsoleSettings
         {
             Ansi = AnsiSupport.Yes,
-            ColorSystem = (ColorSystemSupport)AnsiConsole.Profile.Capabilities.ColorSystem + 1,
             Interactive = InteractionSupport.No,
             Out = new AnsiConsoleOutput(_drawing),
         });
+        _console.Profile.Capabilities.ColorSystem = AnsiConsole.Profile.Capabilities.ColorSystem;
         _console.Profile.Capabilities.Unicode = true;
         Enter();
     }
@@ -69,7 +69,7 @@ internal sealed class Screen : IDisposable
             if (string.Equals(line, _shown[row], StringComparison.Ordinal))
                 continue;
 
-            update.Append(null, $"\e[{row + 1};1H{line}\e[K");
+            update.Append(null, $"\e[{row + 1};1H\e[K{line}");
             _shown[row] = line;
         }
 

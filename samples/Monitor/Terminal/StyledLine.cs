@@ -36,10 +36,20 @@ internal sealed class StyledLine : Renderable
         if (Segment.CellCount(segments) <= width)
             return segments;
 
-        List<Segment> cut = Segment.Truncate(segments, Math.Max(width - 1, 0));
-        if (width > 0)
-            cut.Add(new Segment("…", cut.Count > 0 ? cut[^1].Style : Style.Plain));
+        var cut = new List<Segment>();
+        int room = width - 1;
+        foreach (Segment segment in segments)
+        {
+            string text = segment.Text;
+            while (new Segment(text).CellCount() > room)
+                text = text[..^1];
 
-        return cut;
+            cut.Add(new Segment(text, segment.Style));
+            room -= cut[^1].CellCount();
+            if (text.Length < segment.Text.Length)
+                break;
+        }
+
+        return width > 0 ? [.. cut, new Segment("…", cut[^1].Style)] : [];
     }
 }

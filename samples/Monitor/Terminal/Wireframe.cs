@@ -45,7 +45,7 @@ internal static class Wireframe
             yield return new WireframeLine((int)Outermost[i], BoneHierarchy.BoneCount + i, PartOf(Outermost[i]));
     }
 
-    private static BodyPart PartOf(Bone bone)
+    public static BodyPart PartOf(Bone bone)
     {
         string name = bone.ToString();
         return name.StartsWith("Left", StringComparison.Ordinal) ? BodyPart.Left
