@@ -17,7 +17,8 @@ internal sealed class PacketRing
     private readonly int _mask;
     private Indices _indices;
 
-    public PacketRing(int capacity, int slotSize)
+    // Tests start next to where the indices wrap around.
+    public PacketRing(int capacity, int slotSize, int firstIndex = 0)
     {
         int size = 1;
         while (size < capacity)
@@ -27,6 +28,8 @@ internal sealed class PacketRing
         _slots = new PacketSlot[size];
         for (int i = 0; i < size; i++)
             _slots[i] = new PacketSlot(slotSize);
+
+        _indices.Tail = _indices.ProducersHead = _indices.Head = _indices.ConsumersTail = firstIndex;
     }
 
     public int Capacity => _slots.Length;

@@ -38,11 +38,11 @@ public readonly record struct CalculationHeader
     /// <summary>Reads a header.</summary>
     /// <param name="source">Bytes that start at the first token.</param>
     /// <param name="header">The header, when there is one.</param>
-    /// <returns>False when fewer than 64 bytes are given, a token is wrong or the count is negative as an int.</returns>
+    /// <returns>False when fewer than 64 bytes are given, a token is wrong or the packet would have more bytes than an int counts.</returns>
     public static bool TryRead(ReadOnlySpan<byte> source, out CalculationHeader header)
     {
         header = default;
-        if (!PacketTokens.Match(source, PacketKind.Calculation) || ReadValueCount(source) > int.MaxValue)
+        if (!PacketTokens.Match(source, PacketKind.Calculation) || ReadValueCount(source) > ProtocolConstants.MaxValueCount)
             return false;
 
         header = Read(source);

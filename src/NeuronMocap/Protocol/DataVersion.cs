@@ -27,13 +27,15 @@ public readonly record struct DataVersion(byte Major, byte Minor, byte Revision,
     /// <returns>False for every version but 1.0 and 1.1, whose headers nobody has documented.</returns>
     public bool TryGetLayout(out HeaderLayout layout)
     {
-        layout = Minor == 0 ? HeaderLayout.Old : HeaderLayout.New;
+        layout = Layout;
         return Major == 1 && Minor <= 1;
     }
 
     /// <summary>The version as in "1.1.0.0".</summary>
     /// <returns>Four numbers, major first.</returns>
     public override string ToString() => $"{Major}.{Minor}.{Revision}.{Build}";
+
+    internal HeaderLayout Layout => this is { Major: 1, Minor: 0 } ? HeaderLayout.Old : HeaderLayout.New;
 
     internal static DataVersion Read(ReadOnlySpan<byte> source) => new(source[3], source[2], source[1], source[0]);
 

@@ -45,7 +45,7 @@ public readonly record struct MotionHeader
     public uint Reserved2 { get; init; }
 
     /// <summary>The layout that <see cref="Version"/> announces.</summary>
-    public HeaderLayout Layout => Version is { Major: 1, Minor: 0 } ? HeaderLayout.Old : HeaderLayout.New;
+    public HeaderLayout Layout => Version.Layout;
 
     /// <summary>Bytes of the whole packet: 64 and four for every value.</summary>
     public int PacketSize => ProtocolConstants.HeaderSize + (ValueCount * sizeof(float));
@@ -53,13 +53,16 @@ public readonly record struct MotionHeader
     /// <summary>Reads a header.</summary>
     /// <param name="source">Bytes that start at the first token.</param>
     /// <param name="header">The header, when there is one.</param>
-    /// <returns>False when fewer than 64 bytes are given, a token is wrong, the version is unknown or the count is negative as an int.</returns>
+    /// <returns>
+    /// False when fewer than 64 bytes are given, a token is wrong, the version is unknown or the packet would have more bytes than an int
+    /// counts.
+    /// </returns>
     public static bool TryRead(ReadOnlySpan<byte> source, out MotionHeader header)
     {
         header = default;
         if (!PacketTokens.Match(source, PacketKind.Motion)
             || !DataVersion.Read(source[2..]).TryGetLayout(out _)
-            || ReadValueCount(source) > int.MaxValue)
+            || ReadValueCount(source) > ProtocolConstants.MaxValueCount)
         {
             return false;
         }
@@ -83,15 +86,17 @@ public readonly record struct MotionHeader
             WriteOld(target);
     }
 
-    // The caller has seen 64 bytes, both tokens and a known version.
+    // The caller has seen 64 bytes and both tokens.
     internal static MotionHeader Read(ReadOnlySpan<byte> source)
     {
         DataVersion version = DataVersion.Read(source[2..]);
-        return version.Minor == 0 ? ReadOld(source, version) : ReadNew(source, version);
+        return version.Layout == HeaderLayout.Old ? ReadOld(source, version) : ReadNew(source, version);
     }
 
     internal static uint ReadValueCount(ReadOnlySpan<byte> source) =>
-        source[4] == 0 ? BinaryPrimitives.ReadUInt32LittleEndian(source[6..]) : BinaryPrimitives.ReadUInt16LittleEndian(source[6..]);
+        DataVersion.Read(source[2..]).Layout == HeaderLayout.Old
+            ? BinaryPrimitives.ReadUInt32LittleEndian(source[6..])
+            : BinaryPrimitives.ReadUInt16LittleEndian(source[6..]);
 
     private static MotionHeader ReadNew(ReadOnlySpan<byte> source, DataVersion version) => new()
     {

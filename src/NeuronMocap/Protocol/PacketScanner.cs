@@ -34,9 +34,11 @@ public sealed class PacketScanner
     public ScanResult Scan(ReadOnlySpan<byte> source)
     {
         if (source.Length == 0)
-            return NeedMore(ProtocolConstants.HeaderSize);
+            return NeedMore(1);
         if (!MayStartPacket(source))
             return Skip(source, SkipReason.NoTokens);
+        if (source.Length < 2)
+            return NeedMore(2); // not 64: the second byte of noise has to be enough to skip it, or the total would depend on the splitting
         if (source.Length < ProtocolConstants.HeaderSize)
             return NeedMore(ProtocolConstants.HeaderSize);
 
@@ -78,7 +80,7 @@ public sealed class PacketScanner
         return new ScanResult(ScanStatus.Skipped, position, Reason: reason);
     }
 
-    // Looks at as much of the two tokens as is there.
+    // The second token is looked at only where the whole header is there: a shorter one has to wait whatever the splitting.
     private static bool MayStartPacket(ReadOnlySpan<byte> source)
     {
         if (source[0] != ProtocolConstants.TokenStart)

@@ -12,6 +12,9 @@ public static class ProtocolConstants
     /// <summary>Where the second token of every header stands.</summary>
     internal const int Token2Offset = HeaderSize - 2;
 
+    // With more values the size of a packet does not fit an int.
+    internal const int MaxValueCount = (int.MaxValue - HeaderSize) / sizeof(float);
+
     /// <summary>TCP port on which Axis Neuron broadcasts BVH data unless told otherwise.</summary>
     public const int DefaultPort = 7001;
 

@@ -31,9 +31,13 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
     {
         Volatile.Write(ref _lastPacket, timestamp);
         _skippedLength = 0;
-        if (status.State == ConnectionState.Receiving)
-            return;
+        if (status.State != ConnectionState.Receiving)
+            Resume(timestamp);
+    }
 
+    // By itself, because the lambdas would cost an allocation in every call of the method that holds them.
+    private void Resume(long timestamp)
+    {
         _hasPackets = true;
         status.TrySet(
             current => current.IsConnected && current.State != ConnectionState.Receiving,

@@ -93,7 +93,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
                 if (options.LocalAddress is { } local)
                     socket.Bind(new IPEndPoint(local, 0));
 
-                await socket.ConnectAsync(new IPEndPoint(address, options.Port)).ConfigureAwait(false);
+                await TcpConnector.ConnectAsync(socket, new IPEndPoint(address, options.Port)).ConfigureAwait(false);
             }
 
             LocalEndPoint = socket.LocalEndPoint;

@@ -4,28 +4,67 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Transport;
 
-internal static class UdpReceiver
+// A blocking ReceiveFrom allocates the sender's address for every datagram on this target; the event-driven one uses its own again. It runs
+// on the pool threads on which the system completes it.
+internal sealed class UdpReceiver : IDisposable
 {
     private const int MaxDatagram = 65_536;
 
-    // Never completes; throws when the socket is closed or fails.
-    public static Task ReceiveAsync(Socket socket, UdpSenders senders) =>
-        ReceiveThread.RunAsync("NeuronMocap UDP receive", () => Receive(socket, senders));
+    private readonly Socket _socket;
+    private readonly UdpSenders _senders;
+    private readonly SenderEndPoint _sender;
+    private readonly SocketAsyncEventArgs _operation = new();
+    private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
 
-    private static void Receive(Socket socket, UdpSenders senders)
+    private UdpReceiver(Socket socket, UdpSenders senders)
     {
-        byte[] buffer = new byte[MaxDatagram];
-        var sender = new SenderEndPoint(socket.LocalEndPoint!);
-        while (true)
+        _socket = socket;
+        _senders = senders;
+        _sender = new SenderEndPoint(socket.LocalEndPoint!);
+        _operation.SetBuffer(new byte[MaxDatagram], 0, MaxDatagram);
+        _operation.Completed += (_, _) => Receive(completed: true);
+    }
+
+    // Never completes; throws when the socket is closed or fails.
+    public static async Task ReceiveAsync(Socket socket, UdpSenders senders)
+    {
+        using var receiver = new UdpReceiver(socket, senders);
+        receiver.Receive(completed: false);
+        await receiver._completion.Task.ConfigureAwait(false);
+    }
+
+    public void Dispose() => _operation.Dispose();
+
+    // Until an operation is pending, which comes back here, or the socket is closed.
+    private void Receive(bool completed)
+    {
+        try
         {
-            EndPoint remote = sender;
-            int count = socket.ReceiveFrom(buffer, 0, buffer.Length, SocketFlags.None, ref remote);
-            senders.Push(sender.Address, new ArraySegment<byte>(buffer, 0, count), Stopwatch.GetTimestamp());
+            do
+            {
+                if (completed)
+                    Deliver();
+
+                _operation.RemoteEndPoint = _sender;
+                completed = !_socket.ReceiveFromAsync(_operation);
+            }
+            while (completed);
+        }
+        catch (Exception exception) when (SocketErrors.IsExpected(exception))
+        {
+            _completion.TrySetException(exception);
         }
     }
 
-    // ReceiveFrom makes a new end point for every datagram unless it is given one that makes itself: this one keeps the address it was
-    // given, in the object that the runtime wrote it to.
+    private void Deliver()
+    {
+        if (_operation.SocketError != SocketError.Success)
+            throw new SocketException((int)_operation.SocketError);
+
+        _senders.Push(_sender.Address, new ArraySegment<byte>(_operation.Buffer!, 0, _operation.BytesTransferred), Stopwatch.GetTimestamp());
+    }
+
+    // Keeps the sender's address in the object that the runtime wrote it to, where other end points make a new one.
     private sealed class SenderEndPoint(EndPoint local) : EndPoint
     {
         public SocketAddress Address { get; private set; } = local.Serialize();

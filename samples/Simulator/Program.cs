@@ -1,0 +1,78 @@
+using System.CommandLine;
+using System.CommandLine.Help;
+using System.Net.Sockets;
+using System.Runtime.InteropServices;
+using NeuronMocap.Server;
+using NeuronMocap.Simulator;
+
+const int Done = 0;
+const int Failed = 1;
+const int BadUsage = 2;
+
+var command = new SimulatorCommand();
+command.Options.OfType<HelpOption>().Single().Action = new HelpWithExamples();
+command.SetAction(Run);
+ParseResult result = command.Parse(args);
+if (result.Errors.Count > 0)
+    return Complain(string.Join(Environment.NewLine, result.Errors.Select(error => error.Message)));
+
+// Signals are handled below, in the one place that knows what to close.
+return result.Invoke(new InvocationConfiguration { ProcessTerminationTimeout = null, EnableDefaultExceptionHandler = false });
+
+int Run(ParseResult parsed)
+{
+    try
+    {
+        var settings = new SourceSettings(parsed.GetValue(command.Bvh), parsed.GetValue(command.Avatars) ?? 1, parsed.GetValue(command.Loop));
+        SimulatorSources sources = SourceFactory.Create(settings);
+        BroadcasterOptions options = SimulatorOptions.Create(command, parsed, sources);
+        using var broadcaster = new Broadcaster(options);
+        using PosixSignalRegistration interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Stop);
+        using PosixSignalRegistration terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Stop);
+        broadcaster.Start();
+        new SimulatorReport(broadcaster, options, sources.Description).Run();
+        return Done;
+
+        void Stop(PosixSignalContext context)
+        {
+            context.Cancel = true;
+            broadcaster.Stop();
+        }
+    }
+    catch (UsageException exception)
+    {
+        return Complain(exception.Message);
+    }
+    catch (BroadcasterException exception)
+    {
+        return Fail($"{OptionOf(exception.Setting)}: {exception.Message}");
+    }
+    catch (SocketException exception)
+    {
+        return Fail($"--udp: the host name leads nowhere ({exception.SocketErrorCode}).");
+    }
+    catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or InvalidDataException)
+    {
+        return Fail($"--bvh: {exception.Message}");
+    }
+}
+
+int Complain(string message)
+{
+    Console.Error.WriteLine(message);
+    Console.Error.WriteLine(command.Usage);
+    return BadUsage;
+}
+
+static int Fail(string message)
+{
+    Console.Error.WriteLine(message.ReplaceLineEndings(" "));
+    return Failed;
+}
+
+static string OptionOf(string setting) => setting switch
+{
+    nameof(BroadcasterOptions.Port) => "--port",
+    nameof(BroadcasterOptions.BindAddress) => "--bind",
+    _ => "--udp",
+};

@@ -1,0 +1,171 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
+using System.Net;
+using System.Numerics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Simulator;
+
+/// <summary>The values of a setting of Axis Neuron that is a switch there. Not bool: the parser takes that for an option without a value.</summary>
+internal enum OnOff
+{
+    On,
+    Off,
+}
+
+/// <summary>The options of the program: names, ranges and help. Other programs rely on them.</summary>
+internal sealed class SimulatorCommand : RootCommand
+{
+    public SimulatorCommand()
+        : base("Broadcasts motion capture data as Axis Neuron does, without a suit: to TCP clients and UDP receivers.")
+    {
+        Rate.CustomParser = ParseRate;
+        Order.CustomParser = ParseWord<RotationOrder>(Enum.GetNames<RotationOrder>());
+        Bind.CustomParser = ParseAddress;
+        Port.CustomParser = ParseNumber(0, 65_535);
+        Avatars.CustomParser = ParseNumber(1, 256);
+        Frames.CustomParser = ParseNumber(1L, long.MaxValue);
+        Fragment.CustomParser = ParseNumber(1, 1_048_576);
+        Displacement.CustomParser = ParseWord<OnOff>("on", "off");
+        Reference.CustomParser = ParseWord<OnOff>("on", "off");
+        Header.CustomParser = ParseWord<HeaderLayout>("new", "old");
+        foreach (Option option in (Option[])
+            [Bvh, Synthetic, Bind, Port, Udp, Avatars, Rate, Frames, Loop, WaitForClient, Displacement, Reference, Order, Header, Calculation, Fragment])
+        {
+            Add(option);
+        }
+
+        Validators.Add(CheckTogether);
+    }
+
+    public Option<FileInfo?> Bvh { get; } = new("--bvh") { HelpName = "FILE", Description = "Play a BVH file of the Perception Neuron skeleton." };
+
+    public Option<bool> Synthetic { get; } = new("--synthetic") { Description = "Play a synthetic actor, without end. This is the default." };
+
+    public Option<IPAddress> Bind { get; } = new("--bind")
+    {
+        HelpName = "ADDRESS",
+        Description = "Address of this machine to listen on; 0.0.0.0 for all. Default: 127.0.0.1.",
+    };
+
+    public Option<int?> Port { get; } = new("--port")
+    {
+        HelpName = "PORT",
+        Description = "TCP port to listen on, 0 to 65535; 0 takes any free one. Default: 7001, or none with --udp.",
+    };
+
+    public Option<string[]> Udp { get; } = new("--udp")
+    {
+        HelpName = "HOST:PORT",
+        Description = "Send UDP datagrams there; may be repeated. Listens on TCP as well only if --port is given.",
+    };
+
+    public Option<int?> Avatars { get; } = new("--avatars") { HelpName = "N", Description = "Number of avatars, 1 to 256. Default: 1." };
+
+    public Option<double?> Rate { get; } = new("--rate")
+    {
+        HelpName = "HZ|max",
+        Description = "Frames per second, 0.01 to 100000, or max: as fast as each client reads, each from frame 0, losing nothing. Default: the source's own.",
+    };
+
+    public Option<long?> Frames { get; } = new("--frames") { HelpName = "N", Description = "Frames of each avatar to send, at least 1. Default: all." };
+
+    public Option<bool> Loop { get; } = new("--loop") { Description = "Start a finite take again at its end." };
+
+    public Option<bool> WaitForClient { get; } = new("--wait-for-client") { Description = "Send nothing before the first TCP client, which then gets frame 0." };
+
+    public Option<OnOff?> Displacement { get; } = new("--displacement")
+    {
+        HelpName = "on|off",
+        Description = "Positions of all bones (cm), not only the hips. Default: on, or as the BVH file has it.",
+    };
+
+    public Option<OnOff?> Reference { get; } = new("--reference")
+    {
+        HelpName = "on|off",
+        Description = "Six values of the Reference node first. Default: off.",
+    };
+
+    public Option<RotationOrder?> Order { get; } = new("--order")
+    {
+        HelpName = "YXZ",
+        Description = "Rotation order: XYZ, XZY, YXZ, YZX, ZXY or ZYX. Default: YXZ, or the BVH file's.",
+    };
+
+    public Option<HeaderLayout?> Header { get; } = new("--header")
+    {
+        HelpName = "new|old",
+        Description = "Header layout: version 1.1.0.0 or 1.0.0.2. Default: new.",
+    };
+
+    public Option<bool> Calculation { get; } = new("--calculation") { Description = "Send a calculation packet after each motion packet." };
+
+    public Option<int?> Fragment { get; } = new("--fragment")
+    {
+        HelpName = "BYTES",
+        Description = "Write TCP in pieces of exactly, and UDP in datagrams of at most, 1 to 1048576 bytes. Default: whole packets.",
+    };
+
+    /// <summary>All options in one line, for those who made a mistake.</summary>
+    public string Usage => "Usage: neuron-simulator " + string.Join(' ', Options
+        .Where(option => option.Name is not ("--help" or "--version"))
+        .Select(option => option.HelpName is null ? $"[{option.Name}]" : $"[{option.Name} {option.HelpName}]"));
+
+    private static Func<ArgumentResult, T?> ParseNumber<T>(T from, T to)
+        where T : struct, INumber<T> => result =>
+    {
+        string text = result.Tokens[0].Value;
+        if (T.TryParse(text, NumberStyles.Integer, CultureInfo.InvariantCulture, out T number) && number >= from && number <= to)
+            return number;
+
+        result.AddError($"{NameOf(result)} {text} is not a whole number from {from} to {to}.");
+        return null;
+    };
+
+    // The words are the names of the enumeration, in any case.
+    private static Func<ArgumentResult, T?> ParseWord<T>(params string[] words)
+        where T : struct, Enum => result =>
+    {
+        string text = result.Tokens[0].Value;
+        if (words.Contains(text, StringComparer.OrdinalIgnoreCase))
+            return Enum.Parse<T>(text, ignoreCase: true);
+
+        result.AddError($"{NameOf(result)} {text} is none of {string.Join(", ", words)}.");
+        return null;
+    };
+
+    private static string? NameOf(ArgumentResult result) => (result.Parent as OptionResult)?.Option.Name;
+
+    private static double? ParseRate(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (string.Equals(text, "max", StringComparison.OrdinalIgnoreCase))
+            return BroadcasterOptions.MaxRate;
+        if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double rate) && rate is >= 0.01 and <= 100_000)
+            return rate;
+
+        result.AddError($"--rate {text} is neither a number from 0.01 to 100000 nor max.");
+        return null;
+    }
+
+    private static IPAddress? ParseAddress(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (IPAddress.TryParse(text, out IPAddress? address))
+            return address;
+
+        result.AddError($"--bind {text} is not an IP address.");
+        return null;
+    }
+
+    private void CheckTogether(CommandResult result)
+    {
+        if (result.GetResult(Bvh) is not null && result.GetResult(Synthetic) is not null)
+            result.AddError("--bvh and --synthetic exclude each other.");
+        if (result.GetResult(WaitForClient) is not null && result.GetResult(Udp) is not null && result.GetResult(Port) is null)
+            result.AddError("--wait-for-client waits for a TCP client: give --port as well as --udp.");
+    }
+}

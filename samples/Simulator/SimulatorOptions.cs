@@ -1,0 +1,57 @@
+using System.CommandLine;
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Protocol;
+using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Simulator;
+
+/// <summary>Turns the command line into the options of a broadcaster.</summary>
+internal static class SimulatorOptions
+{
+    /// <summary>Makes the options.</summary>
+    /// <param name="command">The options of the program.</param>
+    /// <param name="result">A command line without errors.</param>
+    /// <param name="sources">What to play.</param>
+    /// <exception cref="UsageException">An option has no meaning here.</exception>
+    /// <exception cref="SocketException">A host name leads nowhere.</exception>
+    public static BroadcasterOptions Create(SimulatorCommand command, ParseResult result, SimulatorSources sources)
+    {
+        string[] udp = result.GetValue(command.Udp) ?? [];
+        bool isCalculating = result.GetValue(command.Calculation);
+        if (isCalculating && SourceFactory.Calculation is null)
+            throw new UsageException("--calculation: this build makes no calculation packets.");
+
+        return new BroadcasterOptions
+        {
+            Sources = sources.Avatars,
+            BindAddress = result.GetValue(command.Bind) ?? IPAddress.Loopback,
+            Port = result.GetValue(command.Port) ?? (udp.Length > 0 ? null : ProtocolConstants.DefaultPort),
+            UdpDestinations = [.. udp.Select(Resolve)],
+            Rate = result.GetValue(command.Rate),
+            FrameLimit = result.GetValue(command.Frames),
+            WaitForClient = result.GetValue(command.WaitForClient),
+            Displacement = result.GetValue(command.Displacement) is { } displacement ? displacement == OnOff.On : null,
+            Reference = result.GetValue(command.Reference) == OnOff.On,
+            RotationOrder = result.GetValue(command.Order) ?? sources.Order ?? RotationOrder.YXZ,
+            DataVersion = result.GetValue(command.Header) == HeaderLayout.Old ? DataVersion.Old : DataVersion.New,
+            Calculation = isCalculating ? SourceFactory.Calculation : null,
+            Fragment = result.GetValue(command.Fragment),
+        };
+    }
+
+    private static IPEndPoint Resolve(string destination)
+    {
+        int colon = destination.LastIndexOf(':');
+        string host = colon < 0 ? string.Empty : destination[..colon].Trim('[', ']');
+        if (host.Length == 0 || !ushort.TryParse(destination.AsSpan(colon + 1), out ushort port) || port == 0)
+            throw new UsageException($"--udp {destination} is not of the form HOST:PORT.");
+        if (IPAddress.TryParse(host, out IPAddress? address))
+            return new IPEndPoint(address, port);
+
+        // IPv4 first: the vendor's readers bind to nothing else (protocol.md section 4.2).
+        IPAddress[] addresses = Dns.GetHostAddresses(host);
+        return new IPEndPoint(addresses.OrderBy(candidate => candidate.AddressFamily != AddressFamily.InterNetwork).First(), port);
+    }
+}

@@ -1,0 +1,157 @@
+using System.Diagnostics;
+using System.Globalization;
+using System.Net;
+using NeuronMocap.Protocol;
+using NeuronMocap.Server.Broadcasting;
+using NeuronMocap.Server.Clients;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Server;
+
+/// <summary>
+/// Does on the network what Axis Neuron does: sends the frames of one or several avatars to any number of TCP clients, which connect and
+/// need not say anything, and to UDP destinations.
+/// <para>
+/// All members may be used from any thread. Nothing that a client does ends a broadcast or reaches another client. Threads: one listens,
+/// one makes the frames of a paced broadcast, and every receiver has one that writes to it, all in the background.
+/// </para>
+/// </summary>
+public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
+{
+    private static readonly TimeSpan JoinTimeout = TimeSpan.FromSeconds(5);
+
+    private readonly object _gate = new();
+    private readonly BroadcasterOptions _options;
+    private readonly FramePlan _plan;
+    private readonly FrameLog? _log;
+    private readonly FramePacer? _pacer;
+    private readonly List<Recipient> _recipients = [];
+    private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private ClientListener? _listener;
+    private RecipientCounters _departed;
+    private long _accepted;
+    private long _refused;
+    private bool _hasServed;
+    private bool _isStarted;
+    private bool _hasBegun;
+    private bool _isOver;
+
+    /// <summary>Makes a broadcaster that does nothing yet.</summary>
+    /// <param name="options">The settings; copied.</param>
+    /// <exception cref="ArgumentException">A setting is out of its range; the message names it.</exception>
+    public Broadcaster(BroadcasterOptions options)
+    {
+        _options = (options ?? throw new ArgumentNullException(nameof(options))).CopyChecked();
+        _plan = CreatePlan(_options);
+        Rate = _options.Rate ?? _options.Sources[0].FrameRate;
+        if (double.IsPositiveInfinity(Rate))
+            return;
+
+        _log = new FrameLog(_options.QueueLength, _plan.FrameSize);
+        _pacer = new FramePacer(_plan, Rate, _log, OnPacerEnded);
+    }
+
+    /// <summary>Where TCP clients connect, with the real port; null before the start and without a listener.</summary>
+    public IPEndPoint? LocalEndPoint { get; private set; }
+
+    /// <summary>Frames per second: the setting or the first source's own; <see cref="BroadcasterOptions.MaxRate"/> when not paced.</summary>
+    public double Rate { get; }
+
+    /// <summary>Which values the motion packets carry: the settings, and the first source where they leave it to it.</summary>
+    public ChannelLayout Layout => _plan.Layout;
+
+    /// <summary>
+    /// Ends when the broadcast is over. At a paced rate: the last frame was made, and all clients have read it, have left, or have used up
+    /// <see cref="BroadcasterOptions.CloseTimeout"/>. At <see cref="BroadcasterOptions.MaxRate"/>: the destinations were sent everything,
+    /// at least one client was, and none is left. Also ends when the broadcaster is stopped; fails when a source threw.
+    /// </summary>
+    public Task Completion => _completion.Task;
+
+    /// <summary>Numbers since the start.</summary>
+    public BroadcasterStatistics Statistics
+    {
+        get
+        {
+            lock (_gate)
+            {
+                RecipientCounters total = _recipients.Aggregate(_departed, (sum, recipient) => sum.Add(recipient.Counters));
+                return new BroadcasterStatistics(
+                    CountClients(), _accepted, _refused, total.FramesSent, total.PacketsDropped, total.BytesSent);
+            }
+        }
+    }
+
+    /// <summary>The receivers that are served now, each with its numbers.</summary>
+    /// <returns>A new list.</returns>
+    public IReadOnlyList<BroadcasterClient> GetClients()
+    {
+        lock (_gate)
+            return _recipients.ConvertAll(Describe);
+    }
+
+    /// <summary>Takes the port, begins to listen and, unless told to wait for a client, to send.</summary>
+    /// <exception cref="BroadcasterException">The port or a destination cannot be had. The broadcaster can be started again.</exception>
+    /// <exception cref="InvalidOperationException">It was started before.</exception>
+    /// <exception cref="ObjectDisposedException">It was stopped before.</exception>
+    public void Start()
+    {
+        lock (_gate)
+        {
+            if (_isStarted)
+                throw _isOver ? new ObjectDisposedException(nameof(Broadcaster)) : new InvalidOperationException("The broadcaster was started before.");
+
+            Open();
+            _isStarted = true;
+            _listener?.Worker.Start();
+            if (!_options.WaitForClient)
+                Begin();
+        }
+    }
+
+    /// <summary>Closes all connections at once, without waiting for clients, and ends all threads. Returns within seconds; may be repeated.</summary>
+    public void Stop()
+    {
+        Worker?[] workers;
+        lock (_gate)
+        {
+            _isStarted = true;
+            workers = [_listener?.Worker, _pacer?.Worker, .. _recipients.ConvertAll(recipient => recipient.Worker)];
+            Close(error: null);
+        }
+
+        long deadline = Stopwatch.GetTimestamp() + (long)(JoinTimeout.TotalSeconds * Stopwatch.Frequency);
+        foreach (Worker? worker in workers)
+            worker?.Join(deadline);
+    }
+
+    /// <summary>Does what <see cref="Stop"/> does.</summary>
+    public void Dispose() => Stop();
+
+    /// <summary>Does what <see cref="Stop"/> does, without blocking the caller.</summary>
+    /// <returns>Ends when all is closed.</returns>
+    public ValueTask DisposeAsync() => new(Task.Run(Stop));
+
+    private static FramePlan CreatePlan(BroadcasterOptions options)
+    {
+        var names = new AvatarName[options.Sources.Count];
+        for (int i = 0; i < names.Length; i++)
+            names[i] = new AvatarName(i < options.AvatarNames.Count ? options.AvatarNames[i] : "Char" + i.ToString("00", CultureInfo.InvariantCulture));
+
+        return new FramePlan(
+            options.Sources,
+            names,
+            new ChannelLayout(options.Displacement ?? options.Sources[0].HasDisplacement, options.Reference),
+            options.RotationOrder,
+            options.DataVersion,
+            options.Calculation,
+            options.CalculationValueCount,
+            frameCount: Math.Min(options.FrameLimit ?? long.MaxValue, options.Sources.Min(source => source.FrameCount ?? long.MaxValue)));
+    }
+
+    private static BroadcasterClient Describe(Recipient recipient)
+    {
+        RecipientCounters counters = recipient.Counters;
+        return new BroadcasterClient(
+            recipient.RemoteEndPoint, recipient is UdpSender, counters.FramesSent, counters.PacketsDropped, counters.BytesSent);
+    }
+}

@@ -1,0 +1,123 @@
+using System.Net;
+using NeuronMocap.Protocol;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Server;
+
+/// <summary>
+/// What a <see cref="Broadcaster"/> sends, how, and to whom: the settings of Axis Neuron's broadcasting page and those of a test server.
+/// The broadcaster copies them when it is made; changes after that have no effect.
+/// </summary>
+public sealed class BroadcasterOptions
+{
+    /// <summary>The <see cref="Rate"/> that means: as fast as each receiver takes it.</summary>
+    public const double MaxRate = double.PositiveInfinity;
+
+    /// <summary>
+    /// One performance for each avatar, 1 to 256 of them; avatar indices follow the order. They are called on several threads at once.
+    /// With sources of different lengths the broadcast ends with the shortest.
+    /// </summary>
+    public IReadOnlyList<MotionSource> Sources { get; set; } = [];
+
+    /// <summary>
+    /// Names of the avatars, the first for the first source; at most 32 bytes of UTF-8 each, the rest is cut off. Avatars without one are
+    /// Char00, Char01 and so on. Default: none.
+    /// </summary>
+    public IReadOnlyList<string> AvatarNames { get; set; } = [];
+
+    /// <summary>
+    /// TCP port to listen on, 0 to 65535; 0 takes any free one, which <see cref="Broadcaster.LocalEndPoint"/> tells; null does not listen.
+    /// Default: 7001, as in Axis Neuron.
+    /// </summary>
+    public int? Port { get; set; } = ProtocolConstants.DefaultPort;
+
+    /// <summary>
+    /// Address to listen on, one of this machine. Default: loopback, so that nothing leaves the machine unless told to;
+    /// <see cref="IPAddress.Any"/> listens on all.
+    /// </summary>
+    public IPAddress BindAddress { get; set; } = IPAddress.Loopback;
+
+    /// <summary>Largest number of TCP clients at a time, 1 to 4096; more are refused and counted. Default: 256.</summary>
+    public int MaxClients { get; set; } = 256;
+
+    /// <summary>
+    /// Where to send datagrams, each to every destination; broadcast and multicast addresses are allowed. Default: none.
+    /// </summary>
+    public IReadOnlyList<IPEndPoint> UdpDestinations { get; set; } = [];
+
+    /// <summary>
+    /// Frames per second, 0.01 to 100,000, or <see cref="MaxRate"/>; null takes the first source's own. Default: null.
+    /// <para>
+    /// At a number, each frame is made once, at its time, and sent to all; a client that does not read loses whole packets and delays
+    /// nobody. At <see cref="MaxRate"/> every client gets the whole take from frame 0 as fast as it reads, loses nothing, and its connection
+    /// is closed after the last frame; UDP, which cannot push back, is sent as fast as the system takes it.
+    /// </para>
+    /// </summary>
+    public double? Rate { get; set; }
+
+    /// <summary>Frames of each avatar to send, at least 1; null sends all there are. Default: null.</summary>
+    public long? FrameLimit { get; set; }
+
+    /// <summary>
+    /// Whether nothing is sent before the first TCP client is there, which then gets frame 0 first. Needs <see cref="Port"/>.
+    /// Default: false.
+    /// </summary>
+    public bool WaitForClient { get; set; }
+
+    /// <summary>
+    /// Axis Neuron's setting Displacement: whether every bone carries a position, not only the hips; null as the first source has it.
+    /// Default: null.
+    /// </summary>
+    public bool? Displacement { get; set; }
+
+    /// <summary>Axis Neuron's setting Reference: whether six values of the Reference node come first. Default: false.</summary>
+    public bool Reference { get; set; }
+
+    /// <summary>Axis Neuron's setting Rotation: the order of the rotation values. Default: YXZ.</summary>
+    public RotationOrder RotationOrder { get; set; } = RotationOrder.YXZ;
+
+    /// <summary>
+    /// Version of the motion packets, 1.0 or 1.1, which decides the layout of their header: <see cref="Protocol.DataVersion.Old"/> is what
+    /// Axis Studio's "Use old header format" sends. Default: 1.1.0.0.
+    /// </summary>
+    public DataVersion DataVersion { get; set; } = DataVersion.New;
+
+    /// <summary>
+    /// Computes calculation packets, which then follow each motion packet on the same connections; null sends none. Default: null.
+    /// </summary>
+    public CalculationWriter? Calculation { get; set; }
+
+    /// <summary>Values of a calculation packet: 946, or 338 for the body without fingers, as before b15. Default: 946.</summary>
+    public int CalculationValueCount { get; set; } = Frames.CalculationFrame.FullValueCount;
+
+    /// <summary>
+    /// Bytes of a piece, 1 to 1,048,576; null leaves packets whole. Over TCP the stream is written in pieces of exactly that many bytes
+    /// across packet boundaries; at a paced rate the last piece of what is there is shorter. Over UDP a packet is cut into datagrams of at
+    /// most that many bytes: 1024 is what Axis Neuron on macOS does. Default: null.
+    /// </summary>
+    public int? Fragment { get; set; }
+
+    /// <summary>
+    /// How many frames of all avatars a client may fall behind at a paced rate before it loses some, 1 to 65,536. Default: 256. The
+    /// memory is shared by all clients.
+    /// </summary>
+    public int QueueLength { get; set; } = 256;
+
+    /// <summary>
+    /// How long clients may take, after the last frame, to read what is queued for them and to close their side, 0 to 10 minutes.
+    /// Default: 5 seconds.
+    /// </summary>
+    public TimeSpan CloseTimeout { get; set; } = TimeSpan.FromSeconds(5);
+
+    // A copy that nobody else can change, with every setting in its range.
+    internal BroadcasterOptions CopyChecked()
+    {
+        var copy = (BroadcasterOptions)MemberwiseClone();
+        copy.Sources = Sources?.ToArray() ?? [];
+        copy.AvatarNames = AvatarNames?.ToArray() ?? [];
+        copy.UdpDestinations = UdpDestinations?.ToArray() ?? [];
+        BroadcasterOptionsCheck.Check(copy);
+        return copy;
+    }
+}

@@ -1,0 +1,52 @@
+using NeuronMocap.Frames;
+
+namespace NeuronMocap.Server;
+
+// The ranges that the options' documentation states, and messages that name the setting.
+internal static class BroadcasterOptionsCheck
+{
+    private const int MaxAvatars = 256;
+
+    public static void Check(BroadcasterOptions options)
+    {
+        Require(options.Sources.Count is >= 1 and <= MaxAvatars, nameof(options.Sources), "takes 1 to 256 sources, one for each avatar", options.Sources.Count);
+        Require(options.Sources.All(source => source is not null), nameof(options.Sources), "takes sources that are not null", "null");
+        Require(options.AvatarNames.All(name => name is not null), nameof(options.AvatarNames), "takes names that are not null", "null");
+        Require(options.AvatarNames.Count <= options.Sources.Count, nameof(options.AvatarNames), "takes no more names than there are sources", options.AvatarNames.Count);
+        CheckNetwork(options);
+        CheckFormat(options);
+        Require(options.Rate is null or (>= 0.01 and <= 100_000) or BroadcasterOptions.MaxRate, nameof(options.Rate), "is 0.01 to 100,000 Hz or MaxRate", options.Rate);
+        Require(options.FrameLimit is null or >= 1, nameof(options.FrameLimit), "is at least 1 frame", options.FrameLimit);
+        Require(options.QueueLength is >= 1 and <= 65_536, nameof(options.QueueLength), "is 1 to 65,536 frames", options.QueueLength);
+        Require(options.CloseTimeout >= TimeSpan.Zero && options.CloseTimeout <= TimeSpan.FromMinutes(10), nameof(options.CloseTimeout), "is 0 to 10 minutes", options.CloseTimeout);
+    }
+
+    private static void CheckNetwork(BroadcasterOptions options)
+    {
+        Require(options.Port is null or (>= 0 and <= 65_535), nameof(options.Port), "is 0 to 65535", options.Port);
+        Require(options.BindAddress is not null, nameof(options.BindAddress), "is an address of this machine", "null");
+        Require(options.MaxClients is >= 1 and <= 4096, nameof(options.MaxClients), "is 1 to 4096 clients", options.MaxClients);
+        Require(options.UdpDestinations.All(destination => destination is not null), nameof(options.UdpDestinations), "takes addresses that are not null", "null");
+        Require(options.UdpDestinations.All(destination => destination.Port != 0), nameof(options.UdpDestinations), "takes ports from 1 to 65535", 0);
+        Require(options.Port is not null || options.UdpDestinations.Count > 0, nameof(options.Port), "may be null only where UdpDestinations has an entry", "null");
+        Require(options.Port is not null || !options.WaitForClient, nameof(options.WaitForClient), "needs a Port that TCP clients can connect to", true);
+        Require(options.Fragment is null or (>= 1 and <= 1_048_576), nameof(options.Fragment), "is 1 to 1,048,576 bytes", options.Fragment);
+    }
+
+    private static void CheckFormat(BroadcasterOptions options)
+    {
+        Require((int)options.RotationOrder is >= 0 and <= 5, nameof(options.RotationOrder), "is one of the six orders", options.RotationOrder);
+        Require(options.DataVersion.TryGetLayout(out _), nameof(options.DataVersion), "is 1.0 or 1.1", options.DataVersion);
+        Require(
+            options.CalculationValueCount is CalculationFrame.BodyValueCount or CalculationFrame.FullValueCount,
+            nameof(options.CalculationValueCount),
+            "is 338 or 946 values",
+            options.CalculationValueCount);
+    }
+
+    private static void Require(bool condition, string setting, string requirement, object? value)
+    {
+        if (!condition)
+            throw new ArgumentException($"{nameof(BroadcasterOptions)}.{setting} {requirement}; it is {value}.", setting);
+    }
+}

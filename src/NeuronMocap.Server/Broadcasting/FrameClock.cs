@@ -1,0 +1,37 @@
+using System.Diagnostics;
+
+namespace NeuronMocap.Server.Broadcasting;
+
+/// <summary>
+/// Says when a frame is due: frame n at start + n / rate, computed afresh for every frame, so that rounding and late wake-ups never add up.
+/// After a pause longer than a few frames the start moves: the frames that were not sent meanwhile are sent later, not all at once.
+/// </summary>
+internal sealed class FrameClock
+{
+    private const double ToleratedFrames = 4;
+
+    // Some systems wake a thread only every 15.6 ms; at high rates that is many frames, and they must not be put off.
+    private const double ToleratedSeconds = 0.02;
+
+    private readonly double _ticksPerFrame;
+    private readonly long _tolerance;
+    private long _start;
+
+    // Time is ticks of Stopwatch.
+    public FrameClock(double rate, long start)
+    {
+        _ticksPerFrame = Stopwatch.Frequency / rate;
+        _tolerance = (long)Math.Max(ToleratedFrames * _ticksPerFrame, ToleratedSeconds * Stopwatch.Frequency);
+        _start = start;
+    }
+
+    // Milliseconds to wait before the frame may be sent, rounded up; 0 when it is due.
+    public int GetDelay(long frame, long now)
+    {
+        long early = _start + (long)(frame * _ticksPerFrame) - now;
+        if (early < -_tolerance)
+            _start -= early + _tolerance;
+
+        return early <= 0 ? 0 : (int)Math.Min(int.MaxValue, Math.Ceiling(early * 1000.0 / Stopwatch.Frequency));
+    }
+}

@@ -1,0 +1,19 @@
+namespace NeuronMocap.Server.Broadcasting;
+
+/// <summary>Where the bytes of one recipient come from: whole frames in order, with the recipient's own position.</summary>
+internal abstract class FrameFeed
+{
+    /// <summary>Whether frames appear as time goes by, so that what is there must be sent without waiting for more.</summary>
+    public abstract bool IsLive { get; }
+
+    /// <summary>Whether the recipient has been given the last frame.</summary>
+    public abstract bool IsAtEnd { get; }
+
+    /// <summary>Frames that the recipient was too slow for. Safe to read on any thread.</summary>
+    public abstract long MissedFrames { get; }
+
+    /// <summary>Waits for frames and writes as many as fit.</summary>
+    /// <param name="destination">Room for at least one frame.</param>
+    /// <returns>Number of bytes, whole frames; 0 when there will be no more.</returns>
+    public abstract int Read(Span<byte> destination);
+}

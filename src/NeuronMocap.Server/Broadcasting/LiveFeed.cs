@@ -1,0 +1,15 @@
+namespace NeuronMocap.Server.Broadcasting;
+
+/// <summary>The paced broadcast from now on: the frames that appear in the log.</summary>
+internal sealed class LiveFeed(FrameLog log) : FrameFeed
+{
+    private readonly FrameCursor _cursor = log.CreateCursor();
+
+    public override bool IsLive => true;
+
+    public override bool IsAtEnd => log.IsAtEnd(_cursor);
+
+    public override long MissedFrames => log.GetMissed(_cursor);
+
+    public override int Read(Span<byte> destination) => log.Read(_cursor, destination);
+}

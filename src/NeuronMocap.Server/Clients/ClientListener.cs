@@ -1,0 +1,74 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Server.Broadcasting;
+
+namespace NeuronMocap.Server.Clients;
+
+/// <summary>Accepts connections on a thread of its own until it is disposed.</summary>
+internal sealed class ClientListener : IDisposable
+{
+    private const int Backlog = 512;
+
+    // After an error that will not go away by itself, such as no more file handles: long enough not to spin, short enough for a client.
+    private const int RetryDelay = 50;
+
+    private readonly Socket _socket;
+    private readonly Action<Socket> _accepted;
+    private volatile bool _isDisposed;
+
+    /// <summary>Takes the port.</summary>
+    /// <param name="endPoint">Address and port; port 0 for any free one.</param>
+    /// <param name="accepted">Called on the listener's thread; it owns the socket.</param>
+    /// <exception cref="SocketException">The address or the port cannot be had.</exception>
+    public ClientListener(IPEndPoint endPoint, Action<Socket> accepted)
+    {
+        _accepted = accepted;
+        _socket = new Socket(endPoint.AddressFamily, SocketType.Stream, ProtocolType.Tcp);
+        try
+        {
+            if (endPoint.Address.Equals(IPAddress.IPv6Any))
+                _socket.DualMode = true;
+            _socket.Bind(endPoint);
+            _socket.Listen(Backlog);
+            LocalEndPoint = (IPEndPoint)_socket.LocalEndPoint!;
+        }
+        catch
+        {
+            _socket.Dispose();
+            throw;
+        }
+
+        Worker = new Worker("NeuronMocap listener", Run);
+    }
+
+    public IPEndPoint LocalEndPoint { get; }
+
+    public Worker Worker { get; }
+
+    public void Dispose()
+    {
+        _isDisposed = true;
+        _socket.Dispose();
+    }
+
+    private void Run()
+    {
+        while (!_isDisposed)
+        {
+            try
+            {
+                _accepted(_socket.Accept());
+            }
+            catch (ObjectDisposedException)
+            {
+                return;
+            }
+            catch (SocketException)
+            {
+                // The client was gone before it was accepted, or the system is out of handles for the moment.
+                if (!_isDisposed)
+                    Thread.Sleep(RetryDelay);
+            }
+        }
+    }
+}

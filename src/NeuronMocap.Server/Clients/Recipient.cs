@@ -1,0 +1,91 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Server.Broadcasting;
+
+namespace NeuronMocap.Server.Clients;
+
+/// <summary>
+/// One receiver of the broadcast: its socket, its feed, and the thread that carries bytes from the one to the other. The writes block: a
+/// receiver that does not read stops its own thread and nothing else. Closing the socket ends the thread wherever it is.
+/// </summary>
+internal abstract class Recipient : IDisposable
+{
+    // Fewer system calls when a client is behind, and no more than this is under way when it vanishes.
+    private const int BufferSize = 128 * 1024;
+
+    private readonly Action<Recipient, Exception?> _ended;
+    private long _framesSent;
+    private long _packetsLost;
+    private long _bytesSent;
+
+    // Ended is called once, on the recipient's thread, with what a source threw if one did.
+    protected Recipient(Socket socket, EndPoint? remoteEndPoint, FramePlan plan, FrameFeed feed, Action<Recipient, Exception?> ended)
+    {
+        Socket = socket;
+        RemoteEndPoint = remoteEndPoint;
+        Plan = plan;
+        Feed = feed;
+        _ended = ended;
+        Worker = new Worker("NeuronMocap recipient", Run);
+    }
+
+    public EndPoint? RemoteEndPoint { get; }
+
+    public Worker Worker { get; }
+
+    // Whether every byte, up to the last frame, was handed to the network.
+    public bool HadAll { get; private set; }
+
+    // Safe on any thread.
+    public RecipientCounters Counters => new(
+        Interlocked.Read(ref _framesSent),
+        Interlocked.Read(ref _packetsLost) + (Feed.MissedFrames * Plan.PacketsPerFrame),
+        Interlocked.Read(ref _bytesSent));
+
+    protected Socket Socket { get; }
+
+    protected FramePlan Plan { get; }
+
+    protected FrameFeed Feed { get; }
+
+    // Room for at least one frame.
+    protected int ReadSize => Math.Max(BufferSize, Plan.FrameSize);
+
+    public void Dispose() => Socket.Dispose();
+
+    // Sends until the feed ends or the network refuses; true when all was sent.
+    protected abstract bool SendAll();
+
+    // Called when all was sent, before the socket is closed.
+    protected virtual void Finish()
+    {
+    }
+
+    protected void CountBytes(int bytes) => Interlocked.Add(ref _bytesSent, bytes);
+
+    protected void SetFrames(long frames) => Interlocked.Exchange(ref _framesSent, frames);
+
+    protected void CountLostPacket() => Interlocked.Increment(ref _packetsLost);
+
+    private void Run()
+    {
+        Exception? error = null;
+        try
+        {
+            HadAll = SendAll();
+            if (HadAll)
+                Finish();
+        }
+        catch (Exception exception) when (exception is SocketException or ObjectDisposedException)
+        {
+            // The client went away or the broadcaster closed the socket: the ordinary ends of a connection.
+        }
+        catch (Exception exception)
+        {
+            error = exception;
+        }
+
+        Socket.Dispose();
+        _ended(this, error);
+    }
+}

@@ -1,0 +1,91 @@
+using System.Net.Sockets;
+using NeuronMocap.Server.Broadcasting;
+
+namespace NeuronMocap.Server.Clients;
+
+/// <summary>
+/// A client's connection. Clients need not send anything (protocol.md section 4.1); what they send all the same is read and thrown away,
+/// because a socket that is closed over unread bytes resets the connection and takes the client's last frames with it.
+/// </summary>
+internal sealed class TcpClientSession : Recipient
+{
+    // Bounds what the system keeps for a client that does not read. By default it is megabytes, which is a minute of old frames.
+    private const int SendBufferSize = 256 * 1024;
+
+    private readonly int? _fragment;
+    private readonly TimeSpan _closeTimeout;
+    private readonly byte[] _buffer;
+    private long _sent;
+    private Task _drained = Task.CompletedTask;
+
+    public TcpClientSession(
+        Socket socket, FramePlan plan, FrameFeed feed, int? fragment, TimeSpan closeTimeout, Action<Recipient, Exception?> ended)
+        : base(socket, socket.RemoteEndPoint, plan, feed, ended)
+    {
+        socket.NoDelay = true;
+        socket.SendBufferSize = SendBufferSize;
+        _fragment = fragment;
+        _closeTimeout = closeTimeout;
+        _buffer = new byte[ReadSize + (fragment ?? 0)];
+    }
+
+    protected override bool SendAll()
+    {
+        _drained = DrainAsync();
+        int kept = 0;
+        int read;
+        while ((read = Feed.Read(_buffer.AsSpan(kept))) > 0)
+        {
+            int filled = kept + read;
+            kept = Feed.IsLive || _fragment is null ? 0 : filled % _fragment.Value;
+            if (!Write(filled - kept))
+                return false;
+
+            _buffer.AsSpan(filled - kept, kept).CopyTo(_buffer);
+        }
+
+        return Feed.IsAtEnd && Write(kept);
+    }
+
+    // The client sees the end of the stream after the last byte, and then has a while to take what is on its way and close its side.
+    protected override void Finish()
+    {
+        Socket.Shutdown(SocketShutdown.Send);
+        _drained.Wait(_closeTimeout);
+    }
+
+    private bool Write(int count)
+    {
+        int offset = 0;
+        while (offset < count)
+        {
+            int piece = Math.Min(count - offset, _fragment ?? int.MaxValue);
+            int sent = Socket.Send(_buffer, offset, piece, SocketFlags.None, out SocketError error);
+            if (error != SocketError.Success)
+                return false;
+
+            offset += sent;
+            _sent += sent;
+            CountBytes(sent);
+        }
+
+        SetFrames(_sent / Plan.FrameSize * Plan.AvatarCount);
+        return true;
+    }
+
+    // Ends when the client has closed its sending side, which is no reason to stop sending to it, or when the connection is gone.
+    private async Task DrainAsync()
+    {
+        byte[] scratch = new byte[512];
+        try
+        {
+            while (await Socket.ReceiveAsync(scratch.AsMemory(), SocketFlags.None).ConfigureAwait(false) > 0)
+            {
+            }
+        }
+        catch (Exception exception) when (exception is SocketException or ObjectDisposedException)
+        {
+            // The next write reports it.
+        }
+    }
+}

@@ -1,0 +1,90 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Server.Broadcasting;
+
+namespace NeuronMocap.Server.Clients;
+
+/// <summary>
+/// Sends to one UDP destination. A datagram never carries bytes of two packets; a packet larger than the fragment size is cut, as Axis
+/// Neuron on macOS does: 1024 bytes, then the rest (protocol.md section 4.2).
+/// </summary>
+internal sealed class UdpSender : Recipient
+{
+    private readonly int _fragment;
+    private readonly byte[] _buffer;
+    private long _motionPackets;
+
+    public UdpSender(Socket socket, IPEndPoint destination, FramePlan plan, FrameFeed feed, int? fragment, Action<Recipient, Exception?> ended)
+        : base(socket, destination, plan, feed, ended)
+    {
+        _fragment = fragment ?? int.MaxValue;
+        _buffer = new byte[ReadSize];
+    }
+
+    /// <summary>Opens a socket that sends to a destination.</summary>
+    /// <exception cref="SocketException">There is no way there.</exception>
+    public static Socket Connect(IPEndPoint destination)
+    {
+        var socket = new Socket(destination.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
+        try
+        {
+            if (destination.AddressFamily == AddressFamily.InterNetwork)
+                socket.EnableBroadcast = true;
+            socket.Connect(destination);
+            return socket;
+        }
+        catch
+        {
+            socket.Dispose();
+            throw;
+        }
+    }
+
+    protected override bool SendAll()
+    {
+        int read;
+        while ((read = Feed.Read(_buffer)) > 0)
+        {
+            int offset = 0;
+            while (offset < read)
+            {
+                SendPacket(offset, Plan.MotionSize, isMotion: true);
+                offset += Plan.MotionSize;
+                SendPacket(offset, Plan.CalculationSize, isMotion: false);
+                offset += Plan.CalculationSize;
+            }
+        }
+
+        return Feed.IsAtEnd;
+    }
+
+    private void SendPacket(int offset, int size, bool isMotion)
+    {
+        int end = offset + size;
+        while (offset < end)
+        {
+            int length = Math.Min(end - offset, _fragment);
+            if (!TrySend(offset, length))
+            {
+                CountLostPacket();
+                return;
+            }
+
+            offset += length;
+            CountBytes(length);
+        }
+
+        if (isMotion)
+            SetFrames(++_motionPackets);
+    }
+
+    // "Refused" tells of an earlier datagram, which nobody received, and keeps this one from being sent: the second try sends it.
+    private bool TrySend(int offset, int length)
+    {
+        Socket.Send(_buffer, offset, length, SocketFlags.None, out SocketError error);
+        if (error is SocketError.ConnectionRefused or SocketError.ConnectionReset)
+            Socket.Send(_buffer, offset, length, SocketFlags.None, out error);
+
+        return error == SocketError.Success;
+    }
+}

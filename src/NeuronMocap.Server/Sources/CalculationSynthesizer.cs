@@ -1,0 +1,141 @@
+using System.Numerics;
+using NeuronMocap.Frames;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Server.Sources;
+
+/// <summary>
+/// Computes the values of a calculation packet (manual section 1.2.2, protocol.md section 3.3) from a performance: what the sensors would
+/// have measured. A pure function of the frame number; allocates nothing; any number of threads may call at once.
+/// <para>
+/// The world's axes are those of the BVH stream: right-handed, Y up, X to the subject's left at rest, Z forward. A real server's axes are a
+/// setting; files that Axis Neuron exports have Z pointing down. Positions are metres, at the middle between a bone's joint and the next
+/// joint of its chain, or its End Site, for which the default body's is taken; the middle finger continues a hand. The hips' is their joint, as
+/// in recordings. Velocities are metres per second. The quaternion is the bone's rotation in the world, as of a sensor whose axes are the bone's.
+/// </para>
+/// <para>
+/// Acceleration and angular velocity are in the bone's axes. The manual does not give their units; these follow recordings. The acceleration
+/// is gravity minus that of the bone's centre, in multiples of 9.80665 m/s²: 1 downwards at rest, which is what an accelerometer
+/// measures with its sign changed. The angular velocity is in radians per second.
+/// </para>
+/// <para>
+/// All come from a frame and its two neighbours. Where one of them does not exist, velocity and angular velocity are one-sided differences and
+/// the acceleration is the neighbour's; a performance of one frame is at rest, one of two is not accelerated.
+/// </para>
+/// </summary>
+public static class CalculationSynthesizer
+{
+    private const int Window = 3;
+    private const int ValuesPerBone = 16;
+    private const int ContactCount = 2;
+    private const int Bones = BoneHierarchy.BoneCount;
+    private const float MetresPerCentimetre = 0.01f;
+    private const float StandardGravity = 9.80665f;
+
+    /// <summary>Writes the values of one frame.</summary>
+    /// <param name="source">The performance.</param>
+    /// <param name="frame">Frame number, from 0, below the source's <see cref="MotionSource.FrameCount"/>.</param>
+    /// <param name="values">
+    /// Exactly 946 values for 59 bones or 338 for 21: <see cref="CalculationFrame.FullValueCount"/>, <see cref="CalculationFrame.BodyValueCount"/>.
+    /// </param>
+    /// <exception cref="ArgumentException">There is room for another number of values.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The source has no such frame.</exception>
+    public static void Write(MotionSource source, long frame, Span<float> values)
+    {
+        if (values.Length is not (CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount))
+            throw new ArgumentException("A calculation packet carries 946 values or 338.", nameof(values));
+
+        long last = (source.FrameCount ?? long.MaxValue) - 1;
+        if (frame < 0 || frame > last)
+            throw new ArgumentOutOfRangeException(nameof(frame), frame, "The performance has no such frame.");
+
+        long first = Math.Max(0, Math.Min(frame - 1, last - (Window - 1)));
+        int count = (int)Math.Min(Window, last - first + 1);
+        Span<BoneTransform> samples = stackalloc BoneTransform[Window * Bones];
+        for (int i = 0; i < count; i++)
+            Sample(source, first + i, samples.Slice(i * Bones, Bones));
+
+        int at = (int)(frame - first);
+        int before = Math.Max(at - 1, 0);
+        int after = Math.Min(at + 1, count - 1);
+        float rate = (float)source.FrameRate;
+        float differenceRate = after == before ? 0 : rate / (after - before);
+        float secondDifferenceRate = count == Window ? rate * rate : 0;
+
+        int boneCount = (values.Length - ContactCount) / ValuesPerBone;
+        for (int index = 0; index < boneCount; index++)
+        {
+            int bone = (int)CalculationOrder.Bones[index];
+            BoneTransform now = samples[(at * Bones) + bone];
+            BoneTransform earlier = samples[(before * Bones) + bone];
+            BoneTransform later = samples[(after * Bones) + bone];
+            Vector3 secondDifference =
+                samples[bone].Position - (2 * samples[Bones + bone].Position) + samples[(2 * Bones) + bone].Position;
+
+            int offset = (index * ValuesPerBone) + (index < CalculationOrder.BodyBoneCount ? 0 : ContactCount);
+            Span<float> target = values.Slice(offset, ValuesPerBone);
+            Write(target, now.Position);
+            Write(target[3..], (later.Position - earlier.Position) * differenceRate);
+            target[6] = now.Rotation.W;
+            Write(target[7..], new Vector3(now.Rotation.X, now.Rotation.Y, now.Rotation.Z));
+            Write(target[10..], Sense(secondDifference * secondDifferenceRate, now.Rotation));
+            Write(target[13..], RotationVector(earlier.Rotation, later.Rotation) * differenceRate);
+        }
+
+        (bool left, bool right) = source.GetFootContacts(frame);
+        Span<float> contacts = values.Slice(CalculationOrder.BodyBoneCount * ValuesPerBone, ContactCount);
+        contacts[0] = left ? 1 : 0;
+        contacts[1] = right ? 1 : 0;
+    }
+
+    // Centres in metres and rotations, in the world.
+    private static void Sample(MotionSource source, long frame, Span<BoneTransform> bones)
+    {
+        source.GetPose(frame, bones);
+        ForwardKinematics.ToWorld(bones, bones, source.Variant);
+
+        // A bone's place is replaced by its centre when nobody asks for it any more: parents come before their children.
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            BoneTransform world = bones[(int)bone];
+            bones[(int)bone] = world with { Position = (world.Position + End(bone, bones)) * (MetresPerCentimetre / 2) };
+        }
+    }
+
+    private static Vector3 End(Bone bone, ReadOnlySpan<BoneTransform> world)
+    {
+        if (DefaultOffsets.TryGetEndSite(bone, out Vector3 end))
+            return world[(int)bone].TransformPoint(end);
+
+        return bone switch
+        {
+            Bone.Hips => world[(int)bone].Position,
+            Bone.RightHand => world[(int)Bone.RightInHandMiddle].Position,
+            Bone.LeftHand => world[(int)Bone.LeftInHandMiddle].Position,
+            _ => world[(int)bone + 1].Position,
+        };
+    }
+
+    private static Vector3 Sense(Vector3 acceleration, Quaternion rotation) =>
+        Vector3.Transform(-Vector3.UnitY - (acceleration / StandardGravity), Quaternion.Conjugate(rotation));
+
+    // The shorter turn that leads from one rotation to another: its axis in the turning body's own axes, its length in radians.
+    private static Vector3 RotationVector(Quaternion from, Quaternion to)
+    {
+        Quaternion turn = Quaternion.Conjugate(from) * to;
+        var axis = new Vector3(turn.X, turn.Y, turn.Z);
+        float sine = axis.Length();
+        if (sine == 0)
+            return Vector3.Zero;
+
+        float sign = turn.W < 0 ? -1 : 1;
+        return axis * (sign * 2 * MathF.Atan2(sine, sign * turn.W) / sine);
+    }
+
+    private static void Write(Span<float> destination, Vector3 vector)
+    {
+        destination[0] = vector.X;
+        destination[1] = vector.Y;
+        destination[2] = vector.Z;
+    }
+}

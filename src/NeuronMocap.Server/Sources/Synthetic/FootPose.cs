@@ -1,0 +1,47 @@
+using System.Numerics;
+
+namespace NeuronMocap.Server.Sources.Synthetic;
+
+// Where an ankle is, and how the foot is turned, in the world. A leaving foot rolls over the tip of its toes, which stays where it was;
+// in flight the point that the foot turns about moves along the sole to the heel, and the foot comes down heel first and flat at landing.
+internal readonly struct FootPose
+{
+    public const float AnkleHeight = 10;
+    public const float ToeLength = 15.75f;
+    public const float HeelLength = 5;
+
+    private const float HalfTrack = 6.5f;
+    private const float ToeOut = 6;
+    private const float RollDegrees = 38;
+    private const float ToeUpDegrees = 14;
+    private const float Clearance = 3.5f;
+
+    public FootPose(FootSwing swing, bool right, float ringX)
+    {
+        float side = right ? -1 : 1;
+        float v = swing.Progress;
+        float travel = Ease.Glide((v - 0.2f) / 0.8f);
+        float station = Ease.Lerp(swing.From, swing.To, travel);
+        float heading = WalkingPath.Heading(station) + (side * ToeOut);
+
+        // A short step, at the start and end of a walk, turns the foot less.
+        float size = (1 + swing.To - swing.From) / 3f;
+        float pitch = size * ((RollDegrees * Ease.Bump(v, 0, 0.26f, 0.75f)) - (ToeUpDegrees * Ease.Bump(v, 0.55f, 0.85f, 1)));
+        float pivot = Ease.Lerp(ToeLength, -HeelLength, Ease.Step(v, 0.35f, 0.75f));
+        float height = Clearance * Ease.Bump(v, 0, 0.5f, 1);
+
+        Quaternion yaw = Turn.Y(heading);
+        Vector3 ground = WalkingPath.Point(station, side * HalfTrack, ringX);
+        var sole = new Vector3(0, -AnkleHeight, pivot);
+        Rotation = yaw * Turn.X(pitch);
+        Ankle = ground + Vector3.Transform(new Vector3(0, height, pivot), yaw) - Vector3.Transform(sole, Rotation);
+        Heading = heading;
+    }
+
+    public Vector3 Ankle { get; }
+
+    public Quaternion Rotation { get; }
+
+    // Degrees about Y.
+    public float Heading { get; }
+}

@@ -1,0 +1,102 @@
+using System.Diagnostics.CodeAnalysis;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Bvh;
+
+// Finds, for every value of a motion packet, the value of the row that it is.
+internal sealed class BvhBoneColumns
+{
+    private readonly BvhJoint[] _joints;
+
+    public BvhBoneColumns(BvhJoint[] joints)
+    {
+        _joints = joints;
+        Layout = new ChannelLayout(hasDisplacement: joints[(int)Bone.Spine].Channels.Any(IsPosition), hasReference: false);
+        Indices = new int[Layout.ValueCount];
+    }
+
+    public ChannelLayout Layout { get; }
+
+    public RotationOrder RotationOrder { get; private set; }
+
+    public int[] Indices { get; }
+
+    public bool TryRead([NotNullWhen(false)] out string? reason)
+    {
+        reason = null;
+        foreach (Bone bone in BoneHierarchy.Bones)
+            reason ??= ReadPositions(bone) ?? ReadRotations(bone);
+
+        return reason is null;
+    }
+
+    private static bool IsPosition(BvhChannel channel) => channel is >= BvhChannel.Xposition and <= BvhChannel.Zposition;
+
+    private static bool IsRotation(BvhChannel channel) => channel is >= BvhChannel.Xrotation and <= BvhChannel.Zrotation;
+
+    // In the packet always X, Y, Z, whatever the order of the file.
+    private string? ReadPositions(Bone bone)
+    {
+        BvhJoint joint = _joints[(int)bone];
+        int index = Layout.PositionIndex(bone);
+        int count = joint.Channels.Count(IsPosition);
+        if (count != (index < 0 ? 0 : 3))
+            return $"Joint {joint.Name} has {count} position channels; a packet has three for the hips, and three or none for all the others.";
+
+        for (int axis = 0; axis < count; axis++)
+        {
+            int place = PlaceOf(joint, BvhChannel.Xposition + axis);
+            if (place < 0)
+                return $"Joint {joint.Name} has one of the position channels twice.";
+
+            Indices[index + axis] = joint.FirstChannel + place;
+        }
+
+        return null;
+    }
+
+    private string? ReadRotations(Bone bone)
+    {
+        BvhJoint joint = _joints[(int)bone];
+        int[] places = [.. Enumerable.Range(0, joint.Channels.Count).Where(place => IsRotation(joint.Channels[place]))];
+        if (places.Length != 3 || !TryGetOrder([.. places.Select(place => joint.Channels[place])], out RotationOrder order))
+            return $"Joint {joint.Name} does not have one rotation channel for each of the three axes.";
+        if (bone == Bone.Hips)
+            RotationOrder = order;
+        if (order != RotationOrder)
+            return $"The rotation order of joint {joint.Name} is {order}, that of the hips {RotationOrder}; a packet has one for all.";
+
+        int index = Layout.RotationIndex(bone);
+        for (int i = 0; i < 3; i++)
+            Indices[index + i] = joint.FirstChannel + places[i];
+
+        return null;
+    }
+
+    private static int PlaceOf(BvhJoint joint, BvhChannel channel)
+    {
+        for (int place = 0; place < joint.Channels.Count; place++)
+        {
+            if (joint.Channels[place] == channel)
+                return place;
+        }
+
+        return -1;
+    }
+
+    private static bool TryGetOrder(ReadOnlySpan<BvhChannel> channels, out RotationOrder order)
+    {
+        RotationOrder? found = (channels[0], channels[1], channels[2]) switch
+        {
+            (BvhChannel.Xrotation, BvhChannel.Zrotation, BvhChannel.Yrotation) => RotationOrder.XZY,
+            (BvhChannel.Yrotation, BvhChannel.Xrotation, BvhChannel.Zrotation) => RotationOrder.YXZ,
+            (BvhChannel.Xrotation, BvhChannel.Yrotation, BvhChannel.Zrotation) => RotationOrder.XYZ,
+            (BvhChannel.Yrotation, BvhChannel.Zrotation, BvhChannel.Xrotation) => RotationOrder.YZX,
+            (BvhChannel.Zrotation, BvhChannel.Xrotation, BvhChannel.Yrotation) => RotationOrder.ZXY,
+            (BvhChannel.Zrotation, BvhChannel.Yrotation, BvhChannel.Xrotation) => RotationOrder.ZYX,
+            _ => null,
+        };
+        order = found ?? default;
+        return found is not null;
+    }
+}

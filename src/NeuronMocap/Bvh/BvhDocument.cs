@@ -1,0 +1,95 @@
+namespace NeuronMocap.Bvh;
+
+/// <summary>
+/// A BVH file: a hierarchy of joints and rows of values that move it. Holds what the file says, in its own order and units (Axis Neuron:
+/// centimetres and degrees); <see cref="BvhSkeletonMap"/> finds Neuron's bones in it. Immutable once read; thread-safe.
+/// <para>
+/// Reading is lenient: what is wrong but has one sensible reading is read that way and listed in <see cref="Repairs"/>. Keywords are read in
+/// any case; white space, blank lines and the kind of line ends have no meaning beyond ending a row. Values are the binary32 nearest to
+/// their text, negative zero included; NaN and infinity are kept. Rows count, not the number that the file announces; several MOTION blocks
+/// are read as one take. A file of a hierarchy alone is whole, with no frames.
+/// </para>
+/// </summary>
+public sealed class BvhDocument
+{
+    /// <summary>Largest number of joints that is read.</summary>
+    public const int MaxJoints = 10_000;
+
+    /// <summary>Largest depth of joints within joints that is read.</summary>
+    public const int MaxDepth = 512;
+
+    /// <summary>Largest number of entries in <see cref="Repairs"/>.</summary>
+    public const int MaxListedRepairs = 100;
+
+    private readonly float[] _values;
+
+    private BvhDocument(in BvhHierarchyReader hierarchy, in BvhMotionReader motion, BvhRepairLog repairs)
+    {
+        Joints = hierarchy.Joints;
+        ChannelCount = hierarchy.ChannelCount;
+        _values = motion.Values;
+        FrameCount = ChannelCount == 0 ? 0 : _values.Length / ChannelCount;
+        DeclaredFrameTime = motion.FrameTime;
+        FrameRate = motion.FrameRate;
+        Repairs = repairs.Listed;
+        RepairCount = repairs.Count;
+    }
+
+    /// <summary>The joints, parents before their children, in the order of the file; at least one.</summary>
+    public IReadOnlyList<BvhJoint> Joints { get; }
+
+    /// <summary>Number of values in a row.</summary>
+    public int ChannelCount { get; }
+
+    /// <summary>Number of rows that are there.</summary>
+    public int FrameCount { get; }
+
+    /// <summary>Seconds from one frame to the next as the file has it, often rounded; 0 when it has none that is usable.</summary>
+    public double DeclaredFrameTime { get; }
+
+    /// <summary>
+    /// Frames per second. Where the file's frame time is the rounded period of a usual rate, that rate: 0.008 is 120, 0.017 is 60, 0.033 is
+    /// 30, 0.010 is 100. A file says 125 with one more digit, 0.0080. Where no usual rate fits the digits that are there,
+    /// 1 / <see cref="DeclaredFrameTime"/>; where the file has none, 120.
+    /// </summary>
+    public double FrameRate { get; }
+
+    /// <summary>What was wrong in the file and how it was read all the same; the first hundred.</summary>
+    public IReadOnlyList<BvhRepair> Repairs { get; }
+
+    /// <summary>Number of repairs, those included that <see cref="Repairs"/> does not list.</summary>
+    public int RepairCount { get; }
+
+    /// <summary>Reads a file.</summary>
+    /// <param name="path">Where it is; at most 2 GB.</param>
+    /// <returns>The document.</returns>
+    /// <exception cref="BvhFormatException">The file is not BVH, or exceeds one of the limits.</exception>
+    /// <exception cref="IOException">The file is not there or cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">This user may not read it.</exception>
+    public static BvhDocument Load(string path) => Parse(File.ReadAllBytes(path));
+
+    /// <summary>Reads text.</summary>
+    /// <param name="utf8">ASCII or UTF-8, with or without a byte order mark; only read.</param>
+    /// <returns>The document, which does not refer to the text any more.</returns>
+    /// <exception cref="BvhFormatException">The text is not BVH, or exceeds one of the limits.</exception>
+    public static BvhDocument Parse(ReadOnlySpan<byte> utf8)
+    {
+        var repairs = new BvhRepairLog();
+        var hierarchy = new BvhHierarchyReader(new BvhText(utf8), repairs);
+        var motion = new BvhMotionReader(hierarchy.Read(), hierarchy.ChannelCount, repairs);
+        motion.Read();
+        return new BvhDocument(hierarchy, motion, repairs);
+    }
+
+    /// <summary>The values of one row, in the order of the file; see <see cref="BvhJoint.FirstChannel"/>.</summary>
+    /// <param name="index">Number of the frame, from 0.</param>
+    /// <returns>As many values as <see cref="ChannelCount"/>, in the document's own memory.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
+    public ReadOnlySpan<float> GetFrame(int index)
+    {
+        if ((uint)index >= (uint)FrameCount)
+            throw new ArgumentOutOfRangeException(nameof(index), index, $"There are {FrameCount} frames.");
+
+        return _values.AsSpan(index * ChannelCount, ChannelCount);
+    }
+}

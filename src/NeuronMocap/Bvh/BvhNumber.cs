@@ -1,0 +1,159 @@
+using System.Globalization;
+using System.Text;
+
+namespace NeuronMocap.Bvh;
+
+/// <summary>
+/// Reads a decimal number as the nearest binary32, ties to even: the same bits as float.Parse with the invariant culture.
+/// <para>
+/// With at most 53 bits of digits and a power of ten that a double holds exactly, one division gives the double nearest to the decimal.
+/// Narrowing that rounds a second time, which goes wrong only where the double lies exactly between two floats: then, and outside those
+/// bounds, float.Parse itself decides. All that motion files contain takes the short way. Utf8Parser would need no copy, but is not exact:
+/// halfway between two floats it rounds up where zeros follow the fraction (7.115569763501211648000000E+19, .NET 10).
+/// </para>
+/// </summary>
+internal static class BvhNumber
+{
+    private const ulong ExactIntegers = 1UL << 53;
+    private const ulong RoomForADigit = (ulong.MaxValue - 9) / 10;
+    private const int ShortWord = 128;
+    private const int LargestExponent = 99_999;
+    private const long DiscardedBits = (1L << 29) - 1;
+    private const long HalfOfThem = 1L << 28;
+
+    private static readonly double[] PowersOfTen =
+    [
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+    ];
+
+    /// <summary>Reads a word that is a number from its first byte to its last; too large a number is infinite.</summary>
+    public static bool TryParse(ReadOnlySpan<byte> word, out float value)
+    {
+        if (!TryScan(word, out Scanned number))
+            return TryParseNotFinite(word, out value);
+        if (number.IsExact && TryNarrow(number, out value))
+            return true;
+
+        Span<char> text = word.Length <= ShortWord ? stackalloc char[ShortWord] : new char[word.Length];
+        text = text[..Encoding.ASCII.GetChars(word, text)];
+
+        // Older runtimes reject what is too large.
+        if (!float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out value))
+            value = number.IsNegative ? float.NegativeInfinity : float.PositiveInfinity;
+
+        return true;
+    }
+
+    /// <summary>Reads a finite number as a double, and the power of ten of its last digit: -3 for 0.008.</summary>
+    public static bool TryParse(ReadOnlySpan<byte> word, out double value, out int lastDigit)
+    {
+        value = 0;
+        lastDigit = 0;
+        if (!TryScan(word, out Scanned number))
+            return false;
+
+        lastDigit = number.Exponent;
+        return double.TryParse(Encoding.ASCII.GetString(word), NumberStyles.Float, CultureInfo.InvariantCulture, out value)
+            && double.IsFinite(value);
+    }
+
+    // False where the double lies halfway between two floats: the decimal may lie to either side of it.
+    private static bool TryNarrow(in Scanned number, out float value)
+    {
+        double magnitude = number.Exponent < 0
+            ? number.Digits / PowersOfTen[-number.Exponent]
+            : number.Digits * PowersOfTen[number.Exponent];
+        value = number.IsNegative ? -(float)magnitude : (float)magnitude;
+        return (BitConverter.DoubleToInt64Bits(magnitude) & DiscardedBits) != HalfOfThem;
+    }
+
+    private static bool TryScan(ReadOnlySpan<byte> word, out Scanned number)
+    {
+        number = default;
+        int at = 0;
+        if (word.Length > 0 && word[0] is (byte)'-' or (byte)'+')
+            number.IsNegative = word[at++] == '-';
+
+        int start = at;
+        ScanDigits(word, ref at, ref number, exponentStep: 0);
+        int digits = at - start;
+        if (at < word.Length && word[at] == '.')
+        {
+            start = ++at;
+            ScanDigits(word, ref at, ref number, exponentStep: -1);
+            digits += at - start;
+        }
+
+        return digits > 0 && (at == word.Length || TryScanExponent(word[at..], ref number));
+    }
+
+    private static void ScanDigits(ReadOnlySpan<byte> word, ref int at, ref Scanned number, int exponentStep)
+    {
+        for (; at < word.Length && IsDigit(word[at]); at++)
+        {
+            if (number.Digits > RoomForADigit)
+            {
+                number.IsCut = true;
+                number.Exponent += exponentStep + 1;
+                continue;
+            }
+
+            number.Digits = (number.Digits * 10) + (ulong)(word[at] - '0');
+            number.Exponent += exponentStep;
+        }
+    }
+
+    private static bool TryScanExponent(ReadOnlySpan<byte> word, ref Scanned number)
+    {
+        if (word[0] is not ((byte)'e' or (byte)'E'))
+            return false;
+
+        int at = word.Length > 1 && word[1] is (byte)'-' or (byte)'+' ? 2 : 1;
+        bool isNegative = word.Length > 1 && word[1] == '-';
+        if (at == word.Length)
+            return false;
+
+        int exponent = 0;
+        for (; at < word.Length && IsDigit(word[at]); at++)
+            exponent = Math.Min(LargestExponent, (exponent * 10) + (word[at] - '0'));
+
+        number.Exponent += isNegative ? -exponent : exponent;
+        return at == word.Length;
+    }
+
+    // What float.Parse knows, and what C libraries print: nan, -nan(ind), inf, 1.#INF00, -1.#IND00, 1.#QNAN.
+    private static bool TryParseNotFinite(ReadOnlySpan<byte> word, out float value)
+    {
+        bool isNegative = word.Length > 0 && word[0] == '-';
+        if (isNegative || (word.Length > 0 && word[0] == '+'))
+            word = word[1..];
+        if (BvhText.StartsWith(word, "1.#"u8))
+            word = word[3..];
+
+        if (BvhText.StartsWith(word, "inf"u8))
+        {
+            value = isNegative ? float.NegativeInfinity : float.PositiveInfinity;
+            return true;
+        }
+
+        value = float.NaN;
+        return BvhText.StartsWith(word, "nan"u8)
+            || BvhText.StartsWith(word, "ind"u8)
+            || BvhText.StartsWith(word, "qnan"u8)
+            || BvhText.StartsWith(word, "snan"u8);
+    }
+
+    private static bool IsDigit(byte letter) => letter is >= (byte)'0' and <= (byte)'9';
+
+    // Digits times ten to the Exponent; cut when there were more digits than fit.
+    private struct Scanned
+    {
+        public bool IsNegative;
+        public ulong Digits;
+        public int Exponent;
+        public bool IsCut;
+
+        public readonly bool IsExact =>
+            !IsCut && Digits <= ExactIntegers && Exponent > -PowersOfTen.Length && Exponent < PowersOfTen.Length;
+    }
+}

@@ -1,0 +1,155 @@
+using System.Diagnostics.CodeAnalysis;
+using System.Numerics;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Bvh;
+
+/// <summary>
+/// Neuron's 59 bones in a BVH file: which joint each of them is, and where its values stand. The joints may come in any order and among
+/// others; names and parents have to be those of one <see cref="SkeletonVariant"/>. Immutable; thread-safe.
+/// </summary>
+public sealed class BvhSkeletonMap
+{
+    private readonly BvhJoint[] _joints;
+    private readonly int[] _columns;
+
+    private BvhSkeletonMap(BvhDocument document, BvhJoint[] joints, int[] columns, ChannelLayout layout, SkeletonFormat format)
+    {
+        Document = document;
+        _joints = joints;
+        _columns = columns;
+        Layout = layout;
+        Format = format;
+    }
+
+    /// <summary>The file.</summary>
+    public BvhDocument Document { get; }
+
+    /// <summary>Naming of the bones, from the joints' names, and order of the rotation values, from their channels.</summary>
+    public SkeletonFormat Format { get; }
+
+    /// <summary>
+    /// What the file's values fill of a motion packet: 354 when every bone has position channels, 180 when only the hips have; the Reference
+    /// node is not part of a file.
+    /// </summary>
+    public ChannelLayout Layout { get; }
+
+    /// <summary>The joint of a bone.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public BvhJoint this[Bone bone] => (uint)bone < BoneHierarchy.BoneCount
+        ? _joints[(int)bone]
+        : throw new ArgumentOutOfRangeException(nameof(bone), bone, "There are 59 bones, 0 to 58.");
+
+    /// <summary>Finds the bones in a file.</summary>
+    /// <param name="document">The file.</param>
+    /// <param name="map">The bones, when all are there.</param>
+    /// <param name="reason">When not: the first thing that is missing or different, in English.</param>
+    /// <returns>False when the file's skeleton is not Neuron's.</returns>
+    public static bool TryCreate(
+        BvhDocument document,
+        [NotNullWhen(true)] out BvhSkeletonMap? map,
+        [NotNullWhen(false)] out string? reason)
+    {
+        ArgumentNullException.ThrowIfNull(document);
+        map = null;
+        bool hasSpine3 = document.Joints.Any(joint => joint.Name is "Spine3");
+        SkeletonVariant variant = hasSpine3 ? SkeletonVariant.Spine3 : SkeletonVariant.Neck1;
+        if (!TryFindJoints(document, variant, out BvhJoint[] joints, out reason))
+            return false;
+
+        var columns = new BvhBoneColumns(joints);
+        if (!columns.TryRead(out reason))
+            return false;
+
+        var format = new SkeletonFormat(columns.RotationOrder, variant);
+        map = new BvhSkeletonMap(document, joints, columns.Indices, columns.Layout, format);
+        return true;
+    }
+
+    /// <summary>Writes a row as the values of a motion packet of <see cref="Layout"/>, bit for bit those of the file.</summary>
+    /// <param name="frame">Number of the frame, from 0.</param>
+    /// <param name="destination">Room for <see cref="ChannelLayout.ValueCount"/> values.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
+    /// <exception cref="ArgumentException">The destination is too short.</exception>
+    public void CopyValues(int frame, Span<float> destination)
+    {
+        ReadOnlySpan<float> row = Document.GetFrame(frame);
+        if (destination.Length < _columns.Length)
+            throw new ArgumentException($"There is room for {_columns.Length} values.", nameof(destination));
+
+        for (int i = 0; i < _columns.Length; i++)
+            destination[i] = row[_columns[i]];
+    }
+
+    /// <summary>
+    /// Writes the transforms of all bones relative to their parents. A position is that of the row where it has one, else the joint's
+    /// <see cref="BvhJoint.Offset"/>.
+    /// </summary>
+    /// <param name="frame">Number of the frame, from 0.</param>
+    /// <param name="destination">Room for 59, in <see cref="Bone"/> order; centimetres, as the file's own unit is taken to be.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
+    /// <exception cref="ArgumentException">The destination is too short.</exception>
+    public void CopyLocalTransforms(int frame, Span<BoneTransform> destination)
+    {
+        ReadOnlySpan<float> row = Document.GetFrame(frame);
+        if (destination.Length < BoneHierarchy.BoneCount)
+            throw new ArgumentException("There is room for each of the 59 bones.", nameof(destination));
+
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            int position = Layout.PositionIndex(bone);
+            Vector3 angles = ReadVector(row, Layout.RotationIndex(bone));
+            destination[(int)bone] = new BoneTransform(
+                position < 0 ? _joints[(int)bone].Offset : ReadVector(row, position),
+                EulerAngles.ToQuaternion(angles, Format.RotationOrder));
+        }
+    }
+
+    private static bool TryFindJoints(
+        BvhDocument document,
+        SkeletonVariant variant,
+        out BvhJoint[] joints,
+        [NotNullWhen(false)] out string? reason)
+    {
+        joints = new BvhJoint[BoneHierarchy.BoneCount];
+        foreach (BvhJoint joint in document.Joints)
+        {
+            if (!BoneHierarchy.TryFind(joint.Name, variant, out Bone bone))
+                continue;
+
+            if (joints[(int)bone] is not null)
+            {
+                reason = $"There are two joints named {joint.Name}.";
+                return false;
+            }
+
+            joints[(int)bone] = joint;
+        }
+
+        reason = null;
+        foreach (Bone bone in BoneHierarchy.Bones)
+            reason ??= FindFault(joints, bone, variant, document.Joints[0]);
+
+        return reason is null;
+    }
+
+    private static string? FindFault(BvhJoint?[] joints, Bone bone, SkeletonVariant variant, BvhJoint root)
+    {
+        string name = BoneHierarchy.GetName(bone, variant);
+        if (joints[(int)bone] is not { } joint)
+            return $"There is no joint named {name}; the file's first joint is named {root.Name}.";
+
+        Bone? parent = BoneHierarchy.GetParent(bone, variant);
+        string? expected = parent is { } known ? BoneHierarchy.GetName(known, variant) : null;
+        if (string.Equals(joint.Parent?.Name, expected, StringComparison.Ordinal))
+            return null;
+
+        return $"Joint {name} should {Hang(expected)}, and does {Hang(joint.Parent?.Name)}.";
+    }
+
+    private static string Hang(string? parent) => parent is null ? "hang from nothing" : $"hang from {parent}";
+
+    private Vector3 ReadVector(ReadOnlySpan<float> row, int index) =>
+        new(row[_columns[index]], row[_columns[index + 1]], row[_columns[index + 2]]);
+}

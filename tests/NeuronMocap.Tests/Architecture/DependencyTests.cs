@@ -1,0 +1,81 @@
+using System.Reflection;
+using System.Runtime.Versioning;
+using NeuronMocap.Frames;
+using NeuronMocap.Server.Sources;
+
+namespace NeuronMocap.Tests.Architecture;
+
+public sealed class DependencyTests
+{
+    // The arrows of the design: bytes (Transport) -> packet (Protocol) -> frame (Frames) -> queue (Delivery). The root wires all.
+    private static readonly DependencyRules Client = new("NeuronMocap", new Dictionary<string, string[]>(StringComparer.Ordinal)
+    {
+        ["Protocol"] = [],
+        ["Skeleton"] = [],
+        ["Frames"] = ["Protocol", "Skeleton"],
+        ["Transport"] = ["Protocol"],
+        ["Delivery"] = ["Frames", "Protocol", "Skeleton"],
+        ["Commands"] = ["Protocol"],
+        ["Bvh"] = ["Frames", "Skeleton", "Protocol"],
+        ["Recording"] = ["Frames", "Skeleton", "Protocol"],
+        ["Retargeting"] = ["Skeleton"],
+    });
+
+    public static TheoryData<string> Assemblies => [typeof(MotionFrame).Assembly.GetName().Name!, typeof(MotionSource).Assembly.GetName().Name!];
+
+    [Fact]
+    public void The_folders_of_the_client_library_depend_on_each_other_as_designed()
+    {
+        List<string> violations = Client.Violations(typeof(MotionFrame).Assembly);
+        Assert.True(violations.Count == 0, string.Join(Environment.NewLine, violations));
+    }
+
+    [Theory, MemberData(nameof(Assemblies))]
+    public void A_library_refers_to_the_framework_and_to_what_it_declares_only(string name)
+    {
+        var library = Assembly.Load(name);
+        string[] own = name is "NeuronMocap" ? [] : ["NeuronMocap"];
+        string[] foreign = [.. library.GetReferencedAssemblies().Select(reference => reference.Name!).Except(own, StringComparer.Ordinal)];
+
+        if (IsNetStandard(library))
+            Assert.Equal(["netstandard"], foreign);
+        else
+            Assert.All(foreign, reference => Assert.StartsWith("System.", reference, StringComparison.Ordinal));
+    }
+
+    [Theory, MemberData(nameof(Assemblies))]
+    public void Each_test_project_runs_against_its_own_build(string name)
+    {
+        bool expected = typeof(DependencyTests).Assembly.GetName().Name is "NeuronMocap.Tests.NetStandard";
+        Assert.Equal(expected, IsNetStandard(Assembly.Load(name)));
+    }
+
+    [Fact]
+    public void Every_way_of_using_a_forbidden_type_is_found()
+    {
+        var rules = new DependencyRules("NeuronMocap.Tests.Architecture.Samples", new Dictionary<string, string[]>(StringComparer.Ordinal)
+        {
+            ["Low"] = [],
+            ["High"] = ["Low"],
+        });
+
+        IEnumerable<string> offenders = rules.Violations(typeof(DependencyTests).Assembly).Select(Offender);
+
+        Assert.Equal(
+            [
+                "AsArgument", "AsArray", "AsAttribute", "AsBase", "AsCall", "AsConstraint", "AsEvent", "AsField", "AsGenericArgument", "AsLambda",
+                "AsLocal", "AsNested", "AsParameter", "AsProperty", "AsResult", "AsTypeOf", "OfRoot", "Unruled",
+            ],
+            offenders.Distinct(StringComparer.Ordinal).Order(StringComparer.Ordinal).ToArray());
+    }
+
+    private static bool IsNetStandard(Assembly assembly) =>
+        assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName.StartsWith(".NETStandard", StringComparison.Ordinal);
+
+    // "System.Void Root.Low.AsCall::Use() uses ..." -> "AsCall"
+    private static string Offender(string violation)
+    {
+        string member = violation.Split(["::", " uses ", ": ", "/"], StringSplitOptions.None)[0].Split(' ')[^1];
+        return member.Split('.')[^1].Split('`')[0];
+    }
+}

@@ -1,0 +1,42 @@
+using System.Reflection;
+
+namespace NeuronMocap.Tests.Architecture;
+
+public sealed class NamespaceTests
+{
+    public static TheoryData<string> Assemblies => DependencyTests.Assemblies;
+
+    // User code says "using NeuronDataReaderWraper;" and then "NeuronDataReader.BRConnectTo(...)": a namespace of that name at the top level
+    // would win over the vendor's class. The vendor's Unity scripts declare Neuron and Noitom. So nothing of ours stands outside NeuronMocap.
+    [Theory, MemberData(nameof(Assemblies))]
+    public void Every_type_stands_below_NeuronMocap(string assembly)
+    {
+        foreach (Type type in OwnTypes(assembly))
+        {
+            string top = (type.Namespace ?? "").Split('.')[0];
+            Assert.True(top is "NeuronMocap", $"{type.FullName} stands in {type.Namespace ?? "the global namespace"}.");
+        }
+    }
+
+    [Theory, MemberData(nameof(Assemblies))]
+    public void No_type_shares_the_name_of_a_part_of_its_namespace(string assembly)
+    {
+        foreach (Type type in OwnTypes(assembly))
+            Assert.DoesNotContain(type.Name.Split('`')[0], type.Namespace!.Split('.'), StringComparer.Ordinal);
+    }
+
+    [Theory, MemberData(nameof(Assemblies))]
+    public void Stand_ins_for_types_of_the_framework_are_internal(string assembly)
+    {
+        foreach (Type type in Assembly.Load(assembly).GetTypes().Where(IsFrameworkName))
+            Assert.False(type.IsVisible, $"{type.FullName} is public.");
+    }
+
+    private static IEnumerable<Type> OwnTypes(string assembly) =>
+        Assembly.Load(assembly).GetTypes().Where(type => !IsFrameworkName(type) && !IsGenerated(type));
+
+    private static bool IsFrameworkName(Type type) => (type.Namespace ?? "").Split('.')[0] is "System" or "Microsoft";
+
+    private static bool IsGenerated(Type type) =>
+        type.Name.StartsWith('<') || (type.DeclaringType is { } outer && IsGenerated(outer));
+}

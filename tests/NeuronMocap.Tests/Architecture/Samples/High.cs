@@ -1,0 +1,14 @@
+using NeuronMocap.Tests.Architecture.Samples.Low;
+
+namespace NeuronMocap.Tests.Architecture.Samples.High;
+
+// The forbidden fruit, and one use in the allowed direction.
+internal class Fruit
+{
+    public static int Count { get; set; }
+
+    public static Innocent UseOfALowerFolder() => new();
+}
+
+[AttributeUsage(AttributeTargets.Class)]
+internal sealed class FruitAttribute : Attribute;

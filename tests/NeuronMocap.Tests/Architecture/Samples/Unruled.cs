@@ -1,0 +1,3 @@
+namespace NeuronMocap.Tests.Architecture.Samples.Other;
+
+internal sealed class Unruled;

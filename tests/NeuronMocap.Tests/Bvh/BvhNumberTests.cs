@@ -1,0 +1,132 @@
+using System.Globalization;
+using System.Text;
+using NeuronMocap.Bvh;
+
+namespace NeuronMocap.Tests.Bvh;
+
+public class BvhNumberTests
+{
+    [Theory]
+    [InlineData("0")]
+    [InlineData("-0")]
+    [InlineData("-0.000000")]
+    [InlineData("-0e-999999999999")]
+    [InlineData("0e999999999999")]
+    [InlineData("00012.500")]
+    [InlineData("16777216")]
+    [InlineData("16777217")]
+    [InlineData("16777219")]
+    [InlineData("16777217.0000000000000000000000000000000000000001")]
+    [InlineData("9007199254740992")]
+    [InlineData("9007199254740993")]
+    [InlineData("12345678901234567890123456789")]
+    [InlineData("0.00000000000000000000000000000000000000000000000000001")]
+    [InlineData("3.4028234e38")]
+    [InlineData("3.4028235e38")]
+    [InlineData("3.4028235677973366e38")]
+    [InlineData("3.4028236e38")]
+    [InlineData("1e38")]
+    [InlineData("1e39")]
+    [InlineData("-1e99999999999")]
+    [InlineData("1e-99999999999")]
+    [InlineData("1e-45")]
+    [InlineData("7.006492321624085e-46")]
+    [InlineData("7.006492321624086e-46")]
+    [InlineData("1.17549435e-38")]
+    [InlineData("1.1754943508222875e-38")]
+    [InlineData("5e-324")]
+    [InlineData("1e22")]
+    [InlineData("1e23")]
+    [InlineData("9007199254740992e22")]
+    [InlineData("1.00000017881393432617187499")]
+    [InlineData("1.00000017881393432617187500")]
+    [InlineData("1.00000017881393432617187501")]
+    public void Edges_of_the_range_and_of_the_short_way_are_read_as_the_framework_does(string text) => AssertLikeTheFramework(text);
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("-")]
+    [InlineData("+-1")]
+    [InlineData(".")]
+    [InlineData("-.")]
+    [InlineData("1e")]
+    [InlineData("1e+")]
+    [InlineData("e5")]
+    [InlineData(".e5")]
+    [InlineData("1.2.3")]
+    [InlineData("1,5")]
+    [InlineData("1 ")]
+    [InlineData("0x10")]
+    [InlineData("1f")]
+    [InlineData("--1")]
+    [InlineData("1.#")]
+    [InlineData("in")]
+    public void What_is_not_a_number_is_refused(string text)
+    {
+        Assert.False(BvhNumber.TryParse(Encoding.UTF8.GetBytes(text), out float _));
+        Assert.False(BvhNumber.TryParse(Encoding.UTF8.GetBytes(text), out double _, out _));
+    }
+
+    // The decimals that a recorder prints, where reading by way of a double alone goes wrong once in a few hundred million.
+    [Fact]
+    public void Random_decimals_are_read_as_the_framework_does()
+    {
+        var random = new Random(1);
+        for (int i = 0; i < 200_000; i++)
+        {
+            double value = (random.NextDouble() - 0.5) * Math.Pow(10, random.Next(-3, 5));
+            AssertLikeTheFramework(value.ToString("F" + random.Next(0, 9), CultureInfo.InvariantCulture));
+        }
+    }
+
+    [Fact]
+    public void Random_digits_with_random_exponents_are_read_as_the_framework_does()
+    {
+        var random = new Random(2);
+        for (int i = 0; i < 100_000; i++)
+        {
+            string digits = string.Concat(Enumerable.Range(0, random.Next(1, 25)).Select(_ => random.Next(10)));
+            AssertLikeTheFramework(digits.Insert(random.Next(digits.Length + 1), ".") + "e" + random.Next(-70, 50));
+        }
+    }
+
+    // Halfway between two floats and just beside it, in as few digits as a double needs and in more than it holds.
+    [Fact]
+    public void Numbers_at_and_beside_the_middle_of_two_floats_are_read_as_the_framework_does()
+    {
+        var random = new Random(3);
+        for (int i = 0; i < 50_000; i++)
+        {
+            int bits = random.Next(0x00800000, 0x7F000000);
+            if (i % 2 == 0)
+                bits = BitConverter.SingleToInt32Bits((float)(random.NextDouble() * 2000));
+
+            double middle = ((double)BitConverter.Int32BitsToSingle(bits) + BitConverter.Int32BitsToSingle(bits + 1)) / 2;
+            foreach (double near in (double[])[middle, Math.BitIncrement(middle), Math.BitDecrement(middle)])
+            {
+                AssertLikeTheFramework(near.ToString("R", CultureInfo.InvariantCulture));
+                AssertLikeTheFramework(near.ToString("E40", CultureInfo.InvariantCulture));
+                AssertLikeTheFramework(near.ToString("E15", CultureInfo.InvariantCulture));
+            }
+
+            AssertLikeTheFramework(middle.ToString("E60", CultureInfo.InvariantCulture).Replace("E", "0000000000000001E", StringComparison.Ordinal));
+        }
+    }
+
+    [Fact]
+    public void Doubles_are_read_with_the_place_of_their_last_digit()
+    {
+        Assert.True(BvhNumber.TryParse("0.0080"u8, out double value, out int lastDigit));
+        Assert.Equal((0.008, -4), (value, lastDigit));
+        Assert.True(BvhNumber.TryParse("-12.5e3"u8, out value, out lastDigit));
+        Assert.Equal((-12500, 2), (value, lastDigit));
+    }
+
+    private static void AssertLikeTheFramework(string text)
+    {
+        float expected = float.Parse(text, CultureInfo.InvariantCulture);
+        Assert.True(BvhNumber.TryParse(Encoding.UTF8.GetBytes(text), out float actual), text);
+        if (BitConverter.SingleToInt32Bits(expected) != BitConverter.SingleToInt32Bits(actual))
+            Assert.Fail($"{text} is read as {actual:R} instead of {expected:R}.");
+    }
+}

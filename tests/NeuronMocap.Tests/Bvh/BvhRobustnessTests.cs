@@ -1,0 +1,139 @@
+using System.Text;
+using NeuronMocap.Bvh;
+using static NeuronMocap.Tests.Bvh.BvhSamples;
+
+namespace NeuronMocap.Tests.Bvh;
+
+public class BvhRobustnessTests
+{
+    private const string Bits = "{}\r\n\t .:-+e019AFHJMOREndSitepos\0\xFF";
+
+    [Fact]
+    public void Every_truncation_is_read_or_refused()
+    {
+        byte[] text = Encoding.UTF8.GetBytes(TwoRows + "MOTION\r\nFrames: 1e3\r\nFrame Time: 0.01\r\nnan 2");
+        int refused = 0;
+        for (int length = 0; length <= text.Length; length++)
+            refused += IsRead(text.AsSpan(0, length), $"the first {length} bytes") ? 0 : 1;
+
+        Assert.InRange(refused, "HIERARCHY\nROOT".Length, Hierarchy.Length);
+    }
+
+    [Fact]
+    public void Random_changes_are_read_or_refused()
+    {
+        byte[] original = Encoding.UTF8.GetBytes(TwoRows);
+        byte[] bits = Encoding.Latin1.GetBytes(Bits);
+        int read = 0;
+        for (int seed = 0; seed < 20_000; seed++)
+        {
+            var random = new Random(seed);
+            byte[] text = Mutate(original, bits, random);
+            read += IsRead(text, $"seed {seed}") ? 1 : 0;
+        }
+
+        Assert.InRange(read, 1000, 20_000);
+    }
+
+    [Fact]
+    public void Random_words_are_read_or_refused()
+    {
+        string[] words =
+        [
+            "HIERARCHY", "ROOT", "JOINT", "End", "Site", "OFFSET", "CHANNELS", "MOTION", "Frames:", "Frame", "Time:", "{", "}", "Xposition", "Zrotation",
+            "a", "0", "1", "3", "-2.5", "1e99", "nan", "\n", "\r\n", ":",
+        ];
+        for (int seed = 0; seed < 20_000; seed++)
+        {
+            var random = new Random(seed);
+            IEnumerable<string> picked = Enumerable.Range(0, random.Next(60)).Select(_ => words[random.Next(words.Length)]);
+            IsRead(Encoding.UTF8.GetBytes("HIERARCHY ROOT a { " + string.Join(' ', picked)), $"seed {seed}");
+        }
+    }
+
+    [Theory]
+    [InlineData("2000000000")]
+    [InlineData("2147483647")]
+    [InlineData("4294967296")]
+    [InlineData("1e300")]
+    [InlineData("-6.27744e+66")]
+    public void Memory_follows_the_text_and_not_what_it_announces(string frames)
+    {
+        byte[] text = Encoding.UTF8.GetBytes($"{Hierarchy}MOTION\nFrames: {frames}\nFrame Time: 0.008\n{Row}");
+        BvhDocument.Parse(text);
+
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        BvhDocument.Parse(text);
+        Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 1, 16_384);
+    }
+
+    [Fact]
+    public void An_honest_file_is_read_into_little_more_than_its_values()
+    {
+        const int frames = 10_000;
+        byte[] text = Encoding.UTF8.GetBytes($"{Hierarchy}MOTION\nFrames: {frames}\nFrame Time: 0.008\n{string.Concat(Enumerable.Repeat(Row, frames))}");
+        BvhDocument.Parse(text);
+
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        BvhDocument document = BvhDocument.Parse(text);
+        long allocated = GC.GetAllocatedBytesForCurrentThread() - before;
+
+        Assert.Equal(frames, document.FrameCount);
+        Assert.InRange(allocated, frames * 9 * sizeof(float), (frames * 9 * sizeof(float)) + 16_384);
+    }
+
+    private static byte[] Mutate(byte[] original, byte[] bits, Random random)
+    {
+        List<byte> text = [.. original];
+        for (int changes = random.Next(1, 8); changes > 0; changes--)
+        {
+            int at = random.Next(text.Count);
+            byte bit = bits[random.Next(bits.Length)];
+            switch (random.Next(4))
+            {
+                case 0:
+                    text[at] = bit;
+                    break;
+                case 1:
+                    text.Insert(at, bit);
+                    break;
+                case 2:
+                    text.RemoveRange(at, Math.Min(text.Count - at, random.Next(1, 30)));
+                    break;
+                default:
+                    text.InsertRange(at, text.GetRange(random.Next(at + 1), Math.Min(random.Next(1, 40), text.Count - at)));
+                    break;
+            }
+
+            if (text.Count == 0)
+                text.Add(bit);
+        }
+
+        return [.. text];
+    }
+
+    // Whatever is read also keeps its promises.
+    private static bool IsRead(ReadOnlySpan<byte> text, string which)
+    {
+        try
+        {
+            BvhDocument document = BvhDocument.Parse(text);
+            Assert.NotEmpty(document.Joints);
+            Assert.Equal(document.ChannelCount, document.Joints.Sum(joint => joint.Channels.Count));
+            Assert.All(document.Joints, (joint, index) => Assert.True(joint.Index == index && (joint.Parent?.Index ?? -1) < index));
+            Assert.All(Enumerable.Range(0, document.FrameCount), frame => Assert.Equal(document.ChannelCount, document.GetFrame(frame).Length));
+            Assert.True(double.IsFinite(document.FrameRate) && document.FrameRate > 0);
+            Assert.All(document.Repairs, repair => Assert.True(repair.Line > 0));
+            return true;
+        }
+        catch (BvhFormatException refusal)
+        {
+            Assert.True(refusal.Line > 0 && refusal.Column > 0, which);
+            return false;
+        }
+        catch (Exception failure)
+        {
+            throw new InvalidOperationException($"Reading fails for {which}.", failure);
+        }
+    }
+}

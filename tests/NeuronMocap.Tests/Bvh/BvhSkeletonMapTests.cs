@@ -1,0 +1,186 @@
+using System.Numerics;
+using NeuronMocap.Bvh;
+using NeuronMocap.Skeleton;
+using static NeuronMocap.Tests.Bvh.BvhSamples;
+
+namespace NeuronMocap.Tests.Bvh;
+
+public class BvhSkeletonMapTests
+{
+    [Theory]
+    [InlineData(SkeletonVariant.Neck1, false)]
+    [InlineData(SkeletonVariant.Neck1, true)]
+    [InlineData(SkeletonVariant.Spine3, false)]
+    [InlineData(SkeletonVariant.Spine3, true)]
+    public void Both_variants_are_found_with_and_without_displacement(SkeletonVariant variant, bool displacement)
+    {
+        BvhSkeletonMap map = Create(Neuron(variant, displacement));
+
+        Assert.Equal(new SkeletonFormat(RotationOrder.YXZ, variant), map.Format);
+        Assert.Equal(new ChannelLayout(displacement, hasReference: false), map.Layout);
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            Assert.Equal(BoneHierarchy.GetName(bone, variant), map[bone].Name);
+            Assert.Equal((int)bone, map[bone].Index);
+        }
+    }
+
+    [Theory]
+    [InlineData("Xrotation Zrotation Yrotation", RotationOrder.XZY)]
+    [InlineData("Yrotation Xrotation Zrotation", RotationOrder.YXZ)]
+    [InlineData("Xrotation Yrotation Zrotation", RotationOrder.XYZ)]
+    [InlineData("Yrotation Zrotation Xrotation", RotationOrder.YZX)]
+    [InlineData("Zrotation Xrotation Yrotation", RotationOrder.ZXY)]
+    [InlineData("Zrotation Yrotation Xrotation", RotationOrder.ZYX)]
+    public void The_rotation_order_is_that_of_the_channels(string rotations, RotationOrder order) =>
+        Assert.Equal(order, Create(Neuron(rotations: rotations)).Format.RotationOrder);
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void The_values_of_a_file_in_the_order_of_the_stream_are_copied_as_they_are(bool displacement)
+    {
+        BvhSkeletonMap map = Create(Neuron(displacement: displacement));
+        float[] values = new float[map.Layout.ValueCount + 1];
+        values[^1] = -1;
+        map.CopyValues(0, values);
+
+        AssertBits([.. map.Document.GetFrame(0), -1], values);
+    }
+
+    [Fact]
+    public void Positions_after_rotations_and_in_another_order_are_put_where_the_stream_has_them()
+    {
+        string text = Neuron(displacement: true).Replace(
+            "Xposition Yposition Zposition Yrotation Xrotation Zrotation",
+            "Yrotation Zposition Xrotation Xposition Zrotation Yposition",
+            StringComparison.Ordinal);
+        BvhSkeletonMap map = Create(text);
+        float[] values = new float[354];
+        map.CopyValues(0, values);
+
+        Assert.Equal(RotationOrder.YXZ, map.Format.RotationOrder);
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            int first = 6 * (int)bone;
+            AssertBits([first + 3, first + 5, first + 1, first, first + 2, first + 4], values.AsSpan(first, 6));
+        }
+    }
+
+    [Fact]
+    public void Joints_in_another_order_and_joints_of_others_make_no_difference()
+    {
+        string text = Neuron(edit: (bone, joint) => bone switch
+        {
+            Bone.RightUpLeg => "JOINT Tail\n{\nOFFSET 0 0 0\nCHANNELS 3 Xrotation Yrotation Zrotation\nEnd Site\n{\nOFFSET 0 0 1\n}\n}\n" + joint,
+            _ => joint,
+        });
+        text = MoveLeftLegToTheFront(text).Replace("179\n", "179 180 181 182\n", StringComparison.Ordinal);
+        BvhSkeletonMap map = Create(text);
+        float[] values = new float[180];
+        map.CopyValues(0, values);
+
+        Assert.StartsWith("Hips LeftUpLeg LeftLeg LeftFoot Tail RightUpLeg ", NamesOf(map.Document), StringComparison.Ordinal);
+        Assert.Equal(183, map.Document.ChannelCount);
+        AssertBits([0, 1, 2, 3, 4, 5], values.AsSpan(0, 6));
+        AssertBits([18, 19, 20], values.AsSpan(map.Layout.RotationIndex(Bone.RightUpLeg), 3));
+        AssertBits([6, 7, 8], values.AsSpan(map.Layout.RotationIndex(Bone.LeftUpLeg), 3));
+    }
+
+    [Fact]
+    public void Transforms_take_the_row_where_it_has_positions_and_the_offsets_where_not()
+    {
+        BoneTransform[] still = new BoneTransform[59];
+        BvhSkeletonMap without = Create(Neuron());
+        without.CopyLocalTransforms(0, still);
+        BoneTransform[] moved = new BoneTransform[59];
+        Create(Neuron(displacement: true)).CopyLocalTransforms(0, moved);
+
+        Assert.Equal(new Vector3(0, 1, 2), still[0].Position);
+        Assert.Equal(new Vector3(58, 0.5f, -1), still[58].Position);
+        Assert.Equal(new Vector3(348, 349, 350), moved[58].Position);
+        Assert.Equal(EulerAngles.ToQuaternion(new Vector3(177, 178, 179), RotationOrder.YXZ), still[58].Rotation);
+        Assert.Equal(EulerAngles.ToQuaternion(new Vector3(351, 352, 353), RotationOrder.YXZ), moved[58].Rotation);
+    }
+
+    [Theory]
+    [InlineData("Robot_")]
+    [InlineData("mixamorig:")]
+    public void Names_with_a_prefix_are_not_neurons(string prefix)
+    {
+        string reason = Refuse(Neuron(edit: (_, joint) => joint.Replace("ROOT ", "ROOT " + prefix, StringComparison.Ordinal)));
+        Assert.Equal($"There is no joint named Hips; the file's first joint is named {prefix}Hips.", reason);
+    }
+
+    [Fact]
+    public void A_skeleton_of_fewer_joints_is_not_neurons() =>
+        Assert.Equal("There is no joint named RightUpLeg; the file's first joint is named Hips.", Refuse(TwoRows));
+
+    [Theory]
+    [InlineData(Bone.LeftHandPinky3, "LeftHandPinky3", "LeftPinkyEnd", "no joint named LeftHandPinky3")]
+    [InlineData(Bone.Neck1, "Neck1", "Neck2", "no joint named Neck1")]
+    [InlineData(Bone.Spine2, "Spine2", "Spine3", "no joint named Spine2")]
+    [InlineData(Bone.LeftLeg, "LeftLeg", "LeftFoot", "two joints named LeftFoot")]
+    [InlineData(Bone.LeftLeg, "Xrotation Zrotation", "Zrotation Xrotation", "rotation order of joint LeftLeg is YZX, that of the hips YXZ")]
+    [InlineData(Bone.LeftLeg, "Zrotation", "Xrotation", "Joint LeftLeg does not have one rotation channel for each")]
+    [InlineData(Bone.LeftLeg, "3 Yrotation", "2", "Joint LeftLeg does not have one rotation channel for each")]
+    [InlineData(Bone.LeftLeg, "3 Y", "6 Xposition Yposition Zposition Y", "Joint LeftLeg has 3 position channels")]
+    [InlineData(Bone.Spine, "3 Y", "6 Xposition Yposition Zposition Y", "Joint RightUpLeg has 0 position channels")]
+    [InlineData(Bone.Hips, "6 Xposition", "5", "Joint Hips has 2 position channels")]
+    [InlineData(Bone.Hips, "Xposition", "Zposition", "Joint Hips has one of the position channels twice")]
+    public void The_reason_names_the_joint_that_differs(Bone changed, string original, string replacement, string told)
+    {
+        string text = Neuron(edit: (bone, joint) => bone == changed ? joint.Replace(original, replacement, StringComparison.Ordinal) : joint);
+        Assert.Contains(told, Refuse(text), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Shoulders_have_to_hang_where_the_variant_says()
+    {
+        string text = Neuron(SkeletonVariant.Spine3)
+            .Replace("JOINT Neck\n", "JOINT Neck1\n", StringComparison.Ordinal)
+            .Replace("JOINT Spine3\n", "JOINT Neck\n", StringComparison.Ordinal);
+        Assert.Equal("Joint RightShoulder should hang from Spine2, and does hang from Neck.", Refuse(text));
+    }
+
+    [Fact]
+    public void Hips_that_hang_from_another_joint_are_not_neurons()
+    {
+        string text = Neuron().Replace("ROOT Hips", "ROOT Reference\n{\nOFFSET 0 0 0\nJOINT Hips", StringComparison.Ordinal).Replace("MOTION", "}\nMOTION", StringComparison.Ordinal);
+        Assert.Equal("Joint Hips should hang from nothing, and does hang from Reference.", Refuse(text));
+    }
+
+    [Fact]
+    public void Wrong_arguments_are_refused()
+    {
+        BvhSkeletonMap map = Create(Neuron());
+
+        Assert.Throws<ArgumentNullException>(() => BvhSkeletonMap.TryCreate(null!, out _, out _));
+        Assert.Throws<ArgumentOutOfRangeException>(() => map[(Bone)59]);
+        Assert.Throws<ArgumentException>(() => map.CopyValues(0, new float[179]));
+        Assert.Throws<ArgumentOutOfRangeException>(() => map.CopyValues(1, new float[180]));
+        Assert.Throws<ArgumentException>(() => map.CopyLocalTransforms(0, new BoneTransform[58]));
+        Assert.Throws<ArgumentOutOfRangeException>(() => map.CopyLocalTransforms(-1, new BoneTransform[59]));
+    }
+
+    private static BvhSkeletonMap Create(string text)
+    {
+        Assert.True(BvhSkeletonMap.TryCreate(Parse(text), out BvhSkeletonMap? map, out string? reason), reason);
+        return map;
+    }
+
+    private static string Refuse(string text)
+    {
+        Assert.False(BvhSkeletonMap.TryCreate(Parse(text), out BvhSkeletonMap? map, out string? reason));
+        Assert.Null(map);
+        return reason;
+    }
+
+    private static string MoveLeftLegToTheFront(string text)
+    {
+        int right = text.IndexOf("JOINT Tail", StringComparison.Ordinal);
+        int left = text.IndexOf("JOINT LeftUpLeg", StringComparison.Ordinal);
+        int end = text.IndexOf("JOINT Spine", StringComparison.Ordinal);
+        return text[..right] + text[left..end] + text[right..left] + text[end..];
+    }
+}

@@ -1,0 +1,93 @@
+using System.Globalization;
+using System.Numerics;
+using System.Text;
+using NeuronMocap.Bvh;
+using NeuronMocap.Skeleton;
+using static NeuronMocap.Tests.Bvh.BvhSamples;
+
+namespace NeuronMocap.Tests.Bvh;
+
+// A take that somebody recorded with a suit; not part of the repository.
+public class BvhTakeTests
+{
+    [Fact]
+    public void A_recorded_take_is_read_without_repairs()
+    {
+        BvhDocument document = BvhDocument.Load(RequireTake());
+
+        Assert.Equal(59, document.Joints.Count);
+        Assert.Equal(180, document.ChannelCount);
+        Assert.Equal(2156, document.FrameCount);
+        Assert.Equal(0.008, document.DeclaredFrameTime);
+        Assert.Equal(120, document.FrameRate);
+        Assert.Equal(new Vector3(0, 93.02f, 0), document.Joints[0].Offset);
+        Assert.Equal(new Vector3(0, -7.69f, 17.5f), document.Joints[3].EndSite);
+        Assert.Equal(13, document.Joints.Count(joint => joint.EndSite is not null));
+        Assert.Empty(document.Repairs);
+    }
+
+    [Fact]
+    public void The_skeleton_of_a_recorded_take_is_neurons()
+    {
+        BvhDocument document = BvhDocument.Load(RequireTake());
+
+        Assert.True(BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out string? reason), reason);
+        Assert.Equal(new SkeletonFormat(RotationOrder.YXZ, SkeletonVariant.Spine3), map.Format);
+        Assert.Equal(180, map.Layout.ValueCount);
+        float[] values = new float[180];
+        map.CopyValues(2155, values);
+        AssertBits(document.GetFrame(2155), values);
+    }
+
+    [Fact]
+    public void Every_number_of_a_recorded_take_is_the_float_nearest_to_its_text()
+    {
+        string text = File.ReadAllText(RequireTake());
+        BvhDocument document = BvhDocument.Parse(Encoding.UTF8.GetBytes(text));
+
+        string[] words = text[text.IndexOf("Frame Time:", StringComparison.Ordinal)..].Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
+        float[] expected = [.. words.Skip(3).Select(word => float.Parse(word, CultureInfo.InvariantCulture))];
+        Assert.Equal(2156 * 180, expected.Length);
+        AssertBits(expected, Values(document));
+    }
+
+    [Theory]
+    [InlineData("\n")]
+    [InlineData("\r")]
+    public void A_recorded_take_with_other_line_ends_is_the_same(string lineEnd)
+    {
+        string text = File.ReadAllText(RequireTake());
+        Assert.Contains("\r\n", text, StringComparison.Ordinal);
+
+        string converted = text.Replace("\r\n", lineEnd, StringComparison.Ordinal);
+        AssertSame(Parse(text), Parse(converted));
+    }
+
+    // Its feet stand on the ground at the height of the toes: offsets, channels and rotations fit together.
+    [Fact]
+    public void The_feet_of_a_recorded_take_reach_the_ground()
+    {
+        BvhDocument document = BvhDocument.Load(RequireTake());
+        Assert.True(BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out _));
+        BoneTransform[] bones = new BoneTransform[BoneHierarchy.BoneCount];
+        map.CopyLocalTransforms(0, bones);
+        ForwardKinematics.ToWorld(bones, bones, map.Format.Variant);
+
+        foreach (Bone foot in (Bone[])[Bone.RightFoot, Bone.LeftFoot])
+        {
+            Vector3 toes = bones[(int)foot].TransformPoint(map[foot].EndSite!.Value);
+            Assert.Equal(0, toes.Y, 0.5f);
+        }
+    }
+
+    private static string RequireTake()
+    {
+        DirectoryInfo? root = new(AppContext.BaseDirectory);
+        while (root is not null && !File.Exists(Path.Combine(root.FullName, "NeuronDataReader.sln")))
+            root = root.Parent;
+
+        string path = Path.Combine(root?.Parent?.FullName ?? "", "shared", "data", "test-take", "test.bvh");
+        Assert.SkipUnless(File.Exists(path), "shared/data/test-take/test.bvh is not beside the repository.");
+        return path;
+    }
+}

@@ -1,0 +1,72 @@
+using System.Diagnostics;
+using NeuronMocap.Delivery;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Tests.Delivery;
+
+public sealed class AvatarTrackerTests
+{
+    private readonly AvatarTracker _tracker = new(PacketKind.Motion, source: 0, avatar: 2);
+
+    [Theory]
+    [InlineData(new uint[] { 5, 6, 7 }, 0, 0)]
+    [InlineData(new uint[] { 5, 8 }, 2, 0)]
+    [InlineData(new uint[] { uint.MaxValue - 1, uint.MaxValue, 0, 1 }, 0, 0)]
+    [InlineData(new uint[] { uint.MaxValue, 2 }, 2, 0)]
+    [InlineData(new uint[] { 5, 5, 6 }, 0, 1)]
+    [InlineData(new uint[] { 5, 7, 6, 8 }, 0, 1)]
+    [InlineData(new uint[] { 1000, 1, 2 }, 0, 0)]
+    [InlineData(new uint[] { 1, 1_000_000, 1_000_001 }, 0, 0)]
+    public void Gaps_repetitions_late_frames_and_restarts_are_told_apart(uint[] indices, long lost, long disordered)
+    {
+        foreach (uint index in indices)
+            _tracker.OnFrame(default, index, timestamp: 1);
+
+        Assert.Equal((indices.Length, lost, disordered), (_tracker.Snapshot.Frames, _tracker.Snapshot.Lost, _tracker.Snapshot.Disordered));
+    }
+
+    [Fact]
+    public void A_header_without_an_index_loses_nothing()
+    {
+        for (int i = 0; i < 3; i++)
+            _tracker.OnFrame(default, index: null, timestamp: i);
+
+        Assert.Equal((3, 0), (_tracker.Snapshot.Frames, _tracker.Snapshot.Lost));
+    }
+
+    [Fact]
+    public void What_is_missing_between_two_connections_is_not_lost()
+    {
+        _tracker.OnFrame(default, 5, timestamp: 1);
+        _tracker.Resume();
+        _tracker.OnFrame(default, 50, timestamp: 2);
+        _tracker.OnFrame(default, 52, timestamp: 3);
+        Assert.Equal(1, _tracker.Snapshot.Lost);
+    }
+
+    [Fact]
+    public void Rate_and_jitter_follow_the_intervals()
+    {
+        long tick = Stopwatch.Frequency / 100;
+        for (int i = 0; i < 1000; i++)
+            _tracker.OnFrame(default, (uint)i, i * tick);
+
+        Assert.Equal(100, _tracker.Snapshot.Rate, tolerance: 0.01);
+        Assert.Equal(0, _tracker.Snapshot.Jitter.TotalMilliseconds, tolerance: 0.01);
+
+        for (int i = 0; i < 1000; i++)
+            _tracker.OnFrame(default, (uint)(1000 + i), (1000 * tick) + (i * tick) + (i % 2 == 0 ? tick / 5 : 0));
+
+        Assert.Equal(100, _tracker.Snapshot.Rate, tolerance: 2);
+        Assert.Equal(2, _tracker.Snapshot.Jitter.TotalMilliseconds, tolerance: 0.2);
+    }
+
+    [Fact]
+    public void The_newest_name_is_kept()
+    {
+        _tracker.OnFrame(new AvatarName("First"), 1, 1);
+        _tracker.OnFrame(new AvatarName("Second"), 2, 2);
+        Assert.Equal("Second", _tracker.Snapshot.AvatarName);
+        Assert.Equal(2, _tracker.Snapshot.AvatarIndex);
+    }
+}

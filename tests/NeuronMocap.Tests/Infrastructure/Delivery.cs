@@ -1,0 +1,69 @@
+using System.Reflection;
+using Xunit.Sdk;
+using Xunit.v3;
+
+namespace NeuronMocap.Tests.Infrastructure;
+
+/// <summary>A way in which the same bytes can arrive.</summary>
+public enum Delivery
+{
+    Whole,
+    EverySplitInTwo,
+    ByteByByte,
+    PiecesOf3,
+    PiecesOf7,
+    PiecesOf64,
+    PiecesOf1024,
+}
+
+internal static class Deliveries
+{
+    /// <summary>Cuts bytes up: one list of pieces for each variant of the delivery.</summary>
+    public static IEnumerable<IEnumerable<ArraySegment<byte>>> Of(byte[] bytes, Delivery delivery) => delivery switch
+    {
+        Delivery.Whole => [[bytes]],
+        Delivery.EverySplitInTwo => Enumerable.Range(1, Math.Max(0, bytes.Length - 1)).Select(at => SplitAt(bytes, at)),
+        Delivery.ByteByByte => [Pieces(bytes, 1)],
+        Delivery.PiecesOf3 => [Pieces(bytes, 3)],
+        Delivery.PiecesOf7 => [Pieces(bytes, 7)],
+        Delivery.PiecesOf64 => [Pieces(bytes, 64)],
+        Delivery.PiecesOf1024 => [Pieces(bytes, 1024)],
+        _ => throw new ArgumentOutOfRangeException(nameof(delivery)),
+    };
+
+    /// <summary>Cuts bytes into pieces of random sizes, small ones more often.</summary>
+    public static IEnumerable<ArraySegment<byte>> Random(byte[] bytes, Random random)
+    {
+        for (int start = 0; start < bytes.Length;)
+        {
+            int size = Math.Min(bytes.Length - start, random.Next(1, 1 << random.Next(1, 12)));
+            yield return new ArraySegment<byte>(bytes, start, size);
+            start += size;
+        }
+    }
+
+    private static IEnumerable<ArraySegment<byte>> SplitAt(byte[] bytes, int at) =>
+        [new ArraySegment<byte>(bytes, 0, at), new ArraySegment<byte>(bytes, at, bytes.Length - at)];
+
+    private static IEnumerable<ArraySegment<byte>> Pieces(byte[] bytes, int size)
+    {
+        for (int start = 0; start < bytes.Length; start += size)
+            yield return new ArraySegment<byte>(bytes, start, Math.Min(size, bytes.Length - start));
+    }
+}
+
+/// <summary>Runs a theory once for each <see cref="Delivery"/>, its last parameter; with names, once for each name and delivery.</summary>
+[AttributeUsage(AttributeTargets.Method)]
+public sealed class EveryDeliveryAttribute(params string[] names) : DataAttribute
+{
+    public override ValueTask<IReadOnlyCollection<ITheoryDataRow>> GetData(MethodInfo testMethod, DisposalTracker disposalTracker)
+    {
+        Delivery[] deliveries = Enum.GetValues<Delivery>();
+        ITheoryDataRow[] rows = names.Length == 0
+            ? [.. deliveries.Select(delivery => new TheoryDataRow(delivery))]
+            : [.. names.SelectMany(name => deliveries.Select(delivery => new TheoryDataRow(name, delivery)))];
+        return new(rows);
+    }
+
+    public override bool SupportsDiscoveryEnumeration() => true;
+}

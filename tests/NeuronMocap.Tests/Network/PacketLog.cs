@@ -1,0 +1,25 @@
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Tests.Network;
+
+// Receives packets as the receive path does, and keeps copies.
+internal sealed class PacketLog : IPacketReceiver
+{
+    public List<(PacketKind Kind, byte[] Bytes, int Source)> Packets { get; } = [];
+
+    public int Skipped { get; private set; }
+
+    public List<SkipReason> Reasons { get; } = [];
+
+    public void OnLinkOpened()
+    {
+    }
+
+    public void OnPacket(in ReceivedPacket packet) => Packets.Add((packet.Kind, packet.Bytes.ToArray(), packet.Source));
+
+    public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
+    {
+        Skipped += bytes.Length;
+        Reasons.Add(reason);
+    }
+}

@@ -1,0 +1,63 @@
+using System.Net;
+using System.Net.Sockets;
+
+namespace NeuronMocap.Tests.Network;
+
+// A TCP server that a test drives step by step.
+internal sealed class TestServer : IDisposable
+{
+    private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
+
+    public TestServer() => _listener.Start();
+
+    public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
+
+    public NeuronReaderOptions Options(bool reconnect = false) => new()
+    {
+        Port = Port,
+        Reconnect = { Enabled = reconnect, InitialDelay = TimeSpan.FromMilliseconds(1), MaxDelay = TimeSpan.FromMilliseconds(5) },
+    };
+
+    public async Task<TestConnection> AcceptAsync() => new(await _listener.AcceptSocketAsync(TestContext.Current.CancellationToken).AsTask().Soon());
+
+    public void Dispose() => _listener.Dispose();
+}
+
+internal sealed class TestConnection : IDisposable
+{
+    public TestConnection(Socket socket)
+    {
+        Socket = socket;
+        Socket.NoDelay = true;
+    }
+
+    public Socket Socket { get; }
+
+    public async Task SendAsync(ReadOnlyMemory<byte> bytes)
+    {
+        while (bytes.Length > 0)
+            bytes = bytes[await Socket.SendAsync(bytes, SocketFlags.None).AsTask().Soon()..];
+    }
+
+    public async Task SendPiecesAsync(byte[] bytes, int size)
+    {
+        for (int start = 0; start < bytes.Length; start += size)
+            await SendAsync(bytes.AsMemory(start, Math.Min(size, bytes.Length - start)));
+    }
+
+    // An orderly end: everything sent before arrives.
+    public void Close()
+    {
+        Socket.Shutdown(SocketShutdown.Send);
+        Socket.Dispose();
+    }
+
+    // A connection that is cut off.
+    public void Reset()
+    {
+        Socket.LingerState = new LingerOption(enable: true, seconds: 0);
+        Socket.Dispose();
+    }
+
+    public void Dispose() => Socket.Dispose();
+}

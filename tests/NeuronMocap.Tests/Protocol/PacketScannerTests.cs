@@ -1,0 +1,242 @@
+using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Infrastructure;
+
+namespace NeuronMocap.Tests.Protocol;
+
+public sealed class PacketScannerTests
+{
+    private static readonly byte[] First = GoldenPackets.NewMotion([1, 2, 3], frame: 1);
+    private static readonly byte[] Second = GoldenPackets.OldMotion([4, 5], avatar: 2);
+    private static readonly byte[] Third = GoldenPackets.CalculationData([6], frame: 3);
+
+    [Theory, EveryDelivery]
+    public void Packets_back_to_back_come_out_in_order(Delivery delivery) =>
+        AssertFound(delivery, [.. First, .. Second, .. Third, .. First], [First, Second, Third, First], skipped: 0);
+
+    [Theory, EveryDelivery]
+    public void Noise_before_between_and_behind_packets_is_skipped(Delivery delivery)
+    {
+        byte[] noise = [0x00, 0x01, 0xDD, 0xEE, 0x12, 0x88];
+        AssertFound(delivery, [.. noise, .. First, .. noise, .. noise, .. Second, .. noise], [First, Second], skipped: 24);
+    }
+
+    [Theory, EveryDelivery]
+    public void A_first_token_without_its_second_is_noise(Delivery delivery)
+    {
+        byte[] header = First[..64];
+        header[63] = 0xEF;
+        AssertFound(delivery, [.. header, .. Second], [Second], skipped: 64);
+    }
+
+    [Theory, EveryDelivery]
+    public void The_second_token_of_another_kind_does_not_close_a_header(Delivery delivery)
+    {
+        byte[] header = First[..64];
+        header[63] = 0x99;
+        AssertFound(delivery, [.. header, .. Second], [Second], skipped: 64);
+    }
+
+    [Theory, EveryDelivery]
+    public void A_single_FF_before_a_packet_does_not_hide_it(Delivery delivery) =>
+        AssertFound(delivery, [0xFF, .. First, 0xFF, .. Second], [First, Second], skipped: 2);
+
+    [Theory, EveryDelivery]
+    public void Runs_of_FF_do_not_hide_a_packet(Delivery delivery)
+    {
+        byte[] run = [.. Enumerable.Repeat((byte)0xFF, 200)];
+        AssertFound(delivery, [.. run, .. First, .. run, .. Second], [First, Second], skipped: 400);
+    }
+
+    [Theory, EveryDelivery]
+    public void Bytes_of_tokens_in_no_order_are_noise(Delivery delivery)
+    {
+        byte[] noise = new WireBytes().Hex("FF DD FF FF DD EE FF EE FF 88 FF 99 FF AA FF BB DD DD FF FF FF 88 99 AA BB EE FF DD").ToArray();
+        AssertFound(delivery, [.. noise, .. First, .. noise, .. Third], [First, Third], skipped: 2 * noise.Length);
+    }
+
+    [Theory, EveryDelivery]
+    public void A_look_alike_of_a_token_just_before_a_packet_does_not_swallow_it(Delivery delivery) =>
+        AssertFound(delivery, [0xFF, 0xDD, .. First, 0xFF, 0x88, .. Second, 0xFF, 0xAA, 0x00, .. Third], [First, Second, Third], skipped: 7);
+
+    [Theory, EveryDelivery]
+    public void A_token_pair_among_the_values_belongs_to_the_packet(Delivery delivery)
+    {
+        byte[] packet = GoldenPackets.NewMotion(new float[40]);
+        First.CopyTo(packet, 64 + 11);
+        AssertFound(delivery, [.. packet, .. Second], [packet, Second], skipped: 0);
+    }
+
+    [Theory, EveryDelivery]
+    public void A_packet_whose_start_was_missed_is_skipped_up_to_the_next(Delivery delivery) =>
+        AssertFound(delivery, [.. First[10..], .. Second], [Second], skipped: First.Length - 10);
+
+    // The stream has neither length prefix nor checksum: the header's promise is kept with whatever follows, as the vendor's library does
+    // (protocol.md section 5). The packet that was eaten into is lost, the one behind it is found.
+    [Theory, EveryDelivery]
+    public void A_truncated_packet_takes_the_bytes_of_the_next_one_as_its_values(Delivery delivery)
+    {
+        byte[] whole = GoldenPackets.NewMotion(new float[20]);
+        byte[] truncated = whole[..^40];
+        byte[] taken = [.. truncated, .. First[..40]];
+
+        AssertFound(delivery, [.. truncated, .. First, .. Second, .. Third], [taken, Second, Third], skipped: First.Length - 40);
+    }
+
+    [Theory]
+    [InlineData("00 00 00 02")]
+    [InlineData("00 00 00 00")]
+    [InlineData("00 00 01 00")]
+    [InlineData("00 00 02 01")]
+    [InlineData("FF FF FF FF")]
+    public void A_motion_packet_of_an_unknown_version_is_skipped_for_that_reason(string version)
+    {
+        byte[] unknown = GoldenPackets.NewMotion([1, 2, 3], version: version);
+        foreach (Delivery delivery in Enum.GetValues<Delivery>())
+            AssertFound(delivery, [.. First, .. unknown, .. Second], [First, Second], skipped: unknown.Length, unknownVersions: 1);
+    }
+
+    [Theory]
+    [InlineData("01 00 01 01")]
+    [InlineData("09 09 01 01")]
+    public void Revision_and_build_are_not_looked_at(string version)
+    {
+        byte[] packet = GoldenPackets.NewMotion([1], version: version);
+        AssertFound(Delivery.Whole, packet, [packet], skipped: 0);
+    }
+
+    [Theory, EveryDelivery]
+    public void A_packet_of_no_values_is_a_whole_packet_of_64_bytes(Delivery delivery)
+    {
+        byte[] motion = GoldenPackets.NewMotion([]);
+        byte[] calculation = GoldenPackets.CalculationData([]);
+        byte[] command = GoldenPackets.OldCommand(command: 4, count: 0, payload: 0);
+        AssertFound(delivery, [.. motion, .. calculation, .. command, .. First], [motion, calculation, command, First], skipped: 0);
+    }
+
+    [Theory, EveryDelivery]
+    public void Commands_are_as_long_as_id_and_count_say(Delivery delivery)
+    {
+        byte[] sizes = GoldenPackets.OldCommand(command: 0, count: 2, payload: 128);
+        byte[] text = GoldenPackets.OldCommand(command: 4, count: 3, payload: 3);
+        byte[] frequency = GoldenPackets.OldCommand(command: 3, count: 7, payload: 0);
+        AssertFound(delivery, [.. sizes, .. text, .. frequency, .. First], [sizes, text, frequency, First], skipped: 0);
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(354)]
+    [InlineData(10_224)]
+    public void The_limit_of_values_itself_is_allowed_and_one_more_is_not(int limit)
+    {
+        float[] values = new float[limit + 1];
+        byte[][] allowed = [.. Kinds(values.AsSpan(1))];
+        byte[][] tooLarge = [.. Kinds(values)];
+        var scanner = new PacketScanner(limit);
+        for (int i = 0; i < allowed.Length; i++)
+        {
+            var scan = ScanAll.Of([.. tooLarge[i], .. allowed[i]], scanner);
+
+            Assert.Equal(allowed[i], Assert.Single(scan.Packets).Bytes);
+            Assert.Equal(tooLarge[i].Length, scan.Skipped);
+            Assert.Equal(1, scan.TooLarge);
+        }
+    }
+
+    [Fact]
+    public void The_default_limit_is_the_largest_packet_that_the_vendors_library_delivers()
+    {
+        byte[] largest = GoldenPackets.NewMotion(new float[10_224]);
+        Assert.Equal(40_960, largest.Length);
+        Assert.Equal(ScanStatus.Packet, new PacketScanner().Scan(largest).Status);
+        Assert.Equal(SkipReason.TooLarge, new PacketScanner().Scan(GoldenPackets.NewMotion(new float[10_225])).Reason);
+    }
+
+    [Theory]
+    [InlineData(PacketKind.Motion, 4_000_000_000)]
+    [InlineData(PacketKind.Motion, uint.MaxValue)]
+    [InlineData(PacketKind.Motion, 0x40000001)] // times four, this is four in 32 bits
+    [InlineData(PacketKind.Motion, 0x80000000)]
+    [InlineData(PacketKind.Calculation, 4_000_000_000)]
+    [InlineData(PacketKind.Calculation, uint.MaxValue)]
+    [InlineData(PacketKind.Calculation, 0x40000001)]
+    public void A_count_of_billions_is_refused_on_the_header(PacketKind kind, uint count)
+    {
+        byte[] header = GoldenPackets.HeaderAnnouncing(kind, count);
+        foreach (PacketScanner scanner in (PacketScanner[])[new(), new(1_000_000)])
+        {
+            ScanResult result = scanner.Scan(header);
+            Assert.Equal((ScanStatus.Skipped, SkipReason.TooLarge), (result.Status, result.Reason));
+        }
+    }
+
+    [Theory]
+    [InlineData(0, 1_562u, 99_968, true)]
+    [InlineData(0, 1_563u, 100_032, false)]
+    [InlineData(0, uint.MaxValue, 0, false)]
+    [InlineData(0, 0x04000001u, 64, false)] // times 64, this is 64 in 32 bits
+    [InlineData(4, 100_000u, 100_000, true)]
+    [InlineData(4, 100_001u, 100_001, false)]
+    [InlineData(4, uint.MaxValue, 0, false)]
+    public void A_commands_payload_ends_at_100000_bytes_whatever_the_limit_of_values(int command, uint count, int payload, bool allowed)
+    {
+        byte[] packet = GoldenPackets.OldCommand(command, count, payload);
+        ScanResult result = new PacketScanner(maxValues: 1).Scan(packet);
+
+        if (allowed)
+            Assert.Equal(new ScanResult(ScanStatus.Packet, packet.Length, PacketKind.Command), result);
+        else
+            Assert.Equal((ScanStatus.Skipped, SkipReason.TooLarge), (result.Status, result.Reason));
+    }
+
+    [Fact]
+    public void A_packet_that_drips_in_byte_by_byte_is_looked_at_four_times()
+    {
+        byte[] packet = GoldenPackets.NewMotion(new float[354]);
+        var scan = ScanAll.Of(Deliveries.Of(packet, Delivery.ByteByByte).Single());
+
+        Assert.Equal(packet, Assert.Single(scan.Packets).Bytes);
+        Assert.Equal([2, 64, 1480], scan.Waits);
+        Assert.Equal(4, scan.Calls);
+    }
+
+    [Theory]
+    [InlineData(0, 1)]
+    [InlineData(1, 2)]
+    [InlineData(2, 64)]
+    [InlineData(63, 64)]
+    [InlineData(64, 76)]
+    [InlineData(75, 76)]
+    public void The_length_asked_for_is_the_token_then_the_header_and_then_the_packet(int given, int asked) =>
+        Assert.Equal(new ScanResult(ScanStatus.NeedMore, asked), new PacketScanner().Scan(First.AsSpan(0, given)));
+
+    [Fact]
+    public void Bytes_behind_the_packet_change_nothing()
+    {
+        ScanResult result = new PacketScanner().Scan([.. First, 0xFF, 0x00]);
+        Assert.Equal(new ScanResult(ScanStatus.Packet, First.Length, PacketKind.Motion), result);
+    }
+
+    [Theory]
+    [InlineData(int.MinValue)]
+    [InlineData(-1)]
+    [InlineData(0)]
+    [InlineData(1_000_001)]
+    public void A_limit_outside_its_range_is_refused(int maxValues) =>
+        Assert.Throws<ArgumentOutOfRangeException>(() => new PacketScanner(maxValues));
+
+    private static IEnumerable<byte[]> Kinds(ReadOnlySpan<float> values) =>
+        [GoldenPackets.NewMotion(values), GoldenPackets.OldMotion(values), GoldenPackets.CalculationData(values)];
+
+    private static void AssertFound(Delivery delivery, byte[] stream, byte[][] packets, long skipped, int unknownVersions = 0)
+    {
+        foreach (IEnumerable<ArraySegment<byte>> pieces in Deliveries.Of(stream, delivery))
+        {
+            var scan = ScanAll.Of(pieces);
+
+            Assert.Equal(packets, scan.Packets.Select(packet => packet.Bytes));
+            Assert.Equal(skipped, scan.Skipped);
+            Assert.Equal(unknownVersions, scan.UnknownVersions);
+            Assert.Equal(0, scan.Pending);
+        }
+    }
+}

@@ -1,0 +1,141 @@
+using System.Diagnostics;
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Reader;
+
+// Receive threads change from read to read, so the whole process is measured: these tests run alone.
+[CollectionDefinition(nameof(Alone), DisableParallelization = true)]
+public sealed class Alone;
+
+[Collection(nameof(Alone))]
+public sealed class AllocationTests
+{
+    private const int Rounds = 20;
+    private const int FramesPerRound = 500;
+
+    private static readonly byte[] Frame = TestPackets.Motion(1);
+
+    [Fact]
+    public Task A_callback_costs_no_allocation_per_frame() => MeasureTcpAsync(reader =>
+    {
+        int frames = 0;
+        float sum = 0;
+        reader.MotionReceived += frame =>
+        {
+            sum += frame.GetPosition(Bone.Head).Y + frame.GetRotation(Bone.Hips).W + frame.AvatarName.Length;
+            Interlocked.Increment(ref frames);
+        };
+        return () => Interlocked.Exchange(ref frames, 0);
+    });
+
+    [Fact]
+    public Task A_queue_costs_no_allocation_per_frame() => MeasureTcpAsync(reader =>
+    {
+        FrameQueue queue = reader.OpenQueue(FramesPerRound);
+        float sum = 0;
+        Action<MotionFrame> handler = frame => sum += frame.Values[^1];
+        return () => queue.Pump(handler);
+    });
+
+    [Fact]
+    public Task Newest_frames_cost_no_allocation_per_frame() => MeasureTcpAsync(reader =>
+    {
+        LatestFrames latest = reader.OpenLatest();
+        int counted = 0;
+        int frames = 0;
+        reader.MotionReceived += _ => Interlocked.Increment(ref counted);
+        return () =>
+        {
+            // Newer frames replace those not taken; the round is over when all have arrived.
+            if (latest.TryTakeMotion(0, out MotionFrame? frame))
+                frames += frame.Values.Length;
+
+            return Interlocked.Exchange(ref counted, 0);
+        };
+    });
+
+    [Fact]
+    public async Task Datagrams_cost_no_allocation_per_frame()
+    {
+        using var reader = new NeuronReader(new NeuronReaderOptions { Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0 });
+        int frames = 0;
+        reader.MotionReceived += _ => Interlocked.Increment(ref frames);
+        await reader.StartAsync().Soon();
+        using var first = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        using var second = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        first.Connect(reader.Status.LocalEndPoint!);
+        second.Connect(reader.Status.LocalEndPoint!);
+
+        // Two senders in turn, each frame in two datagrams: every datagram comes from another address than the one before.
+        AssertNothingAllocated(
+            () =>
+            {
+                first.Send(Frame, 0, 1024, SocketFlags.None);
+                second.Send(Frame, 0, 1024, SocketFlags.None);
+                first.Send(Frame, 1024, 456, SocketFlags.None);
+                second.Send(Frame, 1024, 456, SocketFlags.None);
+                return 2;
+            },
+            () => Interlocked.Exchange(ref frames, 0));
+    }
+
+    private static async Task MeasureTcpAsync(Func<NeuronReader, Func<int>> open)
+    {
+        using var server = new TestServer();
+        using var reader = new NeuronReader(server.Options());
+        Func<int> take = open(reader);
+        reader.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        AssertNothingAllocated(
+            () =>
+            {
+                connection.Socket.Send(Frame, 0, 700, SocketFlags.None);
+                connection.Socket.Send(Frame, 700, Frame.Length - 700, SocketFlags.None);
+                return 1;
+            },
+            take);
+    }
+
+    // send returns how many frames it sent, take how many arrived since it was last asked. The test runner's own threads may allocate in some
+    // rounds; code that allocates per frame would in all.
+    private static void AssertNothingAllocated(Func<int> send, Func<int> take)
+    {
+        Run(send, take);
+        Run(send, take);
+        long least = long.MaxValue;
+        for (int round = 0; round < Rounds; round++)
+        {
+            long before = GC.GetTotalAllocatedBytes(precise: true);
+            Run(send, take);
+            least = Math.Min(least, GC.GetTotalAllocatedBytes(precise: true) - before);
+        }
+
+        Assert.Equal(0, least);
+    }
+
+    private static void Run(Func<int> send, Func<int> take)
+    {
+        int sent = 0;
+        int taken = 0;
+        while (sent < FramesPerRound)
+        {
+            sent += send();
+            taken += take();
+        }
+
+        long start = Stopwatch.GetTimestamp();
+        while (taken < sent)
+        {
+            Thread.Yield();
+            taken += take();
+            if (Stopwatch.GetElapsedTime(start) > Limits.Unexpected)
+                Assert.Fail($"{taken} of {sent} frames arrived");
+        }
+    }
+}

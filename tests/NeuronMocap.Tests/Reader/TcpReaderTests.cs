@@ -1,0 +1,238 @@
+using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
+using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Reader;
+
+public sealed class TcpReaderTests : IDisposable
+{
+    private const int FrameCount = 300;
+
+    private readonly TestServer _server = new();
+
+    [Theory]
+    [InlineData(7)]
+    [InlineData(1479)]
+    [InlineData(1480)]
+    [InlineData(1481)]
+    [InlineData(65_536)]
+    [InlineData(int.MaxValue)]
+    public async Task Every_frame_arrives_once_and_in_order_however_it_was_cut(int pieceSize)
+    {
+        await using var reader = new NeuronReader(_server.Options());
+        List<MotionFrame> called = [];
+        reader.MotionReceived += frame => called.Add(frame.Clone());
+        using FrameQueue queue = reader.OpenQueue();
+        using LatestFrames latest = reader.OpenLatest();
+        reader.Start();
+
+        using TestConnection connection = await _server.AcceptAsync();
+        await connection.SendPiecesAsync(TestPackets.Motions(0, FrameCount), pieceSize);
+        connection.Close();
+        await reader.Completion.Soon();
+
+        AssertFrames(called);
+        List<MotionFrame> pumped = [];
+        queue.Pump(frame => pumped.Add(frame.Clone()));
+        AssertFrames(pumped);
+        Assert.True(latest.TryTakeMotion(0, out MotionFrame? newest));
+        Assert.Equal((uint)FrameCount - 1, newest.FrameIndex);
+
+        ReaderStatistics statistics = reader.GetStatistics();
+        Assert.Equal((FrameCount, 0L, 0L, 0L), (statistics.MotionFrames, statistics.Lost, statistics.Dropped, statistics.SkippedBytes));
+        Assert.Equal(FrameCount * 1480L, statistics.BytesReceived);
+        Assert.Equal(ConnectionReason.ClosedByPeer, reader.Status.Reason);
+    }
+
+    [Fact]
+    public async Task Two_avatars_calculation_data_commands_and_noise_share_a_connection()
+    {
+        byte[] command = new byte[64];
+        new CommandHeader { CommandId = 5, DataCount = 1 }.Write(command);
+        byte[] noise = [0xFF, 0xDD, 0x00, 0xFF];
+        await using var reader = new NeuronReader(_server.Options());
+        List<string> seen = [];
+        reader.MotionReceived += frame => seen.Add($"{frame.AvatarName} {frame.AvatarIndex} {frame.FrameIndex}");
+        reader.CalculationReceived += frame => seen.Add($"calculation {frame.AvatarIndex} {frame.FrameIndex}");
+        reader.Start();
+
+        using TestConnection connection = await _server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Join(
+            noise,
+            TestPackets.Motion(1, avatar: 0, name: "Alice"),
+            command,
+            TestPackets.Motion(7, avatar: 1, name: "Bob", count: 180),
+            TestPackets.Motion(0, count: 0),
+            TestPackets.Calculation(3, avatar: 1),
+            noise,
+            TestPackets.Motion(3, avatar: 0, name: "Alice")));
+        connection.Close();
+        await reader.Completion.Soon();
+
+        Assert.Equal(["Alice 0 1", "Bob 1 7", "calculation 1 3", "Alice 0 3"], seen);
+        ReaderStatistics statistics = reader.GetStatistics();
+        Assert.Equal((3L, 1L, 1L, 1L), (statistics.MotionFrames, statistics.CalculationFrames, statistics.CommandPackets, statistics.EmptyPackets));
+        Assert.Equal((1L, 8L), (statistics.Lost, statistics.SkippedBytes));
+        Assert.Equal(
+            [("Alice", PacketKind.Motion, 2L, 1L), ("Bob", PacketKind.Motion, 1L, 0L), ("Char00", PacketKind.Calculation, 1L, 0L)],
+            reader.GetAvatarStatistics().Select(avatar => (avatar.AvatarName, avatar.Kind, avatar.Frames, avatar.Lost)));
+    }
+
+    [Fact]
+    public async Task The_options_reach_the_frames()
+    {
+        NeuronReaderOptions options = _server.Options();
+        options.RotationOrder = Skeleton.RotationOrder.ZXY;
+        options.SkeletonVariant = Skeleton.SkeletonVariant.Spine3;
+        await using var reader = new NeuronReader(options);
+        var format = new TaskCompletionSource<Skeleton.SkeletonFormat>();
+        reader.MotionReceived += frame => format.TrySetResult(frame.Format);
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motion(1));
+        Assert.Equal(new Skeleton.SkeletonFormat(Skeleton.RotationOrder.ZXY, Skeleton.SkeletonVariant.Spine3), await format.Task.Soon());
+    }
+
+    [Fact]
+    public async Task Values_over_the_limit_are_skipped_and_counted()
+    {
+        NeuronReaderOptions options = _server.Options();
+        options.MaxValues = 354;
+        await using var reader = new NeuronReader(options);
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Join(TestPackets.Motion(1, count: 355), TestPackets.Motion(2, count: 354)));
+        connection.Close();
+        await reader.Completion.Soon();
+        ReaderStatistics statistics = reader.GetStatistics();
+        Assert.Equal((1L, 1L, 64L + (4 * 355)), (statistics.MotionFrames, statistics.OversizedPackets, statistics.SkippedBytes));
+    }
+
+    [Fact]
+    public async Task Several_readers_in_one_process_do_not_disturb_each_other()
+    {
+        NeuronReader[] readers = [.. Enumerable.Range(0, 5).Select(_ => new NeuronReader(_server.Options()))];
+        foreach (NeuronReader reader in readers)
+            reader.Start();
+
+        for (int i = 0; i < readers.Length; i++)
+        {
+            using TestConnection connection = await _server.AcceptAsync();
+            await connection.SendAsync(TestPackets.Motions(0, 50));
+            connection.Close();
+        }
+
+        foreach (NeuronReader reader in readers)
+        {
+            await reader.Completion.Soon();
+            Assert.Equal(50, reader.GetStatistics().MotionFrames);
+            await reader.DisposeAsync();
+        }
+    }
+
+    [Fact]
+    public async Task A_throwing_handler_is_surfaced_and_counted_and_disturbs_nobody()
+    {
+        await using var reader = new NeuronReader(_server.Options());
+        int others = 0;
+        List<string> failures = [];
+        reader.MotionReceived += _ => throw new FormatException("mine");
+        reader.MotionReceived += _ => others++;
+        reader.StatusChanged += _ => throw new FormatException("status");
+        reader.CallbackFailed += exception => failures.Add(exception.Message);
+        reader.CallbackFailed += _ => throw new FormatException("the last resort");
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motions(0, 10));
+        connection.Close();
+        await reader.Completion.Soon();
+
+        Assert.Equal(10, others);
+        Assert.Equal(10, failures.Count(message => message == "mine"));
+        Assert.InRange(failures.Count(message => message == "status"), 1, int.MaxValue);
+        Assert.Equal(2 * failures.Count, reader.GetStatistics().CallbackFailures);
+    }
+
+    [Fact]
+    public async Task A_queue_that_nobody_pumps_drops_the_newest_and_stops_nobody()
+    {
+        await using var reader = new NeuronReader(_server.Options());
+        using FrameQueue idle = reader.OpenQueue(capacity: 8);
+        FrameQueue closed = reader.OpenQueue(capacity: 16);
+        using FrameQueue large = reader.OpenQueue(capacity: FrameCount);
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motions(0, FrameCount));
+        connection.Close();
+        await reader.Completion.Soon();
+        closed.Dispose();
+
+        Assert.Equal(FrameCount - 8, idle.Dropped);
+        Assert.Equal(FrameCount, large.Pump(_ => { }));
+        Assert.Equal((2 * FrameCount) - 8 - 16, reader.GetStatistics().Dropped);
+    }
+
+    [Fact]
+    public async Task An_enumeration_gives_frames_to_keep_and_ends_with_the_connection()
+    {
+        await using var reader = new NeuronReader(_server.Options());
+        Task<List<MotionFrame>> reading = Task.Run(async () =>
+        {
+            List<MotionFrame> frames = [];
+            await foreach (MotionFrame frame in reader.ReadMotionAsync())
+                frames.Add(frame);
+
+            return frames;
+        });
+        using TestConnection connection = await _server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Join(TestPackets.Calculation(1), TestPackets.Motions(0, FrameCount)));
+        connection.Close();
+        AssertFrames(await reading.Soon());
+    }
+
+    [Fact]
+    public async Task An_enumeration_ends_with_the_reason_when_the_connection_is_cut_off()
+    {
+        await using var reader = new NeuronReader(_server.Options());
+        await using IAsyncEnumerator<MotionFrame> frames = reader.ReadMotionAsync().GetAsyncEnumerator();
+        Task<bool> first = frames.MoveNextAsync().AsTask();
+        using TestConnection connection = await _server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motion(1));
+        Assert.True(await first.Soon());
+        connection.Reset();
+        NeuronConnectionException exception = await Assert.ThrowsAsync<NeuronConnectionException>(() => frames.MoveNextAsync().AsTask().Soon());
+        Assert.Equal(ConnectionReason.Reset, exception.Reason);
+    }
+
+    [Fact]
+    public async Task An_enumeration_that_is_cancelled_leaves_the_reader_running()
+    {
+        await using var reader = new NeuronReader(_server.Options());
+        using var cancellation = new CancellationTokenSource();
+        await using IAsyncEnumerator<CalculationFrame> frames = reader.ReadCalculationAsync(cancellation.Token).GetAsyncEnumerator();
+        Task<bool> first = frames.MoveNextAsync().AsTask();
+        using TestConnection connection = await _server.AcceptAsync();
+        await cancellation.CancelAsync();
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => first.Soon());
+
+        var received = new TaskCompletionSource();
+        reader.MotionReceived += _ => received.TrySetResult();
+        await connection.SendAsync(TestPackets.Motion(1));
+        await received.Task.Soon();
+    }
+
+    public void Dispose() => _server.Dispose();
+
+    private static void AssertFrames(List<MotionFrame> frames)
+    {
+        Assert.Equal(FrameCount, frames.Count);
+        for (int i = 0; i < FrameCount; i++)
+        {
+            Assert.Equal((uint)i, frames[i].FrameIndex);
+            for (int v = 0; v < 354; v++)
+                Assert.Equal(TestPackets.Value(i, 0, v), frames[i].Values[v]);
+        }
+    }
+}

@@ -1,0 +1,122 @@
+using System.Net.Sockets;
+using NeuronMocap.Server;
+
+namespace NeuronMocap.Tests.Server;
+
+// Clients that misbehave, at both kinds of rate, each beside one that must not notice.
+public sealed class BroadcasterClientTests
+{
+    private const int Frames = 4000;
+
+    [Theory]
+    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(2000)]
+    public async Task A_client_that_resets_is_forgotten(double rate)
+    {
+        BroadcasterOptions options = Options(rate);
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient witness = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        byte[] first = (await witness.ReadAsync())!;
+        TestClient rude = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        await rude.ReadAsync();
+        rude.Reset();
+
+        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 1);
+        await AssertGetsTheRestAsync(witness, first, options);
+    }
+
+    [Theory]
+    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(2000)]
+    public async Task A_client_that_closes_its_sending_side_still_gets_everything(double rate)
+    {
+        BroadcasterOptions options = Options(rate);
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        client.Socket.Shutdown(SocketShutdown.Send);
+
+        await AssertGetsTheRestAsync(client, (await client.ReadAsync())!, options);
+        await broadcaster.Completion.Soon();
+    }
+
+    [Theory]
+    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(2000)]
+    public async Task What_a_client_sends_is_thrown_away_and_costs_it_nothing(double rate)
+    {
+        BroadcasterOptions options = Options(rate);
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+
+        // More than the system would keep for a server that does not read.
+        await client.Socket.SendAsync(new byte[20_000_000], TestContext.Current.CancellationToken).Soon();
+        byte[] first = (await client.ReadAsync())!;
+        await client.Socket.SendAsync(new byte[1000], TestContext.Current.CancellationToken).Soon();
+        await AssertGetsTheRestAsync(client, first, options);
+    }
+
+    [Fact]
+    public async Task A_flood_of_short_connections_reaches_nobody_else()
+    {
+        BroadcasterOptions options = Options(2000);
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient witness = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        byte[] first = (await witness.ReadAsync())!;
+        for (int i = 0; i < 200; i++)
+        {
+            TestClient visitor = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+            if (i % 2 == 0)
+                visitor.Reset();
+            else
+                visitor.Dispose();
+        }
+
+        await AssertGetsTheRestAsync(witness, first, options);
+    }
+
+    [Fact]
+    public async Task More_clients_than_allowed_are_refused_until_one_leaves()
+    {
+        BroadcasterOptions options = Expect.Options();
+        options.Rate = 100;
+        options.MaxClients = 2;
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient first = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        using TestClient second = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        await first.ReadAsync();
+        await second.ReadAsync();
+        using (TestClient third = await TestClient.ConnectAsync(broadcaster.LocalEndPoint))
+            Assert.Null(await third.ReadAsync());
+
+        BroadcasterStatistics statistics = broadcaster.Statistics;
+        Assert.Equal((2, 2, 1), (statistics.Clients, statistics.Accepted, statistics.Refused));
+        second.Dispose();
+        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 1);
+        using TestClient fourth = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        Assert.NotNull(await fourth.ReadAsync());
+    }
+
+    private static BroadcasterOptions Options(double rate)
+    {
+        BroadcasterOptions options = Expect.Options();
+        options.Rate = rate;
+        options.WaitForClient = true;
+        options.FrameLimit = double.IsPositiveInfinity(rate) ? Frames : Frames / 4;
+        options.QueueLength = Frames;
+        return options;
+    }
+
+    private static Broadcaster Started(BroadcasterOptions options)
+    {
+        var broadcaster = new Broadcaster(options);
+        broadcaster.Start();
+        return broadcaster;
+    }
+
+    private static async Task AssertGetsTheRestAsync(TestClient client, byte[] first, BroadcasterOptions options)
+    {
+        List<byte[]> rest = await client.ReadToEndAsync();
+        Expect.Frames([first, .. rest], options, options.FrameLimit!.Value);
+        client.Dispose();
+    }
+}

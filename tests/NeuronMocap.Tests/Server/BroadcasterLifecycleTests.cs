@@ -1,0 +1,202 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Protocol;
+using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tests.Server;
+
+public sealed class BroadcasterLifecycleTests
+{
+    [Fact]
+    public void A_port_in_use_is_an_error_that_names_the_port()
+    {
+        using var first = new Broadcaster(Expect.Options());
+        first.Start();
+        int port = first.LocalEndPoint!.Port;
+        BroadcasterOptions options = Expect.Options();
+        options.Port = port;
+        using var second = new Broadcaster(options);
+
+        BroadcasterException exception = Assert.Throws<BroadcasterException>(second.Start);
+        Assert.Contains($"Port {port} on 127.0.0.1 is used by another program", exception.Message, StringComparison.Ordinal);
+        Assert.Equal("Port", exception.Setting);
+
+        // It can be tried again once the port is free.
+        first.Dispose();
+        second.Start();
+        Assert.Equal(port, second.LocalEndPoint!.Port);
+    }
+
+    [Fact]
+    public async Task A_port_can_be_taken_again_right_after_a_broadcast()
+    {
+        BroadcasterOptions options = Expect.Options(frames: 3);
+        for (int i = 0; i < 3; i++)
+        {
+            await using var broadcaster = new Broadcaster(options);
+            broadcaster.Start();
+            options.Port = broadcaster.LocalEndPoint!.Port;
+            using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+            Assert.Equal(3, (await client.ReadToEndAsync()).Count);
+        }
+    }
+
+    [Fact]
+    public void An_address_of_another_machine_is_an_error_that_names_the_setting()
+    {
+        BroadcasterOptions options = Expect.Options();
+        options.BindAddress = IPAddress.Parse("192.0.2.1");
+        using var broadcaster = new Broadcaster(options);
+
+        BroadcasterException exception = Assert.Throws<BroadcasterException>(broadcaster.Start);
+        Assert.Equal("BindAddress", exception.Setting);
+        Assert.Contains("192.0.2.1", exception.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task It_can_be_disposed_before_the_start_and_not_started_after()
+    {
+        var broadcaster = new Broadcaster(Expect.Options());
+        broadcaster.Dispose();
+        await broadcaster.DisposeAsync();
+        await broadcaster.Completion.Soon();
+        Assert.Throws<ObjectDisposedException>(broadcaster.Start);
+    }
+
+    [Fact]
+    public void It_can_be_started_once()
+    {
+        using var broadcaster = new Broadcaster(Expect.Options());
+        broadcaster.Start();
+        Assert.Throws<InvalidOperationException>(broadcaster.Start);
+    }
+
+    [Theory]
+    [InlineData(BroadcasterOptions.MaxRate, false)]
+    [InlineData(BroadcasterOptions.MaxRate, true)]
+    [InlineData(0.01, false)]
+    [InlineData(0.01, true)]
+    [InlineData(2000, false)]
+    [InlineData(2000, true)]
+    public async Task It_can_be_disposed_at_any_moment(double rate, bool hasClients)
+    {
+        BroadcasterOptions options = Expect.Options();
+        options.Rate = rate;
+        options.WaitForClient = !hasClients;
+        var broadcaster = new Broadcaster(options);
+        broadcaster.Start();
+        using TestClient? idle = hasClients ? await TestClient.ConnectAsync(broadcaster.LocalEndPoint) : null;
+        using TestClient? gone = hasClients ? await TestClient.ConnectAsync(broadcaster.LocalEndPoint) : null;
+        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == (hasClients ? 2 : 0));
+        gone?.Reset();
+
+        await Task.WhenAll(broadcaster.DisposeAsync().AsTask(), Task.Run(broadcaster.Dispose, TestContext.Current.CancellationToken)).Soon();
+        await broadcaster.Completion.Soon();
+        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 0);
+        using var late = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+        Assert.Throws<SocketException>(() => late.Connect(broadcaster.LocalEndPoint!));
+    }
+
+    [Fact]
+    public async Task It_can_be_disposed_while_it_waits_for_clients_at_the_end()
+    {
+        BroadcasterOptions options = Expect.Options(frames: 5);
+        options.Rate = 1000;
+        options.WaitForClient = true;
+        options.CloseTimeout = TimeSpan.FromMinutes(10);
+        var broadcaster = new Broadcaster(options);
+        broadcaster.Start();
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        Assert.Equal(5, (await client.ReadToEndAsync()).Count);
+        Assert.False(broadcaster.Completion.IsCompleted);
+
+        await broadcaster.DisposeAsync().AsTask().Soon();
+        await broadcaster.Completion.Soon();
+    }
+
+    [Theory]
+    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(1000)]
+    public async Task What_a_source_throws_ends_the_broadcast_and_comes_out_at_its_completion(double rate)
+    {
+        BroadcasterOptions options = Expect.Options();
+        options.Sources = [new FailingSource(badFrame: 200)];
+        options.Rate = rate;
+        options.WaitForClient = true;
+        await using var broadcaster = new Broadcaster(options);
+        broadcaster.Start();
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+
+        await Assert.ThrowsAsync<InvalidDataException>(() => broadcaster.Completion.Soon());
+        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 0);
+    }
+
+    [Fact]
+    public void Changing_the_options_afterwards_changes_nothing()
+    {
+        BroadcasterOptions options = Expect.Options();
+        using var broadcaster = new Broadcaster(options);
+        options.Reference = true;
+        Assert.Equal(354, broadcaster.Layout.ValueCount);
+    }
+
+    [Fact]
+    public void Displacement_is_the_sources_own_unless_set()
+    {
+        BroadcasterOptions options = Expect.Options();
+        options.Sources = [new FailingSource(0)];
+        Assert.Equal(new ChannelLayout(hasDisplacement: false, hasReference: false), new Broadcaster(options).Layout);
+        options.Displacement = true;
+        Assert.Equal(new ChannelLayout(hasDisplacement: true, hasReference: false), new Broadcaster(options).Layout);
+    }
+
+    public static TheoryData<string, Action<BroadcasterOptions>> BadSettings { get; } = new()
+    {
+        { "Sources", options => options.Sources = [] },
+        { "Sources", options => options.Sources = [null!] },
+        { "Sources", options => options.Sources = [.. Enumerable.Range(0, 257).Select(i => new TestSource(i))] },
+        { "AvatarNames", options => options.AvatarNames = ["one", "too many"] },
+        { "AvatarNames", options => options.AvatarNames = [null!] },
+        { "Port", options => options.Port = -1 },
+        { "Port", options => options.Port = 65_536 },
+        { "Port", options => options.Port = null },
+        { "BindAddress", options => options.BindAddress = null! },
+        { "MaxClients", options => options.MaxClients = 0 },
+        { "MaxClients", options => options.MaxClients = 4097 },
+        { "UdpDestinations", options => options.UdpDestinations = [null!] },
+        { "UdpDestinations", options => options.UdpDestinations = [new IPEndPoint(IPAddress.Loopback, 0)] },
+        { "Rate", options => options.Rate = 0 },
+        { "Rate", options => options.Rate = -60 },
+        { "Rate", options => options.Rate = double.NaN },
+        { "Rate", options => options.Rate = 100_001 },
+        { "FrameLimit", options => options.FrameLimit = 0 },
+        { "RotationOrder", options => options.RotationOrder = (RotationOrder)6 },
+        { "DataVersion", options => options.DataVersion = new DataVersion(2, 0, 0, 0) },
+        { "CalculationValueCount", options => options.CalculationValueCount = 945 },
+        { "Fragment", options => options.Fragment = 0 },
+        { "Fragment", options => options.Fragment = 1_048_577 },
+        { "QueueLength", options => options.QueueLength = 0 },
+        { "CloseTimeout", options => options.CloseTimeout = TimeSpan.FromSeconds(-1) },
+    };
+
+    [Theory]
+    [MemberData(nameof(BadSettings), DisableDiscoveryEnumeration = true)]
+    public void A_setting_out_of_its_range_is_named(string setting, Action<BroadcasterOptions> spoil)
+    {
+        BroadcasterOptions options = Expect.Options();
+        spoil(options);
+        ArgumentException exception = Assert.Throws<ArgumentException>(() => new Broadcaster(options));
+        Assert.Contains($"BroadcasterOptions.{setting} ", exception.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Waiting_for_a_client_needs_a_port()
+    {
+        BroadcasterOptions options = Expect.Options();
+        options.Port = null;
+        options.UdpDestinations = [new IPEndPoint(IPAddress.Loopback, 7002)];
+        options.WaitForClient = true;
+        Assert.Throws<ArgumentException>("WaitForClient", () => new Broadcaster(options));
+    }
+}

@@ -1,0 +1,188 @@
+using System.Net.Sockets;
+using NeuronMocap.Server;
+
+namespace NeuronMocap.Tests.Server;
+
+public sealed class BroadcasterPacedTests
+{
+    // Fast enough for short tests; nothing here depends on whether the machine keeps up.
+    private const double Rate = 2000;
+
+    [Theory]
+    [InlineData(null)]
+    [InlineData(7)]
+    [InlineData(1480)]
+    [InlineData(65_536)]
+    public async Task A_client_that_is_waited_for_gets_every_frame_from_the_first_and_then_the_end(int? fragment)
+    {
+        BroadcasterOptions options = Options();
+        options.WaitForClient = true;
+        options.FrameLimit = 200;
+        options.Fragment = fragment;
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        List<byte[]> packets = await client.ReadToEndAsync();
+        client.Dispose();
+        await broadcaster.Completion.Soon();
+
+        Expect.Frames(packets, options, 200);
+        Assert.Equal(200, broadcaster.Statistics.FramesSent);
+        Assert.Equal(200 * 1480, broadcaster.Statistics.BytesSent);
+    }
+
+    [Fact]
+    public async Task Several_avatars_with_calculation_packets_share_the_tick()
+    {
+        BroadcasterOptions options = Options(avatars: 4);
+        options.WaitForClient = true;
+        options.FrameLimit = 50;
+        options.Calculation = TestSource.WriteCalculation;
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+
+        Expect.Frames(await client.ReadToEndAsync(), options, 50);
+    }
+
+    [Fact]
+    public async Task A_later_client_starts_at_a_whole_packet_and_misses_none_from_there_on()
+    {
+        BroadcasterOptions options = Options();
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient early = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        for (int i = 0; i < 20; i++)
+            Assert.NotNull(await early.ReadAsync());
+
+        using TestClient late = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        var packets = new List<byte[]>();
+        while (packets.Count < 100)
+            packets.Add((await late.ReadAsync())!);
+
+        uint first = Expect.FrameIndex(packets[0]);
+        Assert.True(first > 0);
+        Expect.Frames(packets, options, packets.Count, first);
+    }
+
+    [Fact]
+    public async Task A_client_that_does_not_read_loses_whole_packets_and_delays_nobody()
+    {
+        const int Avatars = 30;
+        BroadcasterOptions options = Options(Avatars);
+        options.Rate = 200;
+        options.QueueLength = 200;
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient idle = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        using TestClient reader = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
+        Task<List<byte[]>> reading = reader.ReadToEndAsync();
+        await Limits.UntilAsync(() => GetDropped(broadcaster, idle) >= Avatars * 20);
+        Assert.Equal(0, GetDropped(broadcaster, reader));
+        Assert.True(broadcaster.Statistics.PacketsDropped >= Avatars * 20);
+
+        // When the idle one reads at last, it finds whole frames: old ones, a gap, new ones.
+        uint previous = 0;
+        bool foundGap = false;
+        while (!foundGap)
+        {
+            for (int avatar = 0; avatar < Avatars; avatar++)
+            {
+                byte[] packet = (await idle.ReadAsync())!;
+                uint frame = Expect.FrameIndex(packet);
+                Expect.Motion(packet, options, avatar, frame);
+                foundGap |= avatar == 0 && previous != 0 && frame > previous + 1;
+                previous = frame;
+            }
+        }
+
+        // The one that reads got every frame since it came. What is on its way when the broadcast is stopped may end in mid-packet.
+        await broadcaster.DisposeAsync();
+        List<byte[]> packets = await reading.Soon();
+        int frames = packets.Count / Avatars;
+        Assert.True(frames > 200);
+        Expect.Frames(packets[..(frames * Avatars)], options, frames, Expect.FrameIndex(packets[0]));
+    }
+
+    [Fact]
+    public async Task Everything_that_is_queued_is_flushed_at_the_end()
+    {
+        BroadcasterOptions options = Options(avatars: 2);
+        options.WaitForClient = true;
+        options.FrameLimit = 1500;
+        options.QueueLength = 1500;
+        options.CloseTimeout = TimeSpan.FromMinutes(10);
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+
+        // Reads nothing before the last frame was made: from then on nobody is listening.
+        await Limits.UntilAsync(() => !CanConnect(broadcaster));
+
+        Expect.Frames(await client.ReadToEndAsync(), options, 1500);
+        Assert.False(broadcaster.Completion.IsCompleted);
+        client.Dispose();
+        await broadcaster.Completion.Soon();
+        Assert.Equal(0, broadcaster.Statistics.PacketsDropped);
+    }
+
+    [Fact]
+    public async Task A_client_that_never_reads_delays_the_end_no_longer_than_allowed()
+    {
+        BroadcasterOptions options = Options(avatars: 16);
+        options.WaitForClient = true;
+        options.FrameLimit = 600;
+        options.CloseTimeout = TimeSpan.FromMilliseconds(50);
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        await broadcaster.Completion.Soon();
+
+        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 0);
+    }
+
+    [Fact]
+    public async Task Without_clients_a_take_ends_in_its_own_time()
+    {
+        BroadcasterOptions options = Options();
+        options.FrameLimit = 20;
+        await using Broadcaster broadcaster = Started(options);
+        await broadcaster.Completion.Soon();
+        Assert.Equal(default, broadcaster.Statistics);
+    }
+
+    [Fact]
+    public void The_rate_is_the_sources_own_unless_set()
+    {
+        BroadcasterOptions options = Options();
+        Assert.Equal(Rate, new Broadcaster(options).Rate);
+        options.Rate = null;
+        Assert.Equal(60, new Broadcaster(options).Rate);
+    }
+
+    private static BroadcasterOptions Options(int avatars = 1)
+    {
+        BroadcasterOptions options = Expect.Options(avatars);
+        options.Rate = Rate;
+        options.QueueLength = 10_000;
+        return options;
+    }
+
+    private static Broadcaster Started(BroadcasterOptions options)
+    {
+        var broadcaster = new Broadcaster(options);
+        broadcaster.Start();
+        return broadcaster;
+    }
+
+    private static long GetDropped(Broadcaster broadcaster, TestClient client) =>
+        broadcaster.GetClients().Where(entry => Equals(entry.RemoteEndPoint, client.Socket.LocalEndPoint)).Sum(entry => entry.PacketsDropped);
+
+    private static bool CanConnect(Broadcaster broadcaster)
+    {
+        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+        try
+        {
+            socket.Connect(broadcaster.LocalEndPoint!);
+            return true;
+        }
+        catch (SocketException)
+        {
+            return false;
+        }
+    }
+}

@@ -1,0 +1,145 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Server;
+
+namespace NeuronMocap.Tests.Server;
+
+public sealed class BroadcasterUdpTests
+{
+    [Theory]
+    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(2000)]
+    public async Task A_datagram_is_a_packet(double rate)
+    {
+        using Socket receiver = Receiver();
+        BroadcasterOptions options = Options(rate, receiver);
+        await using Broadcaster broadcaster = Started(options);
+        var packets = new List<byte[]>();
+        for (int i = 0; i < 10 * 2 * 2; i++)
+            packets.Add(await ReceiveAsync(receiver));
+
+        Expect.Frames(packets, options, 10);
+        await broadcaster.Completion.Soon();
+        Assert.Null(broadcaster.LocalEndPoint);
+        Assert.Equal(20, broadcaster.Statistics.FramesSent);
+        Assert.Equal(packets.Sum(packet => packet.Length), broadcaster.Statistics.BytesSent);
+        Assert.Equal(0, broadcaster.Statistics.Clients);
+    }
+
+    [Fact]
+    public async Task A_packet_can_be_cut_as_on_macos_and_never_shares_a_datagram()
+    {
+        using Socket receiver = Receiver();
+        BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, receiver);
+        options.Fragment = 1024;
+        await using Broadcaster broadcaster = Started(options);
+        var packets = new List<byte[]>();
+        for (int i = 0; i < 10 * 2; i++)
+        {
+            packets.Add(await JoinAsync(receiver, 1024, 456));
+            packets.Add(await JoinAsync(receiver, 1024, 1024, 1024, 776));
+        }
+
+        Expect.Frames(packets, options, 10);
+    }
+
+    [Fact]
+    public async Task Tcp_clients_and_several_destinations_get_the_same()
+    {
+        using Socket receiver = Receiver();
+        using Socket other = Receiver();
+        BroadcasterOptions options = Options(2000, receiver);
+        options.UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!, (IPEndPoint)other.LocalEndPoint!];
+        options.Port = 0;
+        options.WaitForClient = true;
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        List<byte[]> stream = await client.ReadToEndAsync();
+
+        Expect.Frames(stream, options, 10);
+        foreach (byte[] packet in stream)
+        {
+            Assert.Equal(packet, await ReceiveAsync(receiver));
+            Assert.Equal(packet, await ReceiveAsync(other));
+        }
+    }
+
+    [Fact]
+    public async Task A_destination_where_nobody_listens_ends_nothing()
+    {
+        BroadcasterOptions options;
+        using (Socket gone = Receiver())
+            options = Options(BroadcasterOptions.MaxRate, gone);
+
+        options.FrameLimit = 2000;
+        await using Broadcaster broadcaster = Started(options);
+        await broadcaster.Completion.Soon();
+        BroadcasterStatistics statistics = broadcaster.Statistics;
+        Assert.Equal(2000 * 2 * 2, CountPackets(statistics));
+    }
+
+    [Fact]
+    public async Task A_broadcast_without_end_can_be_stopped()
+    {
+        using Socket receiver = Receiver();
+        BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, receiver);
+        options.FrameLimit = null;
+        Broadcaster broadcaster = Started(options);
+        await ReceiveAsync(receiver);
+        await broadcaster.DisposeAsync().AsTask().Soon();
+        await broadcaster.Completion.Soon();
+    }
+
+    private static BroadcasterOptions Options(double rate, Socket receiver)
+    {
+        BroadcasterOptions options = Expect.Options(avatars: 2);
+        options.Rate = rate;
+        options.Port = null;
+        options.UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!];
+        options.Calculation = TestSource.WriteCalculation;
+        options.FrameLimit = 10;
+        return options;
+    }
+
+    private static Broadcaster Started(BroadcasterOptions options)
+    {
+        var broadcaster = new Broadcaster(options);
+        broadcaster.Start();
+        return broadcaster;
+    }
+
+    // Room for all that a test sends: nothing is lost on the way to a socket whose buffer is not full.
+    private static Socket Receiver()
+    {
+        var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ReceiveBufferSize = 1_000_000 };
+        socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+        return socket;
+    }
+
+    private static async Task<byte[]> ReceiveAsync(Socket socket)
+    {
+        byte[] buffer = new byte[65_536];
+        int count = await socket.ReceiveAsync(buffer.AsMemory(), TestContext.Current.CancellationToken).Soon();
+        return buffer[..count];
+    }
+
+    private static async Task<byte[]> JoinAsync(Socket socket, params int[] sizes)
+    {
+        var packet = new List<byte>();
+        foreach (int size in sizes)
+        {
+            byte[] datagram = await ReceiveAsync(socket);
+            Assert.Equal(size, datagram.Length);
+            packet.AddRange(datagram);
+        }
+
+        return [.. packet];
+    }
+
+    // Motion packets are 1480 bytes, calculation packets 3848.
+    private static long CountPackets(BroadcasterStatistics statistics)
+    {
+        long calculationPackets = (statistics.BytesSent - (statistics.FramesSent * 1480)) / 3848;
+        return statistics.FramesSent + calculationPackets + statistics.PacketsDropped;
+    }
+}

@@ -1,0 +1,74 @@
+using System.Runtime.InteropServices;
+using NeuronMocap.Protocol;
+using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tests.Server;
+
+// What must stand in the packets of a broadcast, from the options and the source alone.
+internal static class Expect
+{
+    // Options for a broadcast of test sources on a free port.
+    public static BroadcasterOptions Options(int avatars = 1, long? frames = null) => new()
+    {
+        Sources = [.. Enumerable.Range(0, avatars).Select(avatar => new TestSource(avatar, frames))],
+        Port = 0,
+        Rate = BroadcasterOptions.MaxRate,
+    };
+
+    // The frames from first on, complete and in order: per avatar a motion packet and, if asked for, a calculation packet.
+    public static void Frames(IReadOnlyList<byte[]> packets, BroadcasterOptions options, long count, long first = 0)
+    {
+        int perAvatar = options.Calculation is null ? 1 : 2;
+        Assert.Equal(count * options.Sources.Count * perAvatar, packets.Count);
+        int index = 0;
+        for (long frame = first; frame < first + count; frame++)
+        {
+            for (int avatar = 0; avatar < options.Sources.Count; avatar++)
+            {
+                Motion(packets[index++], options, avatar, frame);
+                if (options.Calculation is not null)
+                    Calculation(packets[index++], options, avatar, frame);
+            }
+        }
+    }
+
+    public static void Motion(byte[] packet, BroadcasterOptions options, int avatar, long frame)
+    {
+        var layout = new ChannelLayout(options.Displacement ?? true, options.Reference);
+        bool isNew = options.DataVersion.Minor == 1;
+        Assert.True(MotionHeader.TryRead(packet, out MotionHeader header));
+        Assert.Equal(options.DataVersion, header.Version);
+        Assert.Equal(layout.ValueCount, header.ValueCount);
+        Assert.Equal(layout.HasDisplacement, header.HasDisplacement);
+        Assert.Equal(layout.HasReference, header.HasReference);
+        Assert.Equal((uint)avatar, header.AvatarIndex);
+        Assert.Equal(isNew ? (uint)frame : null, header.FrameIndex);
+        Assert.Equal(options.AvatarNames.Count > avatar ? options.AvatarNames[avatar] : $"Char{avatar:00}", header.AvatarName.ToString());
+        float[] expected = new float[layout.ValueCount];
+        options.Sources[avatar].WriteValues(frame, layout, options.RotationOrder, expected);
+        AssertBits(expected, packet);
+    }
+
+    public static void Calculation(byte[] packet, BroadcasterOptions options, int avatar, long frame)
+    {
+        Assert.True(CalculationHeader.TryRead(packet, out CalculationHeader header));
+        Assert.Equal(options.CalculationValueCount, header.ValueCount);
+        Assert.Equal((uint)avatar, header.AvatarIndex);
+        Assert.Equal((uint)frame, header.FrameIndex);
+        Assert.Equal($"Char{avatar:00}", header.AvatarName.ToString());
+        float[] expected = new float[946];
+        options.Calculation!(options.Sources[avatar], frame, expected);
+        AssertBits(expected.AsSpan(0, options.CalculationValueCount), packet);
+    }
+
+    public static uint FrameIndex(byte[] packet)
+    {
+        Assert.True(MotionHeader.TryRead(packet, out MotionHeader header));
+        return Assert.NotNull(header.FrameIndex);
+    }
+
+    // As bytes: two not-a-numbers are equal only if their bits are.
+    private static void AssertBits(ReadOnlySpan<float> expected, byte[] packet) =>
+        Assert.True(MemoryMarshal.AsBytes(expected).SequenceEqual(packet.AsSpan(ProtocolConstants.HeaderSize)));
+}

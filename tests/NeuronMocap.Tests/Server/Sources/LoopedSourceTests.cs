@@ -1,0 +1,37 @@
+using System.Numerics;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+using Xunit;
+
+namespace NeuronMocap.Tests.Server.Sources;
+
+public class LoopedSourceTests
+{
+    [Fact]
+    public void It_starts_again_when_it_is_over_and_never_ends()
+    {
+        var looped = new LoopedSource(Climb(count: 5));
+        float[] values = new float[354];
+
+        Assert.Null(looped.FrameCount);
+        Assert.Equal(60, looped.FrameRate);
+        Assert.True(looped.HasDisplacement);
+        foreach ((long frame, float height) in ((long, float)[])[(0, 0), (4, 4), (5, 0), (13, 3), (1_000_000_000_004, 4)])
+        {
+            Assert.Equal(height, ActorMeasures.GetPose(looped, frame)[0].Position.Y);
+            Assert.Equal(((long)height % 2 == 0, (long)height % 3 == 0), looped.GetFootContacts(frame));
+            looped.WriteValues(frame, new ChannelLayout(hasDisplacement: true, hasReference: false), RotationOrder.YXZ, values);
+            Assert.Equal(height, values[1]);
+        }
+    }
+
+    [Fact]
+    public void Only_what_has_frames_and_an_end_is_repeated()
+    {
+        Assert.Throws<ArgumentException>(() => new LoopedSource(Climb(count: 0)));
+        Assert.Throws<ArgumentException>(() => new LoopedSource(new SyntheticActor()));
+    }
+
+    private static FormulaSource Climb(long count) => new(
+        60, count, (frame, pose) => pose[0] = new BoneTransform(new Vector3(0, frame, 0), Quaternion.Identity));
+}

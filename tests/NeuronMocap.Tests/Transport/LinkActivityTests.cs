@@ -1,0 +1,89 @@
+using System.Diagnostics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Transport;
+
+public sealed class LinkActivityTests
+{
+    private readonly List<ConnectionStatus> _told = [];
+    private readonly StatusBoard _status;
+    private readonly LinkActivity _activity;
+    private readonly long _start;
+
+    public LinkActivityTests()
+    {
+        _status = new StatusBoard(_told.Add);
+        _activity = new LinkActivity(_status, TimeSpan.FromSeconds(3), isUdp: false);
+        _activity.Begin("host:7001");
+        _status.Set(new ConnectionStatus(ConnectionState.Connected, ConnectionReason.None, "connected"));
+        _start = Stopwatch.GetTimestamp();
+    }
+
+    [Fact]
+    public void The_first_packet_makes_it_receiving_once()
+    {
+        _activity.OnPacket(After(0));
+        _activity.OnPacket(After(1));
+        Assert.Equal([ConnectionState.Connected, ConnectionState.Receiving], _told.Select(status => status.State));
+        Assert.True(_activity.HasPackets);
+    }
+
+    [Fact]
+    public void Silence_is_told_once_and_ends_with_the_next_packet()
+    {
+        _activity.OnPacket(After(0));
+        _activity.Check(After(2.9));
+        Assert.Equal(ConnectionState.Receiving, _status.State);
+        _activity.Check(After(3.1));
+        _activity.Check(After(4));
+        _activity.OnPacket(After(5));
+        Assert.Equal(
+            [ConnectionState.Connected, ConnectionState.Receiving, ConnectionState.Silent, ConnectionState.Receiving],
+            _told.Select(status => status.State));
+        Assert.Equal(ConnectionReason.NoData, _told[2].Reason);
+        Assert.Contains("3 s", _told[2].Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("0 Char00 0.00 93.02 0.00", "Binary")]
+    [InlineData("HTTP/1.1 400 Bad Request", "7001")]
+    [InlineData("\u00CF\u00DC\0\0\0\u0002", "Axis Studio")]
+    [InlineData("\u0016\u0003\u0001\u0002", "16 03 01 02")]
+    public void Data_of_another_format_is_named_with_what_to_change(string bytes, string expected)
+    {
+        foreach (char value in bytes)
+            _activity.OnSkipped([(byte)value], SkipReason.NoTokens);
+
+        _activity.Check(After(4));
+        Assert.Equal((ConnectionState.Silent, ConnectionReason.UnknownFormat), (_told[^1].State, _told[^1].Reason));
+        Assert.Contains(expected, _told[^1].Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void An_unknown_version_is_named()
+    {
+        _activity.OnSkipped([0xFF, 0xDD, 4, 3, 2, 9, 0, 0], SkipReason.UnknownVersion);
+        _activity.Check(After(4));
+        Assert.Contains("9.2.3.4", _told[^1].Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Garbage_that_packets_followed_is_not_what_made_it_silent()
+    {
+        _activity.OnSkipped("HTTP/1.1"u8, SkipReason.NoTokens);
+        _activity.OnPacket(After(0));
+        _activity.Check(After(4));
+        Assert.Equal(ConnectionReason.NoData, _told[^1].Reason);
+    }
+
+    [Fact]
+    public void Nothing_is_told_while_there_is_no_connection()
+    {
+        _status.Set(new ConnectionStatus(ConnectionState.Waiting, ConnectionReason.Refused, "waiting"));
+        _activity.Check(After(100));
+        Assert.Equal(ConnectionState.Waiting, _told[^1].State);
+    }
+
+    private long After(double seconds) => _start + (long)(seconds * Stopwatch.Frequency);
+}

@@ -1,0 +1,64 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Transport;
+
+public sealed class TcpLinkTests
+{
+    [Fact]
+    public async Task A_name_without_an_address_says_so()
+    {
+        LinkEnd end = await OpenAsync(_ => Task.FromException<IPAddress[]>(new SocketException((int)SocketError.HostNotFound)));
+        Assert.Equal(ConnectionReason.HostNotFound, end.Reason);
+        Assert.Contains("suit-pc", end.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_name_that_resolves_to_nothing_says_so() =>
+        Assert.Equal(ConnectionReason.HostNotFound, (await OpenAsync(_ => Task.FromResult<IPAddress[]>([]))).Reason);
+
+    [Fact]
+    public async Task A_resolver_that_never_answers_is_given_up() =>
+        Assert.Equal(ConnectionReason.HostNotFound, (await OpenAsync(_ => new TaskCompletionSource<IPAddress[]>().Task)).Reason);
+
+    [Fact]
+    public async Task Addresses_are_tried_one_after_the_other()
+    {
+        using var server = new TestServer();
+        var options = new LinkOptions("suit-pc", server.Port) { Resolve = _ => Task.FromResult<IPAddress[]>([IPAddress.Parse("127.0.0.2"), IPAddress.Loopback]) };
+        using var link = new TcpLink(options);
+        LinkEnd end = await link.OpenAsync(CancellationToken.None).Soon();
+        Assert.Equal(ConnectionReason.None, end.Reason);
+        Assert.Equal(server.Port, ((IPEndPoint)link.RemoteEndPoint!).Port);
+    }
+
+    [Fact]
+    public async Task A_local_address_of_another_machine_is_named()
+    {
+        var options = new LinkOptions("127.0.0.1", 7001) { LocalAddress = IPAddress.Parse("192.0.2.1") };
+        using var link = new TcpLink(options);
+        LinkEnd end = await link.OpenAsync(CancellationToken.None).Soon();
+        Assert.Equal(ConnectionReason.AddressUnavailable, end.Reason);
+        Assert.Contains("192.0.2.1", end.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_server_that_does_not_answer_is_given_up_after_the_time_out()
+    {
+        // A listener whose queue of connections is full drops what else arrives, as a black hole does.
+        using var blackHole = new BlackHole();
+        var options = new LinkOptions("127.0.0.1", blackHole.Port) { ConnectTimeout = TimeSpan.FromMilliseconds(200) };
+        using var link = new TcpLink(options);
+        LinkEnd end = await link.OpenAsync(CancellationToken.None).Soon();
+        Assert.Equal(ConnectionReason.TimedOut, end.Reason);
+        Assert.Contains("0.2 s", end.Message, StringComparison.Ordinal);
+    }
+
+    private static async Task<LinkEnd> OpenAsync(Func<string, Task<IPAddress[]>> resolve)
+    {
+        using var link = new TcpLink(new LinkOptions("suit-pc", 7001) { Resolve = resolve, ConnectTimeout = TimeSpan.FromMilliseconds(200) });
+        return await link.OpenAsync(CancellationToken.None).Soon();
+    }
+}
