@@ -1,16 +1,35 @@
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor;
 
-/// <summary>The simulator behind --demo: a server inside this process, on a free port of the loopback address.</summary>
+/// <summary>The simulator behind --demo: a server inside this process, on a free TCP port of the loopback address.</summary>
 internal sealed class DemoServer : IDisposable
 {
-    public ServerAddress Address { get; private init; }
+    private const double FrameRate = 60;
 
-    public static DemoServer Start(RotationOrder order) =>
-        new() { Address = new ServerAddress("127.0.0.1", 7001 + (int)order) };
+    private readonly Broadcaster _broadcaster;
 
-    public void Dispose()
+    private DemoServer(RotationOrder order)
     {
+        _broadcaster = new Broadcaster(new BroadcasterOptions
+        {
+            Sources = [new SyntheticActor(FrameRate)],
+            AvatarNames = ["Demo"],
+            Port = 0,
+            WaitForClient = true,
+            RotationOrder = order,
+            Calculation = CalculationSynthesizer.Write,
+        });
+        _broadcaster.Start();
     }
+
+    public ServerAddress Address => new(_broadcaster.LocalEndPoint!.Address.ToString(), _broadcaster.LocalEndPoint.Port);
+
+    /// <summary>Starts it.</summary>
+    /// <exception cref="BroadcasterException">The system gives no port.</exception>
+    public static DemoServer Start(RotationOrder order) => new(order);
+
+    public void Dispose() => _broadcaster.Dispose();
 }

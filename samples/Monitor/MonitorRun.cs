@@ -1,6 +1,7 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Monitor.Output;
 using NeuronMocap.Monitor.Terminal;
+using NeuronMocap.Server;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor;
@@ -13,8 +14,20 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
 
     public async Task<int> RunAsync(CancellationToken cancelled)
     {
-        using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder) : null;
-        await using var reader = new NeuronReader(options.ToReaderOptions(demo?.Address ?? options.Server));
+        try
+        {
+            using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder) : null;
+            return await RunAsync(demo?.Address ?? options.Server, cancelled);
+        }
+        catch (BroadcasterException exception)
+        {
+            return await FailAsync(exception.Message);
+        }
+    }
+
+    private async Task<int> RunAsync(ServerAddress? server, CancellationToken cancelled)
+    {
+        await using var reader = new NeuronReader(options.ToReaderOptions(server));
         MonitorOutput output = CreateOutput(reader);
         Connect(reader, output);
 
@@ -36,7 +49,12 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         if (asked || statistics.MotionFrames + statistics.CalculationFrames > 0)
             return CommandLine.Done;
 
-        await streams.Error.WriteLineAsync($"neuron-monitor: {FailureMessage.Describe(status, statistics)}");
+        return await FailAsync(FailureMessage.Describe(status, statistics));
+    }
+
+    private async Task<int> FailAsync(string message)
+    {
+        await streams.Error.WriteLineAsync($"neuron-monitor: {message}");
         return CommandLine.NothingReceived;
     }
 
