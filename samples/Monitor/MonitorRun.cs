@@ -87,6 +87,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         };
     }
 
+    // Receive thread: its figures stand still while it is here.
     private void Count(NeuronReader reader)
     {
         if (++_frames == options.Frames)

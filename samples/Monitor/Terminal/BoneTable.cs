@@ -11,6 +11,8 @@ internal sealed class BoneTable
 
     private const int Gap = 1;
 
+    private static readonly Padding AfterColumn = new(0, 0, Gap, 0);
+
     private readonly Pose _pose;
     private readonly IReadOnlyList<Bone> _bones;
     private readonly bool _isWide;
@@ -27,7 +29,7 @@ internal sealed class BoneTable
     }
 
     /// <summary>Columns that it takes. It depends on the bones only, not on the numbers: the skeleton beside it stands still.</summary>
-    public int Width => _nameWidth + (3 * (Gap + PositionWidth)) + (3 * (Gap + AngleWidth));
+    public int Width => _nameWidth + Gap + (3 * (PositionWidth + Gap)) + (3 * (AngleWidth + Gap));
 
     private int PositionWidth => _isWide ? 8 : 6;
 
@@ -36,7 +38,7 @@ internal sealed class BoneTable
     public Table Create()
     {
         Table table = new Table().Border(TableBorder.None);
-        table.AddColumn(new TableColumn(new Text("bone", Palette.DimStyle)) { NoWrap = true, Width = _nameWidth, Padding = new Padding(0) });
+        table.AddColumn(new TableColumn(new Text("bone", Palette.DimStyle)) { NoWrap = true, Width = _nameWidth, Padding = AfterColumn });
         foreach (string axis in (string[])["X", "Y", "Z"])
             table.AddColumn(NumberColumn($"{axis} cm", PositionWidth));
         foreach (char axis in _pose.Format.RotationOrder.ToString())
@@ -53,7 +55,7 @@ internal sealed class BoneTable
         NoWrap = true,
         Width = width,
         Alignment = Justify.Right,
-        Padding = new Padding(Gap, 0, 0, 0),
+        Padding = AfterColumn,
     };
 
     private Text[] MakeRow(Bone bone)

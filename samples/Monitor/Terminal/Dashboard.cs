@@ -17,7 +17,7 @@ internal static class Dashboard
     public static IRenderable Create(LiveState state, int width, int height)
     {
         if (width < SmallestWidth || height < SmallestHeight)
-            return new Rows(HeaderView.Create(state), new Text($"The window has {width} x {height} characters; the view needs {SmallestWidth} x {SmallestHeight}."));
+            return new Rows(HeaderView.Create(state), new StyledLine().Add($"{SmallestWidth} x {SmallestHeight} characters are needed; the window has {width} x {height}."));
 
         bool framed = width >= FramedWidth && height >= FramedHeight;
         int border = framed ? 2 : 0;

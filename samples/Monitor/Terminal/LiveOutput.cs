@@ -6,7 +6,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Terminal;
 
-/// <summary>The live view: looks at the reader ten times a second, draws, and obeys the keys. All of it on one thread.</summary>
+/// <summary>The live view: looks at the reader ten times a second and with every key, and draws. All of it on one thread.</summary>
 internal sealed class LiveOutput(NeuronReader reader, MonitorOptions options, Stream output) : MonitorOutput
 {
     private static readonly TimeSpan Period = TimeSpan.FromMilliseconds(100);
@@ -32,6 +32,7 @@ internal sealed class LiveOutput(NeuronReader reader, MonitorOptions options, St
 
         using LatestFrames latest = reader.OpenLatest();
         using var screen = new Screen(output);
+        Keyboard keyboard = Keyboard.Open();
         int resumed = 0;
         using PosixSignalRegistration? resume = OperatingSystem.IsWindows()
             ? null
@@ -41,28 +42,13 @@ internal sealed class LiveOutput(NeuronReader reader, MonitorOptions options, St
             if (Interlocked.Exchange(ref resumed, 0) != 0)
                 screen.Enter();
 
-            ReadKeys();
+            while (keyboard.TryRead(out ConsoleKeyInfo key))
+                Obey(key);
+
             _state.Update(reader, latest);
             screen.Show(Dashboard.Create(_state, Screen.Width, Screen.Height), Screen.Width, Screen.Height);
-            WaitForKey(stop);
+            WaitHandle.WaitAny([stop.WaitHandle, keyboard.Pressed], Period);
         }
-    }
-
-    // A key is obeyed at once, not only with the next picture.
-    private static void WaitForKey(CancellationToken stop)
-    {
-        const int Slices = 4;
-        for (int i = 0; i < Slices && (Console.IsInputRedirected || !Console.KeyAvailable); i++)
-        {
-            if (stop.WaitHandle.WaitOne(Period / Slices))
-                return;
-        }
-    }
-
-    private void ReadKeys()
-    {
-        while (!Console.IsInputRedirected && Console.KeyAvailable)
-            Obey(Console.ReadKey(intercept: true));
     }
 
     private void Obey(ConsoleKeyInfo key)

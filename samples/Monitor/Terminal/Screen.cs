@@ -65,11 +65,11 @@ internal sealed class Screen : IDisposable
         string[] lines = Draw(view);
         for (int row = 0; row < height; row++)
         {
-            string line = row < lines.Length ? lines[row] : string.Empty;
+            string line = row < lines.Length - 1 ? lines[row] : new string(' ', width);
             if (string.Equals(line, _shown[row], StringComparison.Ordinal))
                 continue;
 
-            update.Append(null, $"\e[{row + 1};1H\e[K{line}");
+            update.Append(null, $"\e[{row + 1};1H{line}");
             _shown[row] = line;
         }
 
@@ -87,13 +87,36 @@ internal sealed class Screen : IDisposable
         _console.Profile.Width = _width;
         _console.Profile.Height = _height;
         _drawing.GetStringBuilder().Clear();
-        _console.Write(view);
+        _console.Write(new FullLines(view));
         return _drawing.ToString().Split('\n');
     }
 
     private void Send(string text)
     {
-        _output.Write(Encoding.UTF8.GetBytes(text));
-        _output.Flush();
+        try
+        {
+            _output.Write(Encoding.UTF8.GetBytes(text));
+            _output.Flush();
+        }
+        catch (IOException)
+        {
+            // The terminal is gone; the signal that says so ends the program.
+        }
+    }
+
+    // Every line covers what was there before: erasing first would show for a moment.
+    private sealed class FullLines(IRenderable view) : Renderable
+    {
+        protected override IEnumerable<Segment> Render(RenderOptions options, int maxWidth)
+        {
+            foreach (SegmentLine line in Segment.SplitLines(view.Render(options, maxWidth), maxWidth))
+            {
+                line.Add(Segment.Padding(Math.Max(maxWidth - line.CellCount(), 0)));
+                foreach (Segment segment in line)
+                    yield return segment;
+
+                yield return Segment.LineBreak;
+            }
+        }
     }
 }

@@ -27,7 +27,7 @@ internal static class SkeletonView
         var projection = new Projection(canvas, scale, viewpoint, pose.GetPosition(Bone.Hips));
         DrawGround(canvas, projection);
         DrawLines(canvas, projection, pose);
-        canvas.Write(0, 0, viewpoint == Viewpoint.Front ? "front" : "side", Palette.Dim);
+        canvas.Write(0, 0, viewpoint == Viewpoint.Front ? "front (from +Z)" : "side (from -X)", Palette.Dim);
         return canvas;
     }
 

@@ -35,6 +35,8 @@ internal sealed class StyledLine : Renderable
     {
         if (Segment.CellCount(segments) <= width)
             return segments;
+        if (width <= 0)
+            return [];
 
         var cut = new List<Segment>();
         int room = width - 1;
@@ -50,6 +52,6 @@ internal sealed class StyledLine : Renderable
                 break;
         }
 
-        return width > 0 ? [.. cut, new Segment("…", cut[^1].Style)] : [];
+        return [.. cut, new Segment("…", cut[^1].Style)];
     }
 }

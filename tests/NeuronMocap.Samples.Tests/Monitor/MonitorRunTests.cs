@@ -1,3 +1,5 @@
+using System.Net;
+using System.Net.Sockets;
 using System.Text;
 using NeuronMocap.Samples.Tests.Infrastructure;
 
@@ -21,7 +23,8 @@ public sealed class MonitorRunTests
                 """{"type":"calculation","avatar":0,"name":"Char00","index":7,"values":[2]}""",
                 """{"type":"frame","avatar":0,"name":"Char00","index":9,"displacement":true,"reference":false,"values":[3]}""",
             ],
-            result.Output.Where(line => !line.Contains("\"status\"", StringComparison.Ordinal) && !line.Contains("\"summary\"", StringComparison.Ordinal)));
+            result.Output.Where(line => !line.Contains("\"status\"", StringComparison.Ordinal) && !line.Contains("\"summary\"", StringComparison.Ordinal)),
+            StringComparer.Ordinal);
         Assert.StartsWith(
             """{"type":"summary","frames":2,"calculationFrames":1,"lost":1,"dropped":0,"skippedBytes":5,"seconds":""",
             result.Output[^1],
@@ -112,6 +115,19 @@ public sealed class MonitorRunTests
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("Binary", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_udp_port_that_another_program_has_is_named()
+    {
+        using var other = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        other.Bind(new IPEndPoint(IPAddress.Any, 0));
+        int port = ((IPEndPoint)other.LocalEndPoint!).Port;
+
+        MonitorResult result = await MonitorRunner.RunAsync("--udp", $"{port}", "--once", "--quiet");
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains($"UDP port {port} is used by another program", Assert.Single(result.Error), StringComparison.Ordinal);
     }
 
     [Fact]
