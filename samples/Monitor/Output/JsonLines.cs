@@ -84,7 +84,9 @@ internal sealed class JsonLines
         _json.WriteStartArray("values"u8);
         foreach (float value in values)
         {
-            if (float.IsFinite(value))
+            if (value == 0 && float.IsNegative(value))
+                _json.WriteRawValue("-0.0"u8, skipInputValidation: true); // many a reader takes -0 for the integer 0
+            else if (float.IsFinite(value))
                 _json.WriteNumberValue(value);
             else
                 _json.WriteStringValue(float.IsNaN(value) ? NotANumber : value > 0 ? PositiveInfinity : NegativeInfinity);

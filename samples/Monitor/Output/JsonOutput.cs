@@ -10,8 +10,8 @@ namespace NeuronMocap.Monitor.Output;
 /// </summary>
 internal sealed class JsonOutput(Stream output) : MonitorOutput
 {
-    // How long the end waits for a line that somebody does not read.
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(2);
+    // The reader has waited already for a line that nobody takes.
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(0.5);
 
     private readonly Lock _lock = new();
     private readonly JsonLines _lines = new();

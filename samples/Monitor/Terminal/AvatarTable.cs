@@ -70,7 +70,7 @@ internal static class AvatarTable
     {
         bool isMotion = avatar.Kind == PacketKind.Motion;
         bool isSelected = isMotion && avatar.AvatarIndex == state.Avatar;
-        TimeSpan age = Stopwatch.GetElapsedTime(avatar.LastTimestamp, Math.Max(state.Now, avatar.LastTimestamp));
+        TimeSpan age = Stopwatch.GetElapsedTime(avatar.LastTimestamp, Math.Max(state.TakenAt, avatar.LastTimestamp));
         bool isStale = age > Stale;
         string sender = avatar.Source > 0 ? Quantity.Format($" (sender {avatar.Source})") : string.Empty;
         return

@@ -33,15 +33,13 @@ internal sealed class LiveOutput(NeuronReader reader, MonitorOptions options, St
         using LatestFrames latest = reader.OpenLatest();
         using var screen = new Screen(output);
         Keyboard keyboard = Keyboard.Open();
-        int resumed = 0;
-        using PosixSignalRegistration? resume = OperatingSystem.IsWindows()
-            ? null
-            : PosixSignalRegistration.Create(PosixSignal.SIGCONT, _ => Interlocked.Exchange(ref resumed, 1));
+
+        // Ctrl+Z and fg; the system does the rest.
+        using PosixSignalRegistration? suspend = OperatingSystem.IsWindows() ? null : PosixSignalRegistration.Create(PosixSignal.SIGTSTP, _ => screen.Leave());
+        using PosixSignalRegistration? resume = OperatingSystem.IsWindows() ? null : PosixSignalRegistration.Create(PosixSignal.SIGCONT, _ => screen.Enter());
+
         while (!_quit && !stop.IsCancellationRequested)
         {
-            if (Interlocked.Exchange(ref resumed, 0) != 0)
-                screen.Enter();
-
             while (keyboard.TryRead(out ConsoleKeyInfo key))
                 Obey(key);
 

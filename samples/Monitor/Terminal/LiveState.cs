@@ -41,6 +41,9 @@ internal sealed class LiveState(MonitorOptions options)
 
     public long Now { get; private set; } = Stopwatch.GetTimestamp();
 
+    /// <summary>When the figures and the pose were taken: <see cref="Now"/>, unless paused.</summary>
+    public long TakenAt { get; private set; } = Stopwatch.GetTimestamp();
+
     public TimeSpan Uptime => Stopwatch.GetElapsedTime(_start, Now);
 
     public double BytesPerSecond => _bytes.PerSecond;
@@ -61,6 +64,7 @@ internal sealed class LiveState(MonitorOptions options)
         if (IsPaused)
             return;
 
+        TakenAt = Now;
         ReaderStatistics total = reader.GetStatistics();
         Counters.Take(total, reader.GetAvatarStatistics());
         _bytes.Add(Now, total.BytesReceived);

@@ -17,12 +17,14 @@ internal sealed class Screen : IDisposable
     private const string BeginUpdate = "\e[?2026h";
     private const string EndUpdate = "\e[?2026l";
 
+    private readonly Lock _lock = new();
     private readonly Stream _output;
     private readonly StringWriter _drawing = new();
     private readonly IAnsiConsole _console;
     private string[] _shown = [];
     private int _width;
     private int _height;
+    private bool _isLeft = true;
 
     public Screen(Stream output)
     {
@@ -45,14 +47,49 @@ internal sealed class Screen : IDisposable
 
     public static int Height => Math.Max(Console.WindowHeight, 1);
 
-    /// <summary>Takes the terminal, again after the program was suspended: everything is drawn anew.</summary>
+    /// <summary>Takes the terminal, again after <see cref="Leave"/>: everything is drawn anew. Any thread, as all members.</summary>
     public void Enter()
     {
-        _width = 0;
-        Send(Begin);
+        lock (_lock)
+        {
+            if (!_isLeft)
+                return;
+
+            _isLeft = false;
+            _width = 0;
+            Send(Begin);
+        }
+    }
+
+    /// <summary>Brings the terminal back as it was; until <see cref="Enter"/> nothing is drawn.</summary>
+    public void Leave()
+    {
+        lock (_lock)
+        {
+            if (_isLeft)
+                return;
+
+            _isLeft = true;
+            Send(End);
+        }
     }
 
     public void Show(IRenderable view, int width, int height)
+    {
+        lock (_lock)
+        {
+            if (!_isLeft)
+                Update(view, width, height);
+        }
+    }
+
+    public void Dispose()
+    {
+        Leave();
+        _drawing.Dispose();
+    }
+
+    private void Update(IRenderable view, int width, int height)
     {
         var update = new StringBuilder(BeginUpdate);
         if (width != _width || height != _height)
@@ -74,12 +111,6 @@ internal sealed class Screen : IDisposable
         }
 
         Send(update.Append(EndUpdate).ToString());
-    }
-
-    public void Dispose()
-    {
-        Send(End);
-        _drawing.Dispose();
     }
 
     private string[] Draw(IRenderable view)

@@ -19,7 +19,7 @@ public sealed class MonitorRunTests
         Assert.Empty(result.Error);
         Assert.Equal(
             [
-                """{"type":"frame","avatar":0,"name":"Char00","index":7,"displacement":true,"reference":false,"values":[1.5,-0]}""",
+                """{"type":"frame","avatar":0,"name":"Char00","index":7,"displacement":true,"reference":false,"values":[1.5,-0.0]}""",
                 """{"type":"calculation","avatar":0,"name":"Char00","index":7,"values":[2]}""",
                 """{"type":"frame","avatar":0,"name":"Char00","index":9,"displacement":true,"reference":false,"values":[3]}""",
             ],

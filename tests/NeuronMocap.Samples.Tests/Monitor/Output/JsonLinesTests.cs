@@ -19,7 +19,7 @@ public sealed class JsonLinesTests
         var frame = new MotionFrame(header, [1.5f, -0f, 0f, 0.1f, 1e-7f, float.MaxValue, float.Epsilon]);
 
         Assert.Equal(
-            """{"type":"frame","avatar":3,"name":"Char00","index":12,"displacement":true,"reference":false,"values":[1.5,-0,0,0.1,1E-07,3.4028235E+38,1E-45]}""" + "\n",
+            """{"type":"frame","avatar":3,"name":"Char00","index":12,"displacement":true,"reference":false,"values":[1.5,-0.0,0,0.1,1E-07,3.4028235E+38,1E-45]}""" + "\n",
             Encoding.UTF8.GetString(_lines.Frame(frame)));
     }
 

@@ -44,6 +44,10 @@ public sealed class ScreenTests
         screen.Show(new Text("one"), 30, 3);
         Assert.Contains("one", Sent(), StringComparison.Ordinal);
 
+        screen.Leave();
+        screen.Show(new Text("one"), 30, 3);
+        Assert.DoesNotContain("one", Sent(), StringComparison.Ordinal);
+
         screen.Enter();
         screen.Show(new Text("one"), 30, 3);
         Assert.Contains("one", Sent(), StringComparison.Ordinal);
