@@ -15,7 +15,8 @@ internal sealed class CommandLine
     public const int BadUsage = 2;
 
     private const string Usage =
-        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT | --demo] [--order YXZ] [--once] [--frames N] [--duration SECONDS] [--json | --quiet]";
+        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT | --demo] [--order YXZ] [--once] [--frames N] [--duration SECONDS] "
+        + "[--json | --quiet]";
 
     private const double LongestDuration = 1_000_000;
 

@@ -10,6 +10,7 @@ namespace NeuronMocap.Monitor;
 internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams)
 {
     private readonly TaskCompletionSource<ReaderStatistics> _enough = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly FailureMessage _failure = new();
     private long _frames;
 
     public async Task<int> RunAsync(CancellationToken cancelled)
@@ -49,7 +50,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         if (asked || statistics.MotionFrames + statistics.CalculationFrames > 0)
             return CommandLine.Done;
 
-        return await FailAsync(FailureMessage.Describe(status, statistics));
+        return await FailAsync(_failure.Describe(status, statistics));
     }
 
     private async Task<int> FailAsync(string message)
@@ -68,6 +69,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
 
     private void Connect(NeuronReader reader, MonitorOutput output)
     {
+        reader.StatusChanged += _failure.OnStatus;
         reader.StatusChanged += output.OnStatus;
         reader.MotionReceived += frame =>
         {

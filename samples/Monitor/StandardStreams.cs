@@ -14,8 +14,8 @@ internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsT
 
     public void Dispose() => Output.Dispose();
 
-    // The console's own stream passes over a broken pipe in silence, so `neuron-monitor --json | head -1` would never end. A FileStream throws.
-    // A regular file cannot break, and a FileStream would not move the position that the shell shares with the next program.
+    // The console's own stream passes over a broken pipe in silence, so that `neuron-monitor --json | head -1` would never end; a FileStream
+    // throws. A regular file cannot break, and a FileStream would not move the position that the shell shares with the next program.
     private static Stream OpenOutput()
     {
         if (OperatingSystem.IsWindows() || !Console.IsOutputRedirected)

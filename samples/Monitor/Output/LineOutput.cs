@@ -34,7 +34,7 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : MonitorOu
         $"{statistics.MotionFrames} motion and {statistics.CalculationFrames} calculation frames in {statistics.Duration.TotalSeconds:0.0} s; "
         + $"lost {statistics.Lost}, dropped {statistics.Dropped}, skipped {statistics.SkippedBytes} bytes.");
 
-    private static string Describe(ConnectionStatus status, ReaderStatistics statistics, IReadOnlyList<AvatarStatistics> avatars)
+    private static string Describe(ConnectionStatus status, ReaderStatistics statistics, IEnumerable<AvatarStatistics> avatars)
     {
         var line = new StringBuilder();
         line.Append(CultureInfo.InvariantCulture, $"{DateTime.Now:HH:mm:ss} {status.State}");
@@ -44,11 +44,13 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : MonitorOu
         foreach (AvatarStatistics avatar in avatars)
         {
             string kind = avatar.Kind == PacketKind.Motion ? "motion" : "calculation";
-            line.Append(CultureInfo.InvariantCulture, $"  {(uint)avatar.AvatarIndex} {TerminalText.Clean(avatar.AvatarName)} {kind} {avatar.Rate:0.0} Hz {avatar.Frames} frames");
+            string name = TerminalText.Clean(avatar.AvatarName);
+            line.Append(CultureInfo.InvariantCulture, $"  {(uint)avatar.AvatarIndex} {name} {kind} {avatar.Rate:0.0} Hz {avatar.Frames} frames");
         }
 
-        line.Append(CultureInfo.InvariantCulture, $"  lost {statistics.Lost} dropped {statistics.Dropped} skipped {statistics.SkippedBytes} bytes");
-        return line.ToString();
+        return line
+            .Append(CultureInfo.InvariantCulture, $"  lost {statistics.Lost} dropped {statistics.Dropped} skipped {statistics.SkippedBytes} bytes")
+            .ToString();
     }
 
     private void WriteLine(string line)

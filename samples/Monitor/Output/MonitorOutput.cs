@@ -28,6 +28,6 @@ internal abstract class MonitorOutput
     /// <summary>Called once at the end, when nothing more arrives.</summary>
     public abstract void Finish(ReaderStatistics statistics);
 
-    protected static Task Until(CancellationToken stop) =>
-        Task.Delay(Timeout.Infinite, stop).ContinueWith(static _ => { }, CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
+    protected static async Task Until(CancellationToken stop) =>
+        await Task.Delay(Timeout.Infinite, stop).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
 }

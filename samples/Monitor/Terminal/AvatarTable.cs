@@ -73,9 +73,10 @@ internal static class AvatarTable
         TimeSpan age = Stopwatch.GetElapsedTime(avatar.LastTimestamp, Math.Max(state.TakenAt, avatar.LastTimestamp));
         bool isStale = age > Stale;
         string sender = avatar.Source > 0 ? Quantity.Format($" (sender {avatar.Source})") : string.Empty;
+        string name = Quantity.Format($"{(isSelected ? '>' : ' ')} {(uint)avatar.AvatarIndex} {avatar.AvatarName}{sender}");
         return
         [
-            new StyledLine().Add(Quantity.Format($"{(isSelected ? '>' : ' ')} {(uint)avatar.AvatarIndex} {avatar.AvatarName}{sender}"), isSelected ? Palette.StrongStyle : Style.Plain),
+            new StyledLine().Add(name, isSelected ? Palette.StrongStyle : Style.Plain),
             new Text(isMotion ? "motion" : isWide ? "calculation" : "calc"),
             isStale ? new Text("0", new Style(Palette.Bad)) : new Text(Quantity.Fixed(avatar.Rate, 1)),
             new Text(isStale ? "-" : Quantity.Format($"{avatar.Jitter.TotalMilliseconds:0.0} ms")),
@@ -109,9 +110,8 @@ internal static class AvatarTable
             .Add($"skipped {Quantity.Bytes(total.SkippedBytes)}", total.SkippedBytes > 0 ? new Style(Palette.Warning) : Palette.DimStyle)
             .Add(" · ", Palette.DimStyle)
             .Add($"{Quantity.Bytes(state.BytesPerSecond)}/s")
-            .AddRight(
-                $"allocated {Quantity.Bytes(state.BytesAllocatedElsewhere)}/s, view {Quantity.Bytes(state.BytesAllocatedByView)}/s · {state.Collections} GC",
-                Palette.DimStyle);
+            .AddRight($"allocated {Quantity.Bytes(state.BytesAllocatedElsewhere)}/s, ", Palette.DimStyle)
+            .AddRight($"view {Quantity.Bytes(state.BytesAllocatedByView)}/s · {state.Collections} GC", Palette.DimStyle);
     }
 
     private readonly record struct Column(string Title, int Narrow, int Wide, Justify Alignment)

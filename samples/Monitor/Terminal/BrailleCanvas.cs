@@ -96,7 +96,11 @@ internal sealed class BrailleCanvas : Renderable
     /// <summary>A row of characters.</summary>
     public string GetRow(int row) => new(_cells, row * Columns, Columns);
 
-    protected override Measurement Measure(RenderOptions options, int maxWidth) => new(Math.Min(Columns, maxWidth), Math.Min(Columns, maxWidth));
+    protected override Measurement Measure(RenderOptions options, int maxWidth)
+    {
+        int columns = Math.Min(Columns, maxWidth);
+        return new Measurement(columns, columns);
+    }
 
     protected override IEnumerable<Segment> Render(RenderOptions options, int maxWidth)
     {

@@ -35,7 +35,8 @@ internal sealed class Counters
         Take(total, avatars);
     }
 
-    private static (PacketKind Kind, int Source, int Avatar) KeyOf(AvatarStatistics avatar) => (avatar.Kind, avatar.Source, avatar.AvatarIndex);
+    private static (PacketKind Kind, int Source, int Avatar) KeyOf(AvatarStatistics avatar) =>
+        (avatar.Kind, avatar.Source, avatar.AvatarIndex);
 
     private AvatarStatistics Since(AvatarStatistics now)
     {

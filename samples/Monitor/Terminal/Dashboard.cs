@@ -14,10 +14,17 @@ internal static class Dashboard
     private const int WideWidth = 150;
     private const int FooterHeight = 1;
 
+    private static readonly (string Key, string Action)[] Keys =
+        [("q", "quit"), ("space", "pause"), ("r", "reset"), ("tab", "avatar"), ("b", "bones"), ("?", "help")];
+
     public static IRenderable Create(LiveState state, int width, int height)
     {
         if (width < SmallestWidth || height < SmallestHeight)
-            return new Rows(HeaderView.Create(state), new StyledLine().Add($"{SmallestWidth} x {SmallestHeight} characters are needed; the window has {width} x {height}."));
+        {
+            return new Rows(
+                HeaderView.Create(state),
+                new StyledLine().Add($"{SmallestWidth} x {SmallestHeight} characters are needed; the window has {width} x {height}."));
+        }
 
         bool framed = width >= FramedWidth && height >= FramedHeight;
         int border = framed ? 2 : 0;
@@ -91,7 +98,7 @@ internal static class Dashboard
     private static StyledLine CreateFooter()
     {
         var line = new StyledLine();
-        foreach ((string key, string action) in ((string, string)[])[("q", "quit"), ("space", "pause"), ("r", "reset"), ("tab", "avatar"), ("b", "bones"), ("?", "help")])
+        foreach ((string key, string action) in Keys)
             line.Add(key, Palette.StrongStyle).Add($" {action}   ", Palette.DimStyle);
 
         return line.AddRight("■ left ", new Style(Palette.Left)).AddRight("■ right", new Style(Palette.Right));

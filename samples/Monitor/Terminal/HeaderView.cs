@@ -66,7 +66,8 @@ internal static class HeaderView
             .Add($"{header.Version} {layout}")
             .Add(" · ", Palette.DimStyle)
             .Add($"{header.ValueCount} values")
-            .Add($" · displacement {OnOff(header.HasDisplacement)} · reference {OnOff(header.HasReference)} · {order}", Palette.DimStyle);
+            .Add($" · displacement {OnOff(header.HasDisplacement)} · reference {OnOff(header.HasReference)}", Palette.DimStyle)
+            .Add($" · {order}", Palette.DimStyle);
     }
 
     private static string OnOff(bool on) => on ? "on" : "off";

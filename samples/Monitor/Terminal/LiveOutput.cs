@@ -33,11 +33,9 @@ internal sealed class LiveOutput(NeuronReader reader, MonitorOptions options, St
         using LatestFrames latest = reader.OpenLatest();
         using var screen = new Screen(output);
         Keyboard keyboard = Keyboard.Open();
-
-        // Ctrl+Z and fg; the system does the rest.
-        using PosixSignalRegistration? suspend = OperatingSystem.IsWindows() ? null : PosixSignalRegistration.Create(PosixSignal.SIGTSTP, _ => screen.Leave());
-        using PosixSignalRegistration? resume = OperatingSystem.IsWindows() ? null : PosixSignalRegistration.Create(PosixSignal.SIGCONT, _ => screen.Enter());
-
+        using PosixSignalRegistration? resume = OperatingSystem.IsWindows()
+            ? null
+            : PosixSignalRegistration.Create(PosixSignal.SIGCONT, _ => screen.Invalidate());
         while (!_quit && !stop.IsCancellationRequested)
         {
             while (keyboard.TryRead(out ConsoleKeyInfo key))

@@ -6,7 +6,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Terminal;
 
-/// <summary>Everything that the live view shows, as of the last look at the reader. One thread; only <see cref="Events"/> takes others.</summary>
+/// <summary>All that the live view shows, as of the last look at the reader. One thread; only <see cref="Events"/> takes others.</summary>
 internal sealed class LiveState(MonitorOptions options)
 {
     private readonly Dictionary<int, (bool Left, bool Right)> _contacts = [];

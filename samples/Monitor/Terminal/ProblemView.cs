@@ -39,7 +39,10 @@ internal static class ProblemView
 
         bool hasCalculation = state.Counters.Avatars.Any(avatar => avatar.Kind == PacketKind.Calculation);
         return hasCalculation
-            ? ("CALCULATION DATA ONLY", "The skeleton is drawn from BVH data. In the server's broadcasting settings, switch BVH on for this port.", Palette.Warning)
+            ? (
+                "CALCULATION DATA ONLY",
+                "The skeleton is drawn from BVH data. In the server's broadcasting settings, switch BVH on for this port.",
+                Palette.Warning)
             : ("RECEIVING", "The first frame is on its way.", Palette.Of(ConnectionState.Receiving));
     }
 

@@ -10,21 +10,23 @@ namespace NeuronMocap.Monitor.Terminal;
 /// </summary>
 internal sealed class Screen : IDisposable
 {
-    private const string Begin = "\e[?1049h\e[?25l\e[?7l\e[2J";
-    private const string End = "\e[?7h\e[?25h\e[?1049l";
+    private const string Enter = "\e[?1049h";
+    private const string Leave = "\e[?7h\e[?25h\e[?1049l";
+
+    // No cursor, no wrapping at the edge, nothing on the screen.
+    private const string Clear = "\e[?25l\e[?7l\e[2J";
 
     // Terminals that know these show what is between them at once; the others pass over them.
     private const string BeginUpdate = "\e[?2026h";
     private const string EndUpdate = "\e[?2026l";
 
-    private readonly Lock _lock = new();
     private readonly Stream _output;
     private readonly StringWriter _drawing = new();
     private readonly IAnsiConsole _console;
     private string[] _shown = [];
     private int _width;
     private int _height;
-    private bool _isLeft = true;
+    private volatile bool _isStale;
 
     public Screen(Stream output)
     {
@@ -37,7 +39,7 @@ internal sealed class Screen : IDisposable
         });
         _console.Profile.Capabilities.ColorSystem = AnsiConsole.Profile.Capabilities.ColorSystem;
         _console.Profile.Capabilities.Unicode = true;
-        Enter();
+        Send(Enter);
     }
 
     /// <summary>Whether the terminal can show the view at all.</summary>
@@ -47,56 +49,18 @@ internal sealed class Screen : IDisposable
 
     public static int Height => Math.Max(Console.WindowHeight, 1);
 
-    /// <summary>Takes the terminal, again after <see cref="Leave"/>: everything is drawn anew. Any thread, as all members.</summary>
-    public void Enter()
-    {
-        lock (_lock)
-        {
-            if (!_isLeft)
-                return;
-
-            _isLeft = false;
-            _width = 0;
-            Send(Begin);
-        }
-    }
-
-    /// <summary>Brings the terminal back as it was; until <see cref="Enter"/> nothing is drawn.</summary>
-    public void Leave()
-    {
-        lock (_lock)
-        {
-            if (_isLeft)
-                return;
-
-            _isLeft = true;
-            Send(End);
-        }
-    }
+    /// <summary>Has the next picture drawn as a whole, because somebody else wrote to the terminal. Any thread.</summary>
+    public void Invalidate() => _isStale = true;
 
     public void Show(IRenderable view, int width, int height)
     {
-        lock (_lock)
-        {
-            if (!_isLeft)
-                Update(view, width, height);
-        }
-    }
-
-    public void Dispose()
-    {
-        Leave();
-        _drawing.Dispose();
-    }
-
-    private void Update(IRenderable view, int width, int height)
-    {
         var update = new StringBuilder(BeginUpdate);
-        if (width != _width || height != _height)
+        if (width != _width || height != _height || _isStale)
         {
+            _isStale = false;
             (_width, _height) = (width, height);
             _shown = new string[height];
-            update.Append("\e[2J");
+            update.Append(Clear);
         }
 
         string[] lines = Draw(view);
@@ -111,6 +75,12 @@ internal sealed class Screen : IDisposable
         }
 
         Send(update.Append(EndUpdate).ToString());
+    }
+
+    public void Dispose()
+    {
+        Send(Leave);
+        _drawing.Dispose();
     }
 
     private string[] Draw(IRenderable view)

@@ -53,7 +53,8 @@ internal static class SkeletonView
             if (line.To == Wireframe.HeadTop)
             {
                 Vector2 middle = (from + to) / 2;
-                canvas.DrawCircle(middle.X, middle.Y, Vector3.Distance(points[line.From], points[line.To]) / 2 * projection.Scale, Palette.Middle);
+                float radius = Vector3.Distance(points[line.From], points[line.To]) / 2;
+                canvas.DrawCircle(middle.X, middle.Y, radius * projection.Scale, Palette.Middle);
                 continue;
             }
 

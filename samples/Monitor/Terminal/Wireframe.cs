@@ -31,7 +31,8 @@ internal static class Wireframe
     /// <summary>The bones that have an end of their own, in the order of the points behind the bones.</summary>
     public static ReadOnlySpan<Bone> EndBones => Outermost;
 
-    private static IEnumerable<Bone> FindOutermost() => BoneHierarchy.Bones.ToArray().Where(bone => DefaultOffsets.TryGetEndSite(bone, out _));
+    private static IEnumerable<Bone> FindOutermost() =>
+        BoneHierarchy.Bones.ToArray().Where(bone => DefaultOffsets.TryGetEndSite(bone, out _));
 
     private static IEnumerable<WireframeLine> MakeLines(SkeletonVariant variant)
     {

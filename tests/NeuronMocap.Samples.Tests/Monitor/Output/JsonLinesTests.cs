@@ -86,10 +86,16 @@ public sealed class JsonLinesTests
             new MotionHeader { AvatarName = new AvatarName("Char00"), FrameIndex = 1 }, [.. Enumerable.Range(0, 354).Select(index => index * 0.37f)]);
         _ = _lines.Frame(frame);
 
+        // The runtime itself may allocate while it compiles a method anew; a line that allocates does so in every round.
+        Assert.Contains(0, Enumerable.Range(0, 20).Select(_ => AllocatedBy(() => _lines.Frame(frame))));
+    }
+
+    private static long AllocatedBy(Func<ReadOnlySpan<byte>> makeLine)
+    {
         long before = GC.GetAllocatedBytesForCurrentThread();
         for (int i = 0; i < 100; i++)
-            _ = _lines.Frame(frame);
+            makeLine();
 
-        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+        return GC.GetAllocatedBytesForCurrentThread() - before;
     }
 }
