@@ -17,6 +17,7 @@ internal enum Viewpoint
 internal static class SkeletonView
 {
     private const float GroundMark = 50;
+    private const int RoomForLongName = 15;
 
     public static BrailleCanvas Draw(Pose pose, Viewpoint viewpoint, ViewScale scale, int columns, int rows)
     {
@@ -27,7 +28,8 @@ internal static class SkeletonView
         var projection = new Projection(canvas, scale, viewpoint, pose.GetPosition(Bone.Hips));
         DrawGround(canvas, projection);
         DrawLines(canvas, projection, pose);
-        canvas.Write(0, 0, viewpoint == Viewpoint.Front ? "front (from +Z)" : "side (from -X)", Palette.Dim);
+        (string name, string from) = viewpoint == Viewpoint.Front ? ("front", " (from +Z)") : ("side", " (from -X)");
+        canvas.Write(0, 0, columns >= RoomForLongName ? name + from : name, Palette.Dim);
         return canvas;
     }
 
