@@ -1,0 +1,179 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
+using System.Net;
+using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Monitor;
+
+/// <summary>The options, their help and their errors.</summary>
+internal sealed class CommandLine
+{
+    public const int Done = 0;
+    public const int NothingReceived = 1;
+    public const int BadUsage = 2;
+
+    private const string Usage =
+        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT | --demo] [--order YXZ] [--once] [--frames N] [--duration SECONDS] "
+        + "[--json | --quiet]";
+
+    private const double LongestDuration = 1_000_000;
+
+    private static readonly string[] Orders = Enum.GetNames<RotationOrder>();
+
+    private readonly Option<ServerAddress?> _connect = new("--connect")
+    {
+        HelpName = "HOST[:PORT]",
+        Description = "Receive over TCP from this server: a name, an IPv4 address, or an IPv6 address in brackets. "
+            + $"Port 1 to 65535; default {ProtocolConstants.DefaultPort}.",
+        CustomParser = ParseServer,
+    };
+
+    private readonly Option<int?> _udp = new("--udp")
+    {
+        HelpName = "PORT",
+        Description = "Receive over UDP on this port of this computer, 1 to 65535.",
+        CustomParser = result => Parse<int?>(
+            result, text => ServerAddress.TryParsePort(text, out int port) ? port : null, $"a number from 1 to {IPEndPoint.MaxPort}"),
+    };
+
+    private readonly Option<bool> _demo = new("--demo")
+    {
+        Description = "Receive from a simulator inside this program. This is the default.",
+    };
+
+    private readonly Option<RotationOrder?> _order = new("--order")
+    {
+        HelpName = string.Join('|', Orders),
+        Description = "Order of the rotation values: the server's setting, which the stream does not carry. Default YXZ.",
+        CustomParser = result => Parse<RotationOrder?>(
+            result,
+            text => Array.FindIndex(Orders, name => name.Equals(text, StringComparison.OrdinalIgnoreCase)) is >= 0 and var index
+                ? Enum.GetValues<RotationOrder>()[index]
+                : null,
+            $"one of {string.Join(", ", Orders)}"),
+    };
+
+    private readonly Option<bool> _once = new("--once")
+    {
+        Description = "End when the connection ends or cannot be made, instead of trying again.",
+    };
+
+    private readonly Option<long?> _frames = new("--frames")
+    {
+        HelpName = "N",
+        Description = "End after N frames, motion and calculation together; N is 1 or more.",
+        CustomParser = result => Parse<long?>(
+            result,
+            text => long.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out long frames) && frames > 0 ? frames : null,
+            "a whole number of 1 or more"),
+    };
+
+    private readonly Option<TimeSpan?> _duration = new("--duration")
+    {
+        HelpName = "SECONDS",
+        Description = "End after this many seconds, as in 2.5; more than 0, at most 1000000.",
+        CustomParser = result => Parse<TimeSpan?>(
+            result,
+            text => double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double seconds)
+                && seconds is > 0 and <= LongestDuration
+                    ? TimeSpan.FromSeconds(seconds)
+                    : null,
+            "a number of seconds, more than 0 and at most 1000000"),
+    };
+
+    private readonly Option<bool> _json = new("--json")
+    {
+        Description = "Print every frame and every change of the connection as one JSON object a line, and a summary at the end. "
+            + "No frame is left out: over TCP the server waits for a slow reader of the output.",
+    };
+
+    private readonly Option<bool> _quiet = new("--quiet")
+    {
+        Description = "Print nothing but the summary at the end, as one JSON object.",
+    };
+
+    private readonly RootCommand _root = new(
+        "Shows what a Perception Neuron server (Axis Neuron, Axis Studio or a simulator) sends: on a terminal live, with the skeleton, "
+        + "rates and losses; redirected, as one plain line a second. Positions are centimetres, angles degrees.");
+
+    private CommandLine()
+    {
+        foreach (Option option in (Option[])[_connect, _udp, _demo, _order, _once, _frames, _duration, _json, _quiet])
+        {
+            option.Arity = option.ValueType == typeof(bool) ? ArgumentArity.Zero : ArgumentArity.ExactlyOne;
+            _root.Options.Add(option);
+        }
+
+        _root.Validators.Add(RejectContradictions);
+        HelpExamples.AddTo(_root);
+    }
+
+    public static async Task<int> RunAsync(IReadOnlyList<string> args, StandardStreams streams, CancellationToken cancellation)
+    {
+        var commandLine = new CommandLine();
+        ParseResult result = commandLine._root.Parse(args, new ParserConfiguration { ResponseFileTokenReplacer = null });
+        if (result.Errors.Count > 0)
+        {
+            foreach (ParseError error in result.Errors)
+                await streams.Error.WriteLineAsync($"neuron-monitor: {error.Message}");
+
+            await streams.Error.WriteLineAsync(Usage);
+            return BadUsage;
+        }
+
+        int exitCode = Done;
+        commandLine._root.SetAction(async _ => exitCode = await new MonitorRun(commandLine.Read(result), streams).RunAsync(cancellation));
+        using var output = new StreamWriter(streams.Output, leaveOpen: true);
+        await result.InvokeAsync(
+            new InvocationConfiguration
+            {
+                Output = output,
+                Error = streams.Error,
+                EnableDefaultExceptionHandler = false,
+                ProcessTerminationTimeout = null,
+            },
+            CancellationToken.None);
+        return exitCode;
+    }
+
+    private static ServerAddress? ParseServer(ArgumentResult result)
+    {
+        if (ServerAddress.TryParse(result.Tokens[0].Value, out ServerAddress address, out string? error))
+            return address;
+
+        result.AddError($"--connect: {error}");
+        return null;
+    }
+
+    private static T? Parse<T>(ArgumentResult result, Func<string, T?> parse, string expected)
+    {
+        string text = result.Tokens[0].Value;
+        T? value = parse(text);
+        if (value is null)
+            result.AddError($"{((OptionResult)result.Parent!).Option.Name}: '{text}' is not {expected}.");
+
+        return value;
+    }
+
+    private void RejectContradictions(CommandResult result)
+    {
+        Option[] sources = [.. ((Option[])[_connect, _udp, _demo]).Where(option => result.GetResult(option) is { Implicit: false })];
+        if (sources.Length > 1)
+            result.AddError($"{sources[0].Name} and {sources[1].Name} exclude each other: there is one server.");
+        if (result.GetResult(_json) is { Implicit: false } && result.GetResult(_quiet) is { Implicit: false })
+            result.AddError("--json and --quiet exclude each other.");
+    }
+
+    private MonitorOptions Read(ParseResult result) => new()
+    {
+        Server = result.GetValue(_connect),
+        UdpPort = result.GetValue(_udp),
+        RotationOrder = result.GetValue(_order) ?? RotationOrder.YXZ,
+        Once = result.GetValue(_once),
+        Frames = result.GetValue(_frames),
+        Duration = result.GetValue(_duration),
+        Output = result.GetValue(_json) ? OutputKind.Json : result.GetValue(_quiet) ? OutputKind.Quiet : OutputKind.Person,
+    };
+}

@@ -1,0 +1,35 @@
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Monitor;
+
+/// <summary>The simulator behind --demo: a server inside this process, on a free TCP port of the loopback address.</summary>
+internal sealed class DemoServer : IDisposable
+{
+    private const double FrameRate = 60;
+
+    private readonly Broadcaster _broadcaster;
+
+    private DemoServer(RotationOrder order)
+    {
+        _broadcaster = new Broadcaster(new BroadcasterOptions
+        {
+            Sources = [new SyntheticActor(FrameRate)],
+            AvatarNames = ["Demo"],
+            Port = 0,
+            WaitForClient = true,
+            RotationOrder = order,
+            Calculation = CalculationSynthesizer.Write,
+        });
+        _broadcaster.Start();
+    }
+
+    public ServerAddress Address => new(_broadcaster.LocalEndPoint!.Address.ToString(), _broadcaster.LocalEndPoint.Port);
+
+    /// <summary>Starts it.</summary>
+    /// <exception cref="BroadcasterException">The system gives no port.</exception>
+    public static DemoServer Start(RotationOrder order) => new(order);
+
+    public void Dispose() => _broadcaster.Dispose();
+}

@@ -1,0 +1,42 @@
+using NeuronMocap.Delivery;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Monitor;
+
+/// <summary>Finds the one line on standard error for a run that ends without a frame.</summary>
+internal sealed class FailureMessage
+{
+    private readonly Lock _lock = new();
+    private ConnectionStatus _problem;
+
+    /// <summary>Remembers what went wrong last: the run may end in the middle of the next attempt. Any thread.</summary>
+    public void OnStatus(ConnectionStatus status)
+    {
+        if (status.Reason is ConnectionReason.None or ConnectionReason.Requested)
+            return;
+
+        lock (_lock)
+            _problem = status;
+    }
+
+    /// <summary>Says what to look at.</summary>
+    /// <param name="status">The state at the end of the run.</param>
+    /// <param name="statistics">The reader's figures.</param>
+    public string Describe(ConnectionStatus status, ReaderStatistics statistics)
+    {
+        ConnectionStatus problem;
+        lock (_lock)
+            problem = _problem;
+
+        // The connection ended before the reader's silence check could say what the bytes were.
+        if (statistics.SkippedBytes > 0 && problem.Reason is ConnectionReason.ClosedByPeer or ConnectionReason.None)
+        {
+            return $"{statistics.SkippedBytes} bytes arrived, but no packet of this protocol. Check the port, and that the server's "
+                + "broadcasting format (block type) is Binary.";
+        }
+
+        return problem.Reason == ConnectionReason.None
+            ? $"No frame has arrived. {TerminalText.Clean(status.Message)} Check the server's address and port, and that its broadcasting is on."
+            : TerminalText.Clean(problem.Message);
+    }
+}

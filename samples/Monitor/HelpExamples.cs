@@ -1,0 +1,41 @@
+using System.CommandLine;
+using System.CommandLine.Help;
+using System.CommandLine.Invocation;
+
+namespace NeuronMocap.Monitor;
+
+/// <summary>What stands below the list of options in --help.</summary>
+internal sealed class HelpExamples(SynchronousCommandLineAction help) : SynchronousCommandLineAction
+{
+    private const string Text = """
+        Keys of the live view:
+          q quit   space pause   r reset counters   tab next avatar   b next bones   ? help
+
+        Exit codes:
+          0  done as asked, or ended by q, Ctrl+C or SIGTERM
+          1  nothing could be connected, bound or received; standard error says which setting to look at
+          2  wrong options
+
+        Examples:
+          neuron-monitor                                        a moving skeleton, without suit or server
+          neuron-monitor --connect 192.168.1.20                 Axis Neuron on another computer, TCP port 7001
+          neuron-monitor --connect [::1]:7003 --order XYZ       IPv6, another port, another rotation order
+          neuron-monitor --udp 7012                             Axis Neuron set to UDP, with this computer as destination
+          neuron-monitor --connect studio --json --frames 100   100 frames for another program
+          neuron-monitor --connect studio --quiet --duration 10 does anything arrive? The exit code tells
+
+        """;
+
+    public static void AddTo(RootCommand root)
+    {
+        HelpOption option = root.Options.OfType<HelpOption>().Single();
+        option.Action = new HelpExamples((SynchronousCommandLineAction)option.Action!);
+    }
+
+    public override int Invoke(ParseResult parseResult)
+    {
+        int exitCode = help.Invoke(parseResult);
+        parseResult.InvocationConfiguration.Output.Write(Text);
+        return exitCode;
+    }
+}

@@ -1,0 +1,74 @@
+using NeuronMocap.Skeleton;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Monitor;
+
+/// <summary>How the frames are shown.</summary>
+internal enum OutputKind
+{
+    /// <summary>The live view on a terminal, else one plain line a second.</summary>
+    Person,
+
+    /// <summary>Every frame and every change of the state, one JSON object a line.</summary>
+    Json,
+
+    /// <summary>One JSON object at the end.</summary>
+    Quiet,
+}
+
+/// <summary>What the command line asks for.</summary>
+internal sealed record MonitorOptions
+{
+    private static readonly TimeSpan LongestSilence = TimeSpan.FromSeconds(3);
+    private static readonly TimeSpan LongestConnect = TimeSpan.FromSeconds(5);
+
+    /// <summary>The TCP server; null for UDP and for the demo.</summary>
+    public ServerAddress? Server { get; init; }
+
+    /// <summary>The UDP port; null for TCP and for the demo.</summary>
+    public int? UdpPort { get; init; }
+
+    /// <summary>Whether a simulator inside this process is the server.</summary>
+    public bool IsDemo => Server is null && UdpPort is null;
+
+    public RotationOrder RotationOrder { get; init; } = RotationOrder.YXZ;
+
+    public bool Once { get; init; }
+
+    /// <summary>Number of frames, motion and calculation together, to end after; null for no end.</summary>
+    public long? Frames { get; init; }
+
+    /// <summary>Time to end after; null for no end.</summary>
+    public TimeSpan? Duration { get; init; }
+
+    public OutputKind Output { get; init; }
+
+    /// <summary>Options of the reader.</summary>
+    /// <param name="server">The TCP server to connect to: <see cref="Server"/>, or the demo's.</param>
+    public NeuronReaderOptions ToReaderOptions(ServerAddress? server)
+    {
+        var options = new NeuronReaderOptions
+        {
+            RotationOrder = RotationOrder,
+            SilenceTimeout = WithinHalfOfDuration(LongestSilence),
+            ConnectTimeout = WithinHalfOfDuration(LongestConnect),
+            Reconnect = { Enabled = !Once },
+        };
+        if (UdpPort is { } port)
+        {
+            options.Transport = TransportKind.Udp;
+            options.Port = port;
+        }
+        else if (server is { } address)
+        {
+            options.Host = address.Host;
+            options.Port = address.Port;
+        }
+
+        return options;
+    }
+
+    // A run that is shorter than the reader's patience would end before the reader says what is wrong.
+    private TimeSpan WithinHalfOfDuration(TimeSpan longest) =>
+        TimeSpan.FromSeconds(Math.Clamp(Duration?.TotalSeconds / 2 ?? double.MaxValue, 0.1, longest.TotalSeconds));
+}

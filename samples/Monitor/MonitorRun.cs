@@ -1,0 +1,98 @@
+using NeuronMocap.Delivery;
+using NeuronMocap.Monitor.Output;
+using NeuronMocap.Monitor.Terminal;
+using NeuronMocap.Server;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Monitor;
+
+/// <summary>One run of the program: a reader, an output, and whatever ends first.</summary>
+internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams)
+{
+    private readonly TaskCompletionSource<ReaderStatistics> _enough = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly FailureMessage _failure = new();
+    private long _frames;
+
+    public async Task<int> RunAsync(CancellationToken cancelled)
+    {
+        try
+        {
+            using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder) : null;
+            return await RunAsync(demo?.Address ?? options.Server, cancelled);
+        }
+        catch (BroadcasterException exception)
+        {
+            return await FailAsync(exception.Message);
+        }
+    }
+
+    private async Task<int> RunAsync(ServerAddress? server, CancellationToken cancelled)
+    {
+        await using var reader = new NeuronReader(options.ToReaderOptions(server));
+        MonitorOutput output = CreateOutput(reader);
+        Connect(reader, output);
+
+        using var duration = new CancellationTokenSource(options.Duration ?? Timeout.InfiniteTimeSpan);
+        using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancelled, duration.Token);
+        reader.Start();
+        Task showing = output.RunAsync(stop.Token);
+        await Task.WhenAny(showing, reader.Completion, _enough.Task);
+        bool asked = !duration.IsCancellationRequested && !reader.Completion.IsCompleted;
+        ConnectionStatus status = reader.Status;
+
+        await reader.DisposeAsync();
+        await stop.CancelAsync();
+        await showing;
+
+        // At the last frame that was asked for, the receive thread took the figures; what came before it stopped does not count.
+        ReaderStatistics statistics = _enough.Task.IsCompleted ? await _enough.Task : reader.GetStatistics();
+        output.Finish(statistics);
+        if (asked || statistics.MotionFrames + statistics.CalculationFrames > 0)
+            return CommandLine.Done;
+
+        return await FailAsync(_failure.Describe(status, statistics));
+    }
+
+    private async Task<int> FailAsync(string message)
+    {
+        await streams.Error.WriteLineAsync($"neuron-monitor: {message}");
+        return CommandLine.NothingReceived;
+    }
+
+    private MonitorOutput CreateOutput(NeuronReader reader) => options.Output switch
+    {
+        OutputKind.Json => new JsonOutput(streams.Output),
+        OutputKind.Quiet => new QuietOutput(streams.Output),
+        _ when streams.IsTerminal && Screen.IsSupported => new LiveOutput(reader, options, streams.Output),
+        _ => new LineOutput(reader, streams.Output),
+    };
+
+    private void Connect(NeuronReader reader, MonitorOutput output)
+    {
+        reader.StatusChanged += _failure.OnStatus;
+        reader.StatusChanged += output.OnStatus;
+        reader.MotionReceived += frame =>
+        {
+            if (_enough.Task.IsCompleted)
+                return;
+
+            output.OnMotion(frame);
+            Count(reader);
+        };
+        reader.CalculationReceived += frame =>
+        {
+            if (_enough.Task.IsCompleted)
+                return;
+
+            output.OnCalculation(frame);
+            Count(reader);
+        };
+    }
+
+    // Receive thread: its figures stand still while it is here.
+    private void Count(NeuronReader reader)
+    {
+        if (++_frames == options.Frames)
+            _enough.TrySetResult(reader.GetStatistics());
+    }
+}

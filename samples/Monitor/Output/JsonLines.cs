@@ -1,0 +1,106 @@
+using System.Buffers;
+using System.Diagnostics.CodeAnalysis;
+using System.Text.Json;
+using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Monitor.Output;
+
+/// <summary>
+/// Makes the lines of --json, each in the same buffer: what a method returns is valid until the next call. A frame's line allocates nothing
+/// once the buffer has grown to its size. One thread at a time.
+/// </summary>
+[SuppressMessage("Design", "CA1001", Justification = "The writer holds nothing but the buffer.")]
+internal sealed class JsonLines
+{
+    private static readonly JsonEncodedText NotANumber = JsonEncodedText.Encode("NaN");
+    private static readonly JsonEncodedText PositiveInfinity = JsonEncodedText.Encode("Infinity");
+    private static readonly JsonEncodedText NegativeInfinity = JsonEncodedText.Encode("-Infinity");
+
+    private readonly ArrayBufferWriter<byte> _buffer = new(16 * 1024);
+    private readonly Utf8JsonWriter _json;
+
+    public JsonLines() => _json = new Utf8JsonWriter(_buffer);
+
+    public ReadOnlySpan<byte> Frame(MotionFrame frame)
+    {
+        Begin("frame"u8);
+        WriteAvatar(frame, frame.Header.AvatarIndex);
+        _json.WriteBoolean("displacement"u8, frame.Header.HasDisplacement);
+        _json.WriteBoolean("reference"u8, frame.Header.HasReference);
+        WriteValues(frame.Values);
+        return End();
+    }
+
+    public ReadOnlySpan<byte> Calculation(CalculationFrame frame)
+    {
+        Begin("calculation"u8);
+        WriteAvatar(frame, frame.Header.AvatarIndex);
+        WriteValues(frame.Values);
+        return End();
+    }
+
+    public ReadOnlySpan<byte> Status(ConnectionStatus status)
+    {
+        Begin("status"u8);
+        _json.WriteString("state"u8, status.State.ToString());
+        _json.WriteString("message"u8, status.Message);
+        return End();
+    }
+
+    public ReadOnlySpan<byte> Summary(ReaderStatistics statistics)
+    {
+        Begin("summary"u8);
+        _json.WriteNumber("frames"u8, statistics.MotionFrames);
+        _json.WriteNumber("calculationFrames"u8, statistics.CalculationFrames);
+        _json.WriteNumber("lost"u8, statistics.Lost);
+        _json.WriteNumber("dropped"u8, statistics.Dropped);
+        _json.WriteNumber("skippedBytes"u8, statistics.SkippedBytes);
+        _json.WriteNumber("seconds"u8, statistics.Duration.TotalSeconds);
+        return End();
+    }
+
+    private void Begin(ReadOnlySpan<byte> type)
+    {
+        _buffer.ResetWrittenCount();
+        _json.Reset();
+        _json.WriteStartObject();
+        _json.WriteString("type"u8, type);
+    }
+
+    private void WriteAvatar(AvatarFrame frame, uint index)
+    {
+        _json.WriteNumber("avatar"u8, index);
+        _json.WriteString("name"u8, frame.AvatarName);
+        if (frame.FrameIndex is { } counter)
+            _json.WriteNumber("index"u8, counter);
+        else
+            _json.WriteNull("index"u8);
+    }
+
+    private void WriteValues(ReadOnlySpan<float> values)
+    {
+        _json.WriteStartArray("values"u8);
+        foreach (float value in values)
+        {
+            if (value == 0 && float.IsNegative(value))
+                _json.WriteRawValue("-0.0"u8, skipInputValidation: true); // many a reader takes -0 for the integer 0
+            else if (float.IsFinite(value))
+                _json.WriteNumberValue(value);
+            else
+                _json.WriteStringValue(float.IsNaN(value) ? NotANumber : value > 0 ? PositiveInfinity : NegativeInfinity);
+        }
+
+        _json.WriteEndArray();
+    }
+
+    private ReadOnlySpan<byte> End()
+    {
+        _json.WriteEndObject();
+        _json.Flush();
+        _buffer.GetSpan(1)[0] = (byte)'\n';
+        _buffer.Advance(1);
+        return _buffer.WrittenSpan;
+    }
+}

@@ -1,0 +1,73 @@
+using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Monitor.Output;
+
+/// <summary>
+/// --json: every frame, written on the receive thread. While the output takes no more, nothing is received, and over TCP the server waits:
+/// no frame is left out.
+/// </summary>
+internal sealed class JsonOutput(Stream output) : MonitorOutput
+{
+    // The reader has waited already for a line that nobody takes.
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(0.5);
+
+    private readonly Lock _lock = new();
+    private readonly JsonLines _lines = new();
+    private readonly TaskCompletionSource _broken = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private bool _closed;
+
+    public override void OnMotion(MotionFrame frame)
+    {
+        lock (_lock)
+            Write(_lines.Frame(frame));
+    }
+
+    public override void OnCalculation(CalculationFrame frame)
+    {
+        lock (_lock)
+            Write(_lines.Calculation(frame));
+    }
+
+    public override void OnStatus(ConnectionStatus status)
+    {
+        lock (_lock)
+            Write(_lines.Status(status));
+    }
+
+    public override Task RunAsync(CancellationToken stop) => Task.WhenAny(_broken.Task, Until(stop));
+
+    public override void Finish(ReaderStatistics statistics)
+    {
+        if (!_lock.TryEnter(Patience))
+            return;
+
+        try
+        {
+            Write(_lines.Summary(statistics));
+            _closed = true;
+        }
+        finally
+        {
+            _lock.Exit();
+        }
+    }
+
+    private void Write(ReadOnlySpan<byte> line)
+    {
+        if (_closed)
+            return;
+
+        try
+        {
+            output.Write(line);
+            output.Flush();
+        }
+        catch (IOException)
+        {
+            _closed = true;
+            _broken.TrySetResult();
+        }
+    }
+}

@@ -1,0 +1,33 @@
+using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Monitor.Output;
+
+/// <summary>A way of showing what arrives. What one does not need it leaves out.</summary>
+internal abstract class MonitorOutput
+{
+    /// <summary>Receive thread, for every frame; the frame is valid during the call, and the connection waits.</summary>
+    public virtual void OnMotion(MotionFrame frame)
+    {
+    }
+
+    /// <summary>As <see cref="OnMotion"/>.</summary>
+    public virtual void OnCalculation(CalculationFrame frame)
+    {
+    }
+
+    /// <summary>Any thread, one call at a time.</summary>
+    public virtual void OnStatus(ConnectionStatus status)
+    {
+    }
+
+    /// <summary>Runs until it is stopped, or until whoever looks at the output has had enough.</summary>
+    public virtual Task RunAsync(CancellationToken stop) => Until(stop);
+
+    /// <summary>Called once at the end, when nothing more arrives.</summary>
+    public abstract void Finish(ReaderStatistics statistics);
+
+    protected static async Task Until(CancellationToken stop) =>
+        await Task.Delay(Timeout.Infinite, stop).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
+}

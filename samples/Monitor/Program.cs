@@ -1,0 +1,16 @@
+using System.Runtime.InteropServices;
+using NeuronMocap.Monitor;
+
+using var cancellation = new CancellationTokenSource();
+using PosixSignalRegistration interrupt = CancelOn(PosixSignal.SIGINT);
+using PosixSignalRegistration terminate = CancelOn(PosixSignal.SIGTERM);
+using PosixSignalRegistration hangUp = CancelOn(PosixSignal.SIGHUP);
+using StandardStreams streams = StandardStreams.Open();
+
+return await CommandLine.RunAsync(args, streams, cancellation.Token);
+
+PosixSignalRegistration CancelOn(PosixSignal signal) => PosixSignalRegistration.Create(signal, context =>
+{
+    context.Cancel = true;
+    cancellation.Cancel();
+});

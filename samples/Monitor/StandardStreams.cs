@@ -1,0 +1,27 @@
+using Microsoft.Win32.SafeHandles;
+
+namespace NeuronMocap.Monitor;
+
+/// <summary>Where the program writes to; tests put memory in its place.</summary>
+/// <param name="Output">Standard output; it throws an <see cref="IOException"/> when nobody reads it any more.</param>
+/// <param name="Error">Standard error.</param>
+/// <param name="IsTerminal">Whether a person looks at the output.</param>
+internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsTerminal) : IDisposable
+{
+    private const int StandardOutput = 1;
+
+    public static StandardStreams Open() => new(OpenOutput(), Console.Error, IsTerminal: !Console.IsOutputRedirected);
+
+    public void Dispose() => Output.Dispose();
+
+    // The console's own stream passes over a broken pipe in silence, so that `neuron-monitor --json | head -1` would never end; a FileStream
+    // throws. A regular file cannot break, and a FileStream would not move the position that the shell shares with the next program.
+    private static Stream OpenOutput()
+    {
+        if (OperatingSystem.IsWindows() || !Console.IsOutputRedirected)
+            return Console.OpenStandardOutput();
+
+        var stream = new FileStream(new SafeFileHandle(StandardOutput, ownsHandle: false), FileAccess.Write, bufferSize: 0);
+        return stream.CanSeek ? Console.OpenStandardOutput() : stream;
+    }
+}

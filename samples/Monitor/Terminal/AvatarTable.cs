@@ -1,0 +1,123 @@
+using System.Diagnostics;
+using NeuronMocap.Delivery;
+using NeuronMocap.Protocol;
+using Spectre.Console;
+using Spectre.Console.Rendering;
+
+namespace NeuronMocap.Monitor.Terminal;
+
+/// <summary>A row for each stream of each avatar, and a line of what the reader counts in all.</summary>
+internal static class AvatarTable
+{
+    /// <summary>Lines besides the rows of avatars: head and totals.</summary>
+    public const int FixedHeight = 2;
+
+    private const int Gap = 1;
+    private const int Wide = 95;
+    private const int WidestName = 40;
+
+    // Their widths are fixed, so that the table stands still while its numbers change.
+    private static readonly Column[] Columns =
+    [
+        new("stream", 6, 12, Justify.Left),
+        new("Hz", 6, 8, Justify.Right),
+        new("jitter", 8, 10, Justify.Right),
+        new("frames", 10, 12, Justify.Right),
+        new("lost", 6, 8, Justify.Right),
+        new("disordered", 6, 11, Justify.Right),
+        new("age", 7, 8, Justify.Right),
+        new("feet", 4, 5, Justify.Left),
+    ];
+
+    private static readonly TimeSpan Stale = TimeSpan.FromSeconds(1);
+
+    /// <summary>Makes the table.</summary>
+    /// <param name="state">What to show.</param>
+    /// <param name="rows">Room for avatars; the last one tells how many are left out, when there are more.</param>
+    /// <param name="width">Columns that it may take.</param>
+    public static IRenderable Create(LiveState state, int rows, int width)
+    {
+        bool isWide = width >= Wide;
+        IReadOnlyList<AvatarStatistics> avatars = state.Counters.Avatars;
+        int shown = avatars.Count <= rows ? avatars.Count : Math.Max(rows - 1, 0);
+        Table table = new Table().Border(TableBorder.None);
+        int nameWidth = Math.Min(width - Gap - Columns.Sum(column => Gap + column.WidthWhen(isWide)), WidestName);
+        table.AddColumn(MakeColumn("avatar", nameWidth, Justify.Left));
+        foreach (Column column in Columns)
+            table.AddColumn(MakeColumn(column.TitleWhen(isWide), column.WidthWhen(isWide), column.Alignment));
+
+        foreach (AvatarStatistics avatar in avatars.OrderBy(avatar => (uint)avatar.AvatarIndex).ThenBy(avatar => avatar.Kind).Take(shown))
+            table.AddRow(MakeRow(state, avatar, isWide));
+        if (shown < avatars.Count)
+            table.AddRow(new Text(Quantity.Format($"  and {avatars.Count - shown} more"), Palette.DimStyle));
+        else if (avatars.Count == 0)
+            table.AddRow(new Text("  none yet", Palette.DimStyle));
+
+        return new Rows(table, Totals(state));
+    }
+
+    public static int CountRows(LiveState state) => Math.Max(state.Counters.Avatars.Count, 1);
+
+    private static TableColumn MakeColumn(string title, int width, Justify alignment) => new(new Text(title, Palette.DimStyle))
+    {
+        NoWrap = true,
+        Width = width,
+        Alignment = alignment,
+        Padding = new Padding(0, 0, Gap, 0),
+    };
+
+    private static IRenderable[] MakeRow(LiveState state, AvatarStatistics avatar, bool isWide)
+    {
+        bool isMotion = avatar.Kind == PacketKind.Motion;
+        bool isSelected = isMotion && avatar.AvatarIndex == state.Avatar;
+        TimeSpan age = Stopwatch.GetElapsedTime(avatar.LastTimestamp, Math.Max(state.TakenAt, avatar.LastTimestamp));
+        bool isStale = age > Stale;
+        string sender = avatar.Source > 0 ? Quantity.Format($" (sender {avatar.Source})") : string.Empty;
+        string name = Quantity.Format($"{(isSelected ? '>' : ' ')} {(uint)avatar.AvatarIndex} {avatar.AvatarName}{sender}");
+        return
+        [
+            new StyledLine().Add(name, isSelected ? Palette.StrongStyle : Style.Plain),
+            new Text(isMotion ? "motion" : isWide ? "calculation" : "calc"),
+            isStale ? new Text("0", new Style(Palette.Bad)) : new Text(Quantity.Fixed(avatar.Rate, 1)),
+            new Text(isStale ? "-" : Quantity.Format($"{avatar.Jitter.TotalMilliseconds:0.0} ms")),
+            new Text(Quantity.Count(avatar.Frames)),
+            Alarm(avatar.Lost),
+            Alarm(avatar.Disordered),
+            new Text(Quantity.Age(age), isStale ? new Style(Palette.Bad) : Style.Plain),
+            isMotion ? Text.Empty : Feet(state.GetContacts(avatar.AvatarIndex)),
+        ];
+    }
+
+    private static Text Alarm(long count) => new(Quantity.Count(count), count > 0 ? new Style(Palette.Warning) : Style.Plain);
+
+    private static Paragraph Feet((bool Left, bool Right)? contacts)
+    {
+        if (contacts is not { } feet)
+            return new Paragraph("-");
+
+        return new Paragraph()
+            .Append("L", feet.Left ? new Style(Color.Black, Palette.Left) : Palette.DimStyle)
+            .Append(" ")
+            .Append("R", feet.Right ? new Style(Color.Black, Palette.Right) : Palette.DimStyle);
+    }
+
+    private static StyledLine Totals(LiveState state)
+    {
+        ReaderStatistics total = state.Counters.Total;
+        return new StyledLine()
+            .Add($"dropped {Quantity.Count(total.Dropped)}", total.Dropped > 0 ? new Style(Palette.Warning) : Palette.DimStyle)
+            .Add(" · ", Palette.DimStyle)
+            .Add($"skipped {Quantity.Bytes(total.SkippedBytes)}", total.SkippedBytes > 0 ? new Style(Palette.Warning) : Palette.DimStyle)
+            .Add(" · ", Palette.DimStyle)
+            .Add($"{Quantity.Bytes(state.BytesPerSecond)}/s")
+            .AddRight($"allocated {Quantity.Bytes(state.BytesAllocatedElsewhere)}/s, ", Palette.DimStyle)
+            .AddRight($"view {Quantity.Bytes(state.BytesAllocatedByView)}/s · {state.Collections} GC", Palette.DimStyle);
+    }
+
+    private readonly record struct Column(string Title, int Narrow, int Wide, Justify Alignment)
+    {
+        public int WidthWhen(bool isWide) => isWide ? Wide : Narrow;
+
+        public string TitleWhen(bool isWide) => Title.Length <= WidthWhen(isWide) ? Title : Title[..WidthWhen(isWide)];
+    }
+}

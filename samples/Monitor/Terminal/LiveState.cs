@@ -1,0 +1,125 @@
+using System.Diagnostics;
+using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Monitor.Terminal;
+
+/// <summary>All that the live view shows, as of the last look at the reader. One thread; only <see cref="Events"/> takes others.</summary>
+internal sealed class LiveState(MonitorOptions options)
+{
+    private readonly Dictionary<int, (bool Left, bool Right)> _contacts = [];
+    private readonly RateMeter _bytes = new();
+    private readonly RateMeter _allocatedHere = new();
+    private readonly RateMeter _allocatedElsewhere = new();
+    private readonly long _start = Stopwatch.GetTimestamp();
+    private int _collectionsAtReset;
+
+    public MonitorOptions Options => options;
+
+    public EventLog Events { get; } = new();
+
+    public Counters Counters { get; } = new();
+
+    public ViewScale Scale { get; private set; } = new();
+
+    public ConnectionStatus Status { get; set; }
+
+    /// <summary>The newest motion frame of the selected avatar; null before there was one.</summary>
+    public Pose? Pose { get; private set; }
+
+    /// <summary>Number of the avatar that is drawn.</summary>
+    public int Avatar { get; private set; }
+
+    /// <summary>Page of the bone table, counted up without end.</summary>
+    public int BonePage { get; set; }
+
+    public bool IsPaused { get; set; }
+
+    public bool ShowsHelp { get; set; }
+
+    public long Now { get; private set; } = Stopwatch.GetTimestamp();
+
+    /// <summary>When the figures and the pose were taken: <see cref="Now"/>, unless paused.</summary>
+    public long TakenAt { get; private set; } = Stopwatch.GetTimestamp();
+
+    public TimeSpan Uptime => Stopwatch.GetElapsedTime(_start, Now);
+
+    public double BytesPerSecond => _bytes.PerSecond;
+
+    /// <summary>What drawing allocates.</summary>
+    public double BytesAllocatedByView => _allocatedHere.PerSecond;
+
+    /// <summary>What all other threads allocate: receiving, most of all.</summary>
+    public double BytesAllocatedElsewhere => Math.Max(_allocatedElsewhere.PerSecond, 0);
+
+    public int Collections => GC.CollectionCount(0) - _collectionsAtReset;
+
+    /// <summary>Looks at the reader.</summary>
+    public void Update(NeuronReader reader, LatestFrames latest)
+    {
+        Status = reader.Status;
+        Now = Stopwatch.GetTimestamp();
+        if (IsPaused)
+            return;
+
+        TakenAt = Now;
+        ReaderStatistics total = reader.GetStatistics();
+        Counters.Take(total, reader.GetAvatarStatistics());
+        _bytes.Add(Now, total.BytesReceived);
+        long here = GC.GetAllocatedBytesForCurrentThread();
+        _allocatedHere.Add(Now, here);
+        _allocatedElsewhere.Add(Now, GC.GetTotalAllocatedBytes() - here);
+        if (Pose is null && MotionAvatars() is [var first, ..])
+            Avatar = first;
+        if (latest.TryTakeMotion(Avatar, out MotionFrame? motion))
+            Take(motion);
+
+        foreach (AvatarStatistics avatar in Counters.Avatars.Where(avatar => avatar.Kind == PacketKind.Calculation))
+        {
+            if (latest.TryTakeCalculation(avatar.AvatarIndex, out CalculationFrame? frame) && frame.BoneCount > 0)
+                _contacts[avatar.AvatarIndex] = (frame.LeftFootContact, frame.RightFootContact);
+        }
+    }
+
+    /// <summary>Takes a frame of the selected avatar.</summary>
+    public void Take(MotionFrame frame)
+    {
+        if (Pose is null)
+            Pose = new Pose(frame);
+        else
+            Pose.Take(frame);
+
+        if (Pose.HasSkeleton)
+            Scale.Include(Pose.Points);
+    }
+
+    /// <summary>The feet on the ground, where a calculation frame of the avatar said so.</summary>
+    public (bool Left, bool Right)? GetContacts(int avatar) => _contacts.TryGetValue(avatar, out (bool, bool) contacts) ? contacts : null;
+
+    public void ResetCounters(NeuronReader reader)
+    {
+        Counters.Reset(reader.GetStatistics(), reader.GetAvatarStatistics());
+        _collectionsAtReset = GC.CollectionCount(0);
+        Scale = new ViewScale();
+    }
+
+    public void SelectNextAvatar()
+    {
+        int[] avatars = MotionAvatars();
+        if (avatars.Length < 2)
+            return;
+
+        Avatar = avatars[(Array.IndexOf(avatars, Avatar) + 1) % avatars.Length];
+        Pose = null;
+        Scale = new ViewScale();
+        IsPaused = false;
+    }
+
+    private int[] MotionAvatars() => [.. Counters.Avatars
+        .Where(avatar => avatar.Kind == PacketKind.Motion && (uint)avatar.AvatarIndex < LatestFrames.MaxAvatars)
+        .Select(avatar => avatar.AvatarIndex)
+        .Distinct()
+        .Order()];
+}

@@ -1,0 +1,34 @@
+using System.Text;
+using NeuronMocap.Monitor;
+
+namespace NeuronMocap.Samples.Tests.Infrastructure;
+
+/// <summary>What a run of the monitor left behind.</summary>
+internal sealed record MonitorResult(int ExitCode, string[] Output, string[] Error)
+{
+    public string[] OfType(string type) => [.. Output.Where(line => line.StartsWith($"{{\"type\":\"{type}\"", StringComparison.Ordinal))];
+}
+
+/// <summary>Runs the monitor inside the test's process, with its output in memory.</summary>
+internal static class MonitorRunner
+{
+    // Far beyond what any run takes; a test that needs it has failed.
+    private static readonly TimeSpan Limit = TimeSpan.FromSeconds(60);
+
+    public static async Task<MonitorResult> RunAsync(params string[] args)
+    {
+        using var output = new MemoryStream();
+        return await RunAsync(output, args) with { Output = Lines(Encoding.UTF8.GetString(output.ToArray())) };
+    }
+
+    public static async Task<MonitorResult> RunAsync(Stream output, string[] args)
+    {
+        using var error = new StringWriter();
+        using var streams = new StandardStreams(output, error, IsTerminal: false);
+        int exitCode = await CommandLine.RunAsync(args, streams, TestContext.Current.CancellationToken)
+            .WaitAsync(Limit, TestContext.Current.CancellationToken);
+        return new MonitorResult(exitCode, [], Lines(error.ToString()));
+    }
+
+    private static string[] Lines(string text) => text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+}

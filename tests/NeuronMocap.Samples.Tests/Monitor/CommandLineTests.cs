@@ -1,0 +1,49 @@
+using NeuronMocap.Samples.Tests.Infrastructure;
+
+namespace NeuronMocap.Samples.Tests.Monitor;
+
+public sealed class CommandLineTests
+{
+    [Theory]
+    [InlineData("--frames", "--frames", "0")]
+    [InlineData("--frames", "--frames", "-1")]
+    [InlineData("--frames", "--frames", "1.5")]
+    [InlineData("--frames", "--frames")]
+    [InlineData("--duration", "--duration", "0")]
+    [InlineData("--duration", "--duration", "NaN")]
+    [InlineData("--duration", "--duration", "1,5")]
+    [InlineData("--duration", "--duration", "1000001")]
+    [InlineData("--udp", "--udp", "0")]
+    [InlineData("--udp", "--udp", "65536")]
+    [InlineData("--order", "--order", "XXY")]
+    [InlineData("--order", "--order", "1")]
+    [InlineData("--connect", "--connect", "studio:port")]
+    [InlineData("--udp", "--connect", "studio", "--udp", "7001")]
+    [InlineData("--demo", "--connect", "studio", "--demo")]
+    [InlineData("--quiet", "--json", "--quiet")]
+    [InlineData("--colour", "--colour")]
+    [InlineData("studio", "studio")]
+    public async Task Wrong_options_are_named_with_the_usage_and_end_with_2(string named, params string[] args)
+    {
+        MonitorResult result = await MonitorRunner.RunAsync(args);
+
+        Assert.Equal(2, result.ExitCode);
+        Assert.Empty(result.Output);
+        Assert.Contains(named, result.Error[0], StringComparison.Ordinal);
+        Assert.StartsWith("Usage: neuron-monitor", result.Error[^1], StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Help_names_every_option_and_ends_with_0()
+    {
+        MonitorResult result = await MonitorRunner.RunAsync("--help");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Empty(result.Error);
+        string text = string.Join('\n', result.Output);
+        foreach (string option in (string[])["--connect", "--udp", "--demo", "--order", "--once", "--frames", "--duration", "--json", "--quiet", "--version"])
+            Assert.Contains($"  {option} ", text, StringComparison.Ordinal);
+
+        Assert.Contains("Examples:", text, StringComparison.Ordinal);
+    }
+}

@@ -1,0 +1,54 @@
+using System.Diagnostics;
+using NeuronMocap.Samples.Tests.Infrastructure;
+
+namespace NeuronMocap.Samples.Tests.Monitor;
+
+public sealed class MonitorProcessTests
+{
+    [Fact]
+    public async Task A_reader_of_the_output_that_leaves_ends_the_program_quietly()
+    {
+        using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, new float[354]));
+        using var monitor = new MonitorProcess("--connect", server.Address, "--json");
+
+        string? line = await monitor.Output.ReadLineAsync(TestContext.Current.CancellationToken);
+        monitor.Output.Close();
+
+        Assert.StartsWith("{\"type\":", line, StringComparison.Ordinal);
+        Assert.Equal(0, await monitor.WaitForExitAsync());
+        Assert.Empty(await monitor.ReadErrorAsync());
+    }
+
+    [Fact]
+    public async Task The_exit_codes_reach_the_shell()
+    {
+        using var refused = new MonitorProcess("--connect", FrameServer.RefusingAddress(), "--once", "--quiet");
+        using var wrong = new MonitorProcess("--frames", "none");
+
+        Assert.Equal(1, await refused.WaitForExitAsync());
+        Assert.Single((await refused.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
+        Assert.Equal(2, await wrong.WaitForExitAsync());
+    }
+
+    [Theory]
+    [InlineData("INT")]
+    [InlineData("TERM")]
+    public async Task A_signal_ends_with_the_summary_and_0(string signal)
+    {
+        if (OperatingSystem.IsWindows())
+            Assert.Skip("There are no signals to send.");
+
+        using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, 1), FrameServer.Motion(2, 2));
+        using var monitor = new MonitorProcess("--connect", server.Address, "--json");
+        string? line;
+        do
+            line = await monitor.Output.ReadLineAsync(TestContext.Current.CancellationToken);
+        while (line?.Contains("\"index\":2", StringComparison.Ordinal) == false);
+
+        using Process kill = Process.Start("kill", [$"-{signal}", $"{monitor.Id}"]);
+        string rest = await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.Equal(0, await monitor.WaitForExitAsync());
+        Assert.StartsWith("{\"type\":\"summary\",\"frames\":", rest.Split('\n', StringSplitOptions.RemoveEmptyEntries)[^1], StringComparison.Ordinal);
+    }
+}

@@ -1,0 +1,169 @@
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using NeuronMocap.Samples.Tests.Infrastructure;
+
+namespace NeuronMocap.Samples.Tests.Monitor;
+
+public sealed class MonitorRunTests
+{
+    [Fact]
+    public async Task Json_prints_every_frame_in_order_and_a_summary_last()
+    {
+        using FrameServer server = FrameServer.Sending(
+            FrameServer.Motion(7, 1.5f, -0f), FrameServer.Calculation(7, 2), "noise"u8.ToArray(), FrameServer.Motion(9, 3));
+
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--once", "--json");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Empty(result.Error);
+        Assert.Equal(
+            [
+                """{"type":"frame","avatar":0,"name":"Char00","index":7,"displacement":true,"reference":false,"values":[1.5,-0.0]}""",
+                """{"type":"calculation","avatar":0,"name":"Char00","index":7,"values":[2]}""",
+                """{"type":"frame","avatar":0,"name":"Char00","index":9,"displacement":true,"reference":false,"values":[3]}""",
+            ],
+            result.Output.Where(line => !line.Contains("\"status\"", StringComparison.Ordinal) && !line.Contains("\"summary\"", StringComparison.Ordinal)),
+            StringComparer.Ordinal);
+        Assert.StartsWith(
+            """{"type":"summary","frames":2,"calculationFrames":1,"lost":1,"dropped":0,"skippedBytes":5,"seconds":""",
+            result.Output[^1],
+            StringComparison.Ordinal);
+        Assert.Contains(result.OfType("status"), line => line.Contains("\"state\":\"Receiving\"", StringComparison.Ordinal));
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(101)]
+    public async Task Exactly_as_many_frames_come_out_as_asked_for(int frames)
+    {
+        using FrameServer server = FrameServer.Repeating([.. FrameServer.Motion(1, 1), .. FrameServer.Calculation(1, 2)]);
+
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--json", "--frames", $"{frames}");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Equal((frames + 1) / 2, result.OfType("frame").Length);
+        Assert.Equal(frames / 2, result.OfType("calculation").Length);
+        Assert.StartsWith(
+            $$"""{"type":"summary","frames":{{(frames + 1) / 2}},"calculationFrames":{{frames / 2}},""", result.Output[^1], StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task No_frame_is_left_out_however_slow_the_output_is()
+    {
+        float[] values = new float[354];
+        using FrameServer server = FrameServer.Sending([.. Enumerable.Range(0, 3000).Select(index => FrameServer.Motion((uint)index, values))]);
+        using var output = new SlowStream();
+
+        MonitorResult result = await MonitorRunner.RunAsync(output, ["--connect", server.Address, "--once", "--json"]);
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Equal(Enumerable.Range(0, 3000), output.FrameIndices);
+    }
+
+    [Fact]
+    public async Task Quiet_prints_the_summary_alone()
+    {
+        using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, 1), FrameServer.Motion(2, 1));
+
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--once", "--quiet");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.StartsWith("""{"type":"summary","frames":2,"calculationFrames":0,"lost":0,"dropped":0,"skippedBytes":0,"seconds":""", Assert.Single(result.Output), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--json")]
+    [InlineData("--quiet")]
+    public async Task A_refused_connection_ends_a_single_attempt_with_1_and_one_line(string output)
+    {
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", FrameServer.RefusingAddress(), "--once", output);
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("refused", Assert.Single(result.Error), StringComparison.Ordinal);
+        Assert.StartsWith("""{"type":"summary","frames":0,""", result.Output[^1], StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_refused_connection_is_tried_again_until_the_time_is_over()
+    {
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", FrameServer.RefusingAddress(), "--duration", "0.7", "--json");
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("refused", Assert.Single(result.Error), StringComparison.Ordinal);
+        Assert.Contains(result.OfType("status"), line => line.Contains("\"Waiting\"", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public async Task A_server_that_sends_nothing_ends_with_1_and_the_setting_to_look_at()
+    {
+        using FrameServer server = FrameServer.Silent();
+
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--duration", "1", "--quiet");
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("broadcasting", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Bytes_that_are_no_packets_end_with_1_and_the_format_to_choose()
+    {
+        using FrameServer server = FrameServer.Sending(Encoding.ASCII.GetBytes("0 Char00 0.00 93.02 ||\r\n"));
+
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--once", "--quiet");
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("Binary", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_udp_port_that_another_program_has_is_named()
+    {
+        using var other = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        other.Bind(new IPEndPoint(IPAddress.Any, 0));
+        int port = ((IPEndPoint)other.LocalEndPoint!).Port;
+
+        MonitorResult result = await MonitorRunner.RunAsync("--udp", $"{port}", "--once", "--quiet");
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains($"UDP port {port} is used by another program", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Redirected_output_is_plain_lines()
+    {
+        using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, 1));
+
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--once");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.StartsWith("1 motion and 0 calculation frames", result.Output[^1], StringComparison.Ordinal);
+        Assert.DoesNotContain('\e', string.Concat(result.Output));
+    }
+
+    [Fact]
+    public async Task The_demo_sends_motion_and_calculation_frames()
+    {
+        MonitorResult result = await MonitorRunner.RunAsync("--frames", "4", "--json");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Equal(2, result.OfType("frame").Length);
+        Assert.Equal(2, result.OfType("calculation").Length);
+        Assert.Contains("\"index\":0,\"displacement\":true", result.OfType("frame")[0], StringComparison.Ordinal);
+    }
+
+    // Takes every line, one at a time and not fast.
+    private sealed class SlowStream : MemoryStream
+    {
+        public List<int> FrameIndices { get; } = [];
+
+        public override void Write(ReadOnlySpan<byte> buffer)
+        {
+            Thread.Yield();
+            string line = Encoding.UTF8.GetString(buffer);
+            if (line.StartsWith("{\"type\":\"frame\"", StringComparison.Ordinal))
+                FrameIndices.Add(int.Parse(line.Split("\"index\":")[1].Split(',')[0], provider: null));
+        }
+    }
+}
