@@ -9,7 +9,7 @@ public sealed class MonitorProcessTests
     public async Task A_reader_of_the_output_that_leaves_ends_the_program_quietly()
     {
         using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, new float[354]));
-        using var monitor = new MonitorProcess("--connect", server.Address, "--json");
+        using var monitor = new SampleProcess("neuron-monitor", "--connect", server.Address, "--json");
 
         string? line = await monitor.Output.ReadLineAsync(TestContext.Current.CancellationToken);
         monitor.Output.Close();
@@ -22,8 +22,8 @@ public sealed class MonitorProcessTests
     [Fact]
     public async Task The_exit_codes_reach_the_shell()
     {
-        using var refused = new MonitorProcess("--connect", FrameServer.RefusingAddress(), "--once", "--quiet");
-        using var wrong = new MonitorProcess("--frames", "none");
+        using var refused = new SampleProcess("neuron-monitor", "--connect", FrameServer.RefusingAddress(), "--once", "--quiet");
+        using var wrong = new SampleProcess("neuron-monitor", "--frames", "none");
 
         Assert.Equal(1, await refused.WaitForExitAsync());
         Assert.Single((await refused.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
@@ -39,7 +39,7 @@ public sealed class MonitorProcessTests
             Assert.Skip("There are no signals to send.");
 
         using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, 1), FrameServer.Motion(2, 2));
-        using var monitor = new MonitorProcess("--connect", server.Address, "--json");
+        using var monitor = new SampleProcess("neuron-monitor", "--connect", server.Address, "--json");
         string? line;
         do
             line = await monitor.Output.ReadLineAsync(TestContext.Current.CancellationToken);

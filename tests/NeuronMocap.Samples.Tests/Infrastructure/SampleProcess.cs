@@ -2,14 +2,14 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Samples.Tests.Infrastructure;
 
-/// <summary>Runs the monitor as its own process, as a shell does.</summary>
-internal sealed class MonitorProcess : IDisposable
+/// <summary>Runs one of the programs as its own process, as a shell does.</summary>
+internal sealed class SampleProcess : IDisposable
 {
     private static readonly TimeSpan Limit = TimeSpan.FromSeconds(60);
 
     private readonly Process _process;
 
-    public MonitorProcess(params string[] args)
+    public SampleProcess(string program, params string[] args)
     {
         var start = new ProcessStartInfo(Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet")
         {
@@ -18,7 +18,7 @@ internal sealed class MonitorProcess : IDisposable
             RedirectStandardOutput = true,
             RedirectStandardError = true,
         };
-        foreach (string argument in (string[])[Path.Combine(AppContext.BaseDirectory, "neuron-monitor.dll"), .. args])
+        foreach (string argument in (string[])[Path.Combine(AppContext.BaseDirectory, program + ".dll"), .. args])
             start.ArgumentList.Add(argument);
 
         _process = Process.Start(start)!;
