@@ -28,8 +28,8 @@ internal sealed class FailureMessage
         lock (_lock)
             problem = _problem;
 
-        // The connection ended before the reader's silence check could say what the bytes were.
-        if (statistics.SkippedBytes > 0 && problem.Reason is ConnectionReason.ClosedByPeer or ConnectionReason.None)
+        // The run ended before the silence check of the reader could say what the bytes were.
+        if (statistics.SkippedBytes > 0 && problem.Reason == ConnectionReason.None)
         {
             return $"{statistics.SkippedBytes} bytes arrived, but no packet of this protocol. Check the port, and that the server's "
                 + "broadcasting format (block type) is Binary.";

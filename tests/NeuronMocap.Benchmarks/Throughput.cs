@@ -81,7 +81,7 @@ internal static class Throughput
                 await reader.Completion;
 
             if (way != Way.Callback)
-                Thread.Sleep(1);
+                Thread.Yield();
         }
 
         counted += queue?.Pump(static _ => { }) ?? 0;

@@ -27,7 +27,7 @@ public readonly record struct AvatarStatistics
     /// <summary>Frames that came twice or after a later one.</summary>
     public long Disordered { get; init; }
 
-    /// <summary>Frames per second, as a running mean over about the last 64 frames; 0 until there are two.</summary>
+    /// <summary>Frames per second, as a running mean over about the last 64 frames; 0 until there are two. It stays as it was when frames cease: see <see cref="LastTimestamp"/>.</summary>
     public double Rate { get; init; }
 
     /// <summary>Standard deviation of the time between frames, over about the last 64.</summary>

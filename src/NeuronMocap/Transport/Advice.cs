@@ -22,7 +22,7 @@ internal static class Advice
 
     public static string TcpFailed(ConnectionReason reason, LinkOptions options, Exception exception)
     {
-        string target = $"{options.Host}:{options.Port}";
+        string target = options.Target;
         return reason switch
         {
             ConnectionReason.Refused =>

@@ -47,7 +47,7 @@ internal sealed class ConnectionSupervisor(
             RemoteEndPoint = link.RemoteEndPoint,
         });
         end = await link.ReceiveAsync(receiver).ConfigureAwait(false);
-        return (end, activity.HasPackets);
+        return (activity.Explain(end), activity.HasPackets);
     }
 
     private async Task WaitAsync(LinkEnd end, int failures, CancellationToken stop)

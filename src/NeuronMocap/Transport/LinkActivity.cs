@@ -63,6 +63,11 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
         _skippedLength = length + bytes.Length;
     }
 
+    // Receive loop, after the link. A server that sent something else and then closed is no mere end of the connection.
+    public LinkEnd Explain(LinkEnd end) => !_hasPackets && _skippedLength > 0 && end.Reason is (ConnectionReason.ClosedByPeer or ConnectionReason.Reset)
+        ? new LinkEnd(ConnectionReason.UnknownFormat, $"{Advice.UnknownFormat(_target, DescribeSkipped())} Then the connection ended.")
+        : end;
+
     // Timer.
     public void Check(long now)
     {
@@ -73,21 +78,19 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
         if (seconds < silence.TotalSeconds)
             return;
 
-        (ConnectionReason reason, string message) = Explain();
+        (ConnectionReason reason, string message) = ExplainSilence();
         status.TrySet(
             current => current.IsConnected && (current.State != ConnectionState.Silent || current.Reason != reason),
             current => current with { State = ConnectionState.Silent, Reason = reason, Message = message, Timestamp = now });
     }
 
-    private (ConnectionReason Reason, string Message) Explain()
+    private (ConnectionReason Reason, string Message) ExplainSilence()
     {
-        int length = _skippedLength;
-        if (length > 0)
-        {
-            string format = FormatGuess.Describe(_skipped.AsSpan(0, length), _skipReason);
-            return (ConnectionReason.UnknownFormat, Advice.UnknownFormat(_target, format));
-        }
+        if (_skippedLength > 0)
+            return (ConnectionReason.UnknownFormat, Advice.UnknownFormat(_target, DescribeSkipped()));
 
         return (ConnectionReason.NoData, isUdp ? Advice.NoDatagrams(_target, silence) : Advice.NoFrames(_target, silence));
     }
+
+    private string DescribeSkipped() => FormatGuess.Describe(_skipped.AsSpan(0, _skippedLength), _skipReason);
 }

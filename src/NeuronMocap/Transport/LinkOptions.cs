@@ -6,6 +6,9 @@ namespace NeuronMocap.Transport;
 // What a link has to know: a validated copy of the reader's options.
 internal sealed record LinkOptions(string Host, int Port)
 {
+    // As people write it: an IPv6 address in brackets.
+    public string Target => Host.Contains(':') ? $"[{Host}]:{Port}" : $"{Host}:{Port}";
+
     public IPAddress? LocalAddress { get; init; }
 
     public TimeSpan ConnectTimeout { get; init; } = TimeSpan.FromSeconds(5);

@@ -11,7 +11,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
     private Socket? _socket;
     private bool _closed;
 
-    public override string Target => $"{options.Host}:{options.Port}";
+    public override string Target => options.Target;
 
     public override async Task<LinkEnd> OpenAsync(CancellationToken stop)
     {

@@ -70,6 +70,29 @@ public sealed class ConnectionTests
     }
 
     [Fact]
+    public async Task A_server_of_another_protocol_that_closes_is_named()
+    {
+        using var server = new TestServer();
+        await using var reader = new NeuronReader(server.Options());
+        reader.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        await connection.SendAsync(Encoding.ASCII.GetBytes("HTTP/1.1 400 Bad Request\r\n\r\n"));
+        connection.Close();
+        await reader.Completion.Soon();
+        Assert.Equal(ConnectionReason.UnknownFormat, reader.Status.Reason);
+        Assert.Contains("web server", reader.Status.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task An_ipv6_address_is_written_in_brackets()
+    {
+        var options = new LinkOptions("::1", 9) { LocalAddress = IPAddress.Loopback };
+        using var link = new TcpLink(options);
+        Assert.Equal("[::1]:9", link.Target);
+        Assert.Contains("[::1]:9", (await link.OpenAsync(CancellationToken.None).Soon()).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task A_reader_reconnects_and_goes_on_whatever_ended_the_connection()
     {
         using var server = new TestServer();
