@@ -20,7 +20,6 @@ internal sealed class DemoServer : IDisposable
             Port = 0,
             WaitForClient = true,
             RotationOrder = order,
-            Calculation = CalculationSynthesizer.Write,
         });
         _broadcaster.Start();
     }
