@@ -15,8 +15,7 @@ namespace NeuronMocap;
 /// <see cref="OpenLatest"/> gives the newest frame of each avatar (a renderer);
 /// <see cref="MotionReceived"/> and <see cref="CalculationReceived"/> call you on the receive thread (the shortest way);
 /// <see cref="ReadMotionAsync"/> and <see cref="ReadCalculationAsync"/> are for code that awaits.
-/// They can be mixed, and opened and closed while the reader runs; each gets every frame that arrives from then on. All but the last
-/// allocate nothing per frame.
+/// They can be mixed, and opened and closed while the reader runs. All but the last allocate nothing per frame.
 /// </para>
 /// <para>
 /// One reader has one connection, or one UDP port; a program may have any number of readers. All members may be called from any thread.
@@ -73,8 +72,8 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     }
 
     /// <summary>
-    /// Called with every change of the connection's state, in order and one at a time, on one of the reader's threads. A handler may do
-    /// anything, dispose of the reader included, but should not take long.
+    /// Called with every change of the connection's state, in order and one at a time, on one of the reader's threads, or on the thread that
+    /// disposes of a reader that never started. A handler may do anything, dispose of the reader included, but should not take long.
     /// </summary>
     public event Action<ConnectionStatus>? StatusChanged
     {
@@ -167,8 +166,8 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     /// <summary>Starts the reader and waits for its first connection; for UDP, for the port.</summary>
     /// <param name="cancellationToken">Ends the wait; the reader goes on trying.</param>
     /// <returns>A task that completes when the connection stands.</returns>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off and there is no connection.</exception>
-    /// <exception cref="ObjectDisposedException">The reader was disposed of.</exception>
+    /// <exception cref="NeuronConnectionException">Reconnecting is off and there is no connection, or the reader was disposed of meanwhile.</exception>
+    /// <exception cref="ObjectDisposedException">The reader was disposed of before.</exception>
     public async Task StartAsync(CancellationToken cancellationToken = default)
     {
         Start();
@@ -216,7 +215,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
             _watchdog?.Dispose();
             _stop.Cancel();
             if (Interlocked.Exchange(ref _started, 1) == 0)
-                End(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller."));
+                _status.Set(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller."));
         }
 
         return _completion.Task;
@@ -238,12 +237,12 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
         }
 
         _watchdog?.Dispose();
-        End(last);
+        _status.Set(last);
     }
 
+    // When the handlers of Stopped, the last status, have run.
     private void End(ConnectionStatus last)
     {
-        _status.Set(last);
         _connected.TrySetException(new NeuronConnectionException(last.Reason, last.Message));
         _ = _connected.Task.Exception; // observed: most programs never wait for the connection
         _pipeline.End();
@@ -276,6 +275,8 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
         _tellingThread = Environment.CurrentManagedThreadId;
         _statusHandlers.Invoke(status);
         _tellingThread = 0;
+        if (status.State == ConnectionState.Stopped)
+            End(status);
     }
 
     private void OnCallbackFailed(Exception exception)

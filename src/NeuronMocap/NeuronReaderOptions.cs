@@ -28,7 +28,10 @@ public sealed class NeuronReaderOptions
     /// </summary>
     public IPAddress? LocalAddress { get; set; }
 
-    /// <summary>Lets other programs receive on the same UDP port. Off unless set: then a port in use is an error with a clear reason.</summary>
+    /// <summary>
+    /// Lets other programs bind the same UDP port. Datagrams that are broadcast or multicast then reach all of them, others only the one that
+    /// the system chooses. Off unless set: then a port in use is an error with a clear reason.
+    /// </summary>
     public bool SharePort { get; set; }
 
     /// <summary>Longest time to wait for the name, and for each of its addresses to answer. 5 s unless set; more than zero, at most 5 minutes.</summary>
@@ -71,6 +74,9 @@ public sealed class NeuronReaderOptions
 
     internal string? FindFault()
     {
+        if (!Enum.IsDefined(typeof(TransportKind), Transport))
+            return $"Transport is {Transport}; it must be Tcp or Udp.";
+
         int lowestPort = Transport == TransportKind.Udp ? 0 : 1;
         if (string.IsNullOrWhiteSpace(Host))
             return "Host is empty; give the name or address of the computer that runs Axis Neuron.";

@@ -40,10 +40,16 @@ internal sealed class ReceivePipeline : IPacketReceiver
             return;
 
         DeliveringThread = Environment.CurrentManagedThreadId;
-        if (_dispatcher.Dispatch(packet))
-            _activity.OnPacket(packet.Timestamp);
-
-        DeliveringThread = 0;
+        _activity.BeginDelivery(packet);
+        try
+        {
+            _dispatcher.Dispatch(packet);
+        }
+        finally
+        {
+            _activity.EndDelivery();
+            DeliveringThread = 0;
+        }
     }
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)

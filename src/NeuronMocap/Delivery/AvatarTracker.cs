@@ -9,8 +9,11 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
     // A server that restarts, or is set to another take, starts counting elsewhere: a step beyond this is no gap.
     private const uint LargestGap = 10_000;
 
-    // UDP may swap neighbours; a frame that comes this late is late, not a new start.
-    private const uint LargestDelay = 64;
+    // UDP may swap neighbours; a frame that comes this late is late, not a new start. One bit for each in the mask of those that came.
+    private const int LargestDelay = 63;
+
+    // So many frames in a row that are late and count up by one are no late frames: the server counts anew, as at the start of a take.
+    private const int RestartRun = 3;
 
     // Weight of a new interval in the running mean: about half a second at 120 Hz.
     private const double Weight = 1.0 / 64;
@@ -18,6 +21,11 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
     private AvatarName _name;
     private string _text = string.Empty;
     private uint? _lastIndex;
+    private ulong _came;
+    private uint _lateIndex;
+    private int _lateRun;
+    private long _lostBeforeRun;
+    private long _disorderedBeforeRun;
     private long _lastTimestamp;
     private bool _resumed = true;
     private long _frames;
@@ -60,7 +68,7 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
         }
         else
         {
-            _lastIndex = index;
+            StartAt(index);
             _resumed = false;
         }
 
@@ -79,7 +87,7 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
     {
         if (index is not { } next || _lastIndex is not { } last)
         {
-            _lastIndex = index;
+            StartAt(index);
             return;
         }
 
@@ -87,17 +95,53 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
         uint back = last - next;
         if (back <= LargestDelay)
         {
-            Volatile.Write(ref _disordered, _disordered + 1);
-            if (back > 0 && _lost > 0)
-                Volatile.Write(ref _lost, _lost - 1);
-
+            CountLate(next, (int)back);
             return;
         }
 
-        if (step <= LargestGap)
-            Volatile.Write(ref _lost, _lost + step - 1);
+        _lateRun = 0;
+        if (step > LargestGap)
+        {
+            StartAt(next);
+            return;
+        }
 
+        Volatile.Write(ref _lost, _lost + step - 1);
+        _came = (step <= LargestDelay ? _came << (int)step : 0) | 1;
         _lastIndex = next;
+    }
+
+    private void CountLate(uint index, int back)
+    {
+        if (_lateRun == 0 || index != _lateIndex + 1)
+        {
+            _lateRun = 0;
+            _lostBeforeRun = _lost;
+            _disorderedBeforeRun = _disordered;
+        }
+
+        _lateIndex = index;
+        if (++_lateRun == RestartRun)
+        {
+            Volatile.Write(ref _lost, _lostBeforeRun);
+            Volatile.Write(ref _disordered, _disorderedBeforeRun);
+            StartAt(index);
+            return;
+        }
+
+        Volatile.Write(ref _disordered, _disordered + 1);
+        ulong bit = 1UL << back;
+        if ((_came & bit) == 0 && _lost > 0)
+            Volatile.Write(ref _lost, _lost - 1);
+
+        _came |= bit;
+    }
+
+    private void StartAt(uint? index)
+    {
+        _lastIndex = index;
+        _came = 1;
+        _lateRun = 0;
     }
 
     private void Average(double seconds)

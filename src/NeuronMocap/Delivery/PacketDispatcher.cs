@@ -20,37 +20,26 @@ internal sealed class PacketDispatcher(StreamCounters counters)
             _consumers = [.. _consumers.Where(other => other != consumer)];
     }
 
-    // False for a packet that no consumer gets: commands, which the command channel will take, and packets of no values.
-    public bool Dispatch(in ReceivedPacket packet)
+    // Commands, which the command channel will take, and packets of no values are only counted.
+    public void Dispatch(in ReceivedPacket packet)
     {
-        if (!Count(packet))
-            return false;
+        Count(packet);
+        if (!packet.IsFrame)
+            return;
 
         foreach (IPacketConsumer consumer in _consumers)
             consumer.OnPacket(packet);
-
-        return true;
     }
 
-    private bool Count(in ReceivedPacket packet)
+    private void Count(in ReceivedPacket packet)
     {
         if (packet.Kind == PacketKind.Command)
-        {
             counters.CountCommand(packet.Bytes.Count);
-            return false;
-        }
-
-        if (packet.Bytes.Count == ProtocolConstants.HeaderSize)
-        {
+        else if (!packet.IsFrame)
             counters.CountEmpty(packet.Bytes.Count);
-            return false;
-        }
-
-        if (packet.Kind == PacketKind.Motion)
+        else if (packet.Kind == PacketKind.Motion)
             counters.CountFrame(packet, MotionHeader.Read(packet.Bytes));
         else
             counters.CountFrame(packet, CalculationHeader.Read(packet.Bytes));
-
-        return true;
     }
 }

@@ -34,8 +34,15 @@ internal sealed class PacketRing
 
     public int Capacity => _slots.Length;
 
-    // Any thread; exact only when both sides are still.
-    public int Count => Volatile.Read(ref _indices.Tail) - Volatile.Read(ref _indices.Head);
+    // Any thread; exact only when both sides are still. The head first: it never overtakes a tail that is read after it.
+    public int Count
+    {
+        get
+        {
+            int head = Volatile.Read(ref _indices.Head);
+            return Math.Min(Volatile.Read(ref _indices.Tail) - head, _slots.Length);
+        }
+    }
 
     // Producer. False when full: the packet is not stored, and nothing that is queued is touched.
     public bool TryEnqueue(in ReceivedPacket packet)

@@ -9,6 +9,18 @@ internal static class Advice
     public static string ClosedByPeer(string target) =>
         $"{target} closed the connection: Axis Neuron was stopped, or its broadcasting was switched off.";
 
+    public static string ConnectionLost(string target) =>
+        $"{target} has stopped answering: its computer was switched off, or the network between is down.";
+
+    public static string ResolverTimedOut(LinkOptions options) =>
+        $"The name '{options.Host}' could not be resolved within {options.ConnectTimeout.TotalSeconds:0.#} s. Check the network, or give the IP "
+        + "address of the computer that runs Axis Neuron.";
+
+    public static string Failed(string target, Exception exception) => $"Receiving from {target} failed: {exception.Message}";
+
+    public static string NoValues(string target) =>
+        $"Packets arrive from {target}, but none of them carries a frame. In Axis Neuron, connect the suit or play a take.";
+
     public static string NoFrames(string target, TimeSpan silence) =>
         $"Connected to {target}, but nothing has arrived for {silence.TotalSeconds:0.#} s. In Axis Neuron, connect the suit or play a take, "
         + "and check that broadcasting of BVH or calculation data is on.";
@@ -34,6 +46,8 @@ internal static class Advice
             ConnectionReason.HostNotFound => HostNotFound(options.Host),
             ConnectionReason.Unreachable => $"There is no route to {target}. Check the address and that the network is connected.",
             ConnectionReason.Reset => $"{target} cut the connection off: Axis Neuron was closed, or something between resets connections.",
+            ConnectionReason.AddressUnavailable when options.LocalAddress is null =>
+                $"This computer has no address from which {target} can be reached. Check the address and the network.",
             ConnectionReason.AddressUnavailable =>
                 $"The local address {options.LocalAddress} does not belong to this computer. Choose one that does, or none.",
             ConnectionReason.AccessDenied => $"This computer does not allow a connection to {target}. Check its firewall.",

@@ -27,13 +27,26 @@ internal sealed class ConnectionSupervisor(
         }
     }
 
-    // Delivered: whether frames came over the link. A server that accepts and closes at once must not be tried again without a delay.
+    // Delivered: whether frames came over the link.
     private async Task<(LinkEnd End, bool Delivered)> RunLinkAsync(IPacketReceiver receiver, int attempt, CancellationToken stop)
     {
         using Link link = createLink();
         using CancellationTokenRegistration closing = stop.Register(link.Close);
         status.Set(new ConnectionStatus(ConnectionState.Connecting, ConnectionReason.None, $"Connecting to {link.Target}.") { Attempt = attempt });
 
+        try
+        {
+            return await ReceiveAsync(link, receiver, attempt, stop).ConfigureAwait(false);
+        }
+        catch (Exception exception)
+        {
+            // Out of memory, or a fault of ours: neither may end the reader, or the process, while there is a next attempt.
+            return (new LinkEnd(ConnectionReason.NetworkError, Advice.Failed(link.Target, exception)), false);
+        }
+    }
+
+    private async Task<(LinkEnd End, bool Delivered)> ReceiveAsync(Link link, IPacketReceiver receiver, int attempt, CancellationToken stop)
+    {
         LinkEnd end = await link.OpenAsync(stop).ConfigureAwait(false);
         if (end.Reason != ConnectionReason.None || stop.IsCancellationRequested)
             return (end, false);

@@ -12,6 +12,8 @@ internal static class FormatGuess
             return $"of data version {DataVersion.Read(start[2..])}, which this reader does not know: only 1.0 and 1.1 are";
         if (reason == SkipReason.TooLarge)
             return "a packet that announces more values than the limit allows. Raise MaxValues if that is right";
+        if (reason == SkipReason.Incomplete)
+            return "only the first part of each packet; the rest is lost on the way. Check the firewall, or use TCP";
         if (start.StartsWith("HTTP/"u8))
             return "a web server's answer. Check the port; Axis Neuron's default is 7001";
         if (start.Length >= 2 && start[0] == 0xCF && start[1] == 0xDC)

@@ -13,7 +13,11 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
     private volatile SkipReason _skipReason;
     private volatile string _target = string.Empty;
     private volatile bool _hasPackets;
-    private long _lastPacket;
+    private volatile bool _hasOtherPackets;
+    private volatile bool _delivering;
+    private volatile int _frames;
+    private int _framesSeen;
+    private long _quietSince;
 
     public bool HasPackets => _hasPackets;
 
@@ -22,18 +26,28 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
     {
         _target = target;
         _hasPackets = false;
+        _hasOtherPackets = false;
         _skippedLength = 0;
-        Volatile.Write(ref _lastPacket, Stopwatch.GetTimestamp());
+        Volatile.Write(ref _quietSince, Stopwatch.GetTimestamp());
     }
 
-    // Receive loop, for every packet.
-    public void OnPacket(long timestamp)
+    // Receive loop, around the handlers of every packet. While one of them runs, the reader is busy, not the server silent.
+    public void BeginDelivery(in ReceivedPacket packet)
     {
-        Volatile.Write(ref _lastPacket, timestamp);
+        _delivering = true;
+        if (!packet.IsFrame)
+        {
+            _hasOtherPackets = true;
+            return;
+        }
+
+        _frames++;
         _skippedLength = 0;
         if (status.State != ConnectionState.Receiving)
-            Resume(timestamp);
+            Resume(packet.Timestamp);
     }
+
+    public void EndDelivery() => _delivering = false;
 
     // By itself, because the lambdas would cost an allocation in every call of the method that holds them.
     private void Resume(long timestamp)
@@ -64,7 +78,8 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
     }
 
     // Receive loop, after the link. A server that sent something else and then closed is no mere end of the connection.
-    public LinkEnd Explain(LinkEnd end) => !_hasPackets && _skippedLength > 0 && end.Reason is (ConnectionReason.ClosedByPeer or ConnectionReason.Reset)
+    public LinkEnd Explain(LinkEnd end) => !_hasPackets && _skippedLength > 0 && _skipReason != SkipReason.Incomplete
+        && end.Reason is ConnectionReason.ClosedByPeer or ConnectionReason.Reset
         ? new LinkEnd(ConnectionReason.UnknownFormat, $"{Advice.UnknownFormat(_target, DescribeSkipped())} Then the connection ended.")
         : end;
 
@@ -74,8 +89,15 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
         if (status.State is not (ConnectionState.Connected or ConnectionState.Receiving or ConnectionState.Silent))
             return;
 
-        double seconds = (now - Volatile.Read(ref _lastPacket)) / (double)Stopwatch.Frequency;
-        if (seconds < silence.TotalSeconds)
+        int frames = _frames;
+        if (_delivering || frames != _framesSeen)
+        {
+            _framesSeen = frames;
+            Volatile.Write(ref _quietSince, now);
+            return;
+        }
+
+        if ((now - Volatile.Read(ref _quietSince)) / (double)Stopwatch.Frequency < silence.TotalSeconds)
             return;
 
         (ConnectionReason reason, string message) = ExplainSilence();
@@ -88,6 +110,9 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
     {
         if (_skippedLength > 0)
             return (ConnectionReason.UnknownFormat, Advice.UnknownFormat(_target, DescribeSkipped()));
+
+        if (_hasOtherPackets)
+            return (ConnectionReason.NoData, Advice.NoValues(_target));
 
         return (ConnectionReason.NoData, isUdp ? Advice.NoDatagrams(_target, silence) : Advice.NoFrames(_target, silence));
     }

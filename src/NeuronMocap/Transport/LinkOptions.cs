@@ -7,7 +7,7 @@ namespace NeuronMocap.Transport;
 internal sealed record LinkOptions(string Host, int Port)
 {
     // As people write it: an IPv6 address in brackets.
-    public string Target => Host.Contains(':') ? $"[{Host}]:{Port}" : $"{Host}:{Port}";
+    public string Target => Host.Contains(':') && !Host.StartsWith('[') ? $"[{Host}]:{Port}" : $"{Host}:{Port}";
 
     public IPAddress? LocalAddress { get; init; }
 

@@ -16,7 +16,7 @@ internal static class ReceiveThread
                 loop();
                 completion.SetResult(true);
             }
-            catch (Exception exception) when (SocketErrors.IsExpected(exception))
+            catch (Exception exception)
             {
                 completion.SetException(exception);
             }

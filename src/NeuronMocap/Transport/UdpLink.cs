@@ -14,7 +14,7 @@ internal sealed class UdpLink(LinkOptions options) : Link
     private Socket? _socket;
     private bool _closed;
 
-    public override string Target => $"UDP port {options.Port}";
+    public override string Target => $"UDP port {(LocalEndPoint as IPEndPoint)?.Port ?? options.Port}";
 
     public override Task<LinkEnd> OpenAsync(CancellationToken stop) => Task.FromResult(Bind());
 
@@ -49,9 +49,9 @@ internal sealed class UdpLink(LinkOptions options) : Link
             if (_closed)
                 return LinkEnd.None;
 
-            _socket = new Socket(address.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
             try
             {
+                _socket = new Socket(address.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
                 _socket.ReceiveBufferSize = SocketBufferSize;
                 if (options.SharePort)
                     _socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, optionValue: true);

@@ -50,7 +50,7 @@ internal sealed class UdpReceiver : IDisposable
             }
             while (completed);
         }
-        catch (Exception exception) when (SocketErrors.IsExpected(exception))
+        catch (Exception exception)
         {
             _completion.TrySetException(exception);
         }
@@ -61,7 +61,9 @@ internal sealed class UdpReceiver : IDisposable
         if (_operation.SocketError != SocketError.Success)
             throw new SocketException((int)_operation.SocketError);
 
-        _senders.Push(_sender.Address, new ArraySegment<byte>(_operation.Buffer!, 0, _operation.BytesTransferred), Stopwatch.GetTimestamp());
+        // Some runtimes replace the end point by one of their own instead of asking ours.
+        SocketAddress address = _operation.RemoteEndPoint is SenderEndPoint sender ? sender.Address : _operation.RemoteEndPoint!.Serialize();
+        _senders.Push(address, new ArraySegment<byte>(_operation.Buffer!, 0, _operation.BytesTransferred), Stopwatch.GetTimestamp());
     }
 
     // Keeps the sender's address in the object that the runtime wrote it to, where other end points make a new one.

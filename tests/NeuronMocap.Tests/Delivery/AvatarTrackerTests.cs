@@ -15,7 +15,11 @@ public sealed class AvatarTrackerTests
     [InlineData(new uint[] { uint.MaxValue, 2 }, 2, 0)]
     [InlineData(new uint[] { 5, 5, 6 }, 0, 1)]
     [InlineData(new uint[] { 5, 7, 6, 8 }, 0, 1)]
+    [InlineData(new uint[] { 5, 9, 7, 7, 10 }, 2, 2)]
+    [InlineData(new uint[] { 5, 9, 8, 6, 7, 10 }, 0, 3)]
     [InlineData(new uint[] { 1000, 1, 2 }, 0, 0)]
+    [InlineData(new uint[] { 48, 49, 0, 1, 2, 3, 5, 6 }, 1, 0)]
+    [InlineData(new uint[] { 20, 22, 0, 1, 2, 3 }, 1, 0)]
     [InlineData(new uint[] { 1, 1_000_000, 1_000_001 }, 0, 0)]
     public void Gaps_repetitions_late_frames_and_restarts_are_told_apart(uint[] indices, long lost, long disordered)
     {

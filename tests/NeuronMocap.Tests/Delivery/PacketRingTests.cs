@@ -120,6 +120,27 @@ public sealed class PacketRingTests
         Assert.True(received >= 8);
     }
 
+    [Fact]
+    public async Task A_third_thread_never_sees_a_count_that_cannot_be()
+    {
+        var ring = new PacketRing(8, 64);
+        using var stop = new CancellationTokenSource();
+        Task moving = Task.Run(() =>
+        {
+            for (int i = 0; !stop.IsCancellationRequested; i++)
+            {
+                ring.TryEnqueue(Packet(i));
+                if (ring.TryPeek(out _))
+                    ring.Release();
+            }
+        });
+        for (int i = 0; i < 200_000; i++)
+            Assert.InRange(ring.Count, 0, 8);
+
+        await stop.CancelAsync();
+        await moving.Soon();
+    }
+
     private static ReceivedPacket Packet(int number) => new(PacketKind.Motion, BitConverter.GetBytes(number), number, 0);
 
     private static int Number(in ReceivedPacket packet) => BitConverter.ToInt32(packet.Bytes);

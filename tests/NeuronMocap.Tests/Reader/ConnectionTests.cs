@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
+using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 
@@ -134,6 +135,41 @@ public sealed class ConnectionTests
     }
 
     [Fact]
+    public async Task A_link_that_fails_in_an_unforeseen_way_is_tried_again()
+    {
+        using var server = new TestServer();
+        int links = 0;
+        NeuronReaderOptions options = server.Options(reconnect: true);
+        await using var reader = new NeuronReader(options, () => ++links == 1 ? new BrokenLink() : new TcpLink(options.Link));
+        var log = new StatusLog(reader);
+        reader.Start();
+        ConnectionStatus failed = await log.WaitAsync(ConnectionState.Waiting);
+        Assert.Equal(ConnectionReason.NetworkError, failed.Reason);
+        Assert.Contains("no descriptor", failed.Message, StringComparison.Ordinal);
+        using TestConnection connection = await server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motion(1));
+        await log.WaitAsync(ConnectionState.Receiving);
+    }
+
+    [Fact]
+    public async Task A_server_that_sends_one_frame_and_closes_is_not_hammered()
+    {
+        using var server = new TestServer();
+        await using var reader = new NeuronReader(server.Options(reconnect: true));
+        var log = new StatusLog(reader);
+        reader.Start();
+        for (int i = 0; i < 3; i++)
+        {
+            using TestConnection connection = await server.AcceptAsync();
+            await connection.SendAsync(TestPackets.Motion(i));
+            connection.Close();
+        }
+
+        await Limits.UntilAsync(() => log.All.Count(status => status.State == ConnectionState.Waiting) >= 3);
+        Assert.DoesNotContain(log.All, status => status.RetryIn == TimeSpan.Zero);
+    }
+
+    [Fact]
     public async Task A_server_that_comes_later_is_found()
     {
         int port = FreePort();
@@ -181,5 +217,18 @@ public sealed class ConnectionTests
         using var listener = new TcpListener(IPAddress.Loopback, 0);
         listener.Start();
         return ((IPEndPoint)listener.LocalEndpoint).Port;
+    }
+
+    private sealed class BrokenLink : Link
+    {
+        public override string Target => "nowhere";
+
+        public override Task<LinkEnd> OpenAsync(CancellationToken stop) => throw new InvalidOperationException("no descriptor");
+
+        public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver) => throw new InvalidOperationException();
+
+        public override void Close()
+        {
+        }
     }
 }

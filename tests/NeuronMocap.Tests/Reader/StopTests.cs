@@ -178,6 +178,37 @@ public sealed class StopTests
     }
 
     [Fact]
+    public async Task A_status_handler_that_is_still_busy_is_waited_for_and_none_comes_after_the_end()
+    {
+        using var server = new TestServer();
+        NeuronReaderOptions options = server.Options(reconnect: true);
+        options.SilenceTimeout = TimeSpan.FromMilliseconds(100);
+        var reader = new NeuronReader(options);
+        using var entered = new SemaphoreSlim(0);
+        using var leave = new SemaphoreSlim(0);
+        int handled = 0;
+        reader.StatusChanged += status =>
+        {
+            if (status.State == ConnectionState.Silent)
+            {
+                entered.Release();
+                leave.Wait(Limits.Unexpected);
+            }
+
+            Interlocked.Increment(ref handled);
+        };
+        reader.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        Assert.True(await entered.WaitAsync(Limits.Unexpected));
+        Task disposing = reader.DisposeAsync().AsTask();
+        Assert.False(reader.Completion.IsCompleted);
+        leave.Release();
+        await reader.Completion.Soon();
+        Assert.Equal(4, Volatile.Read(ref handled));
+        await disposing.Soon();
+    }
+
+    [Fact]
     public async Task A_handler_that_is_still_busy_is_waited_for()
     {
         using var server = new TestServer();

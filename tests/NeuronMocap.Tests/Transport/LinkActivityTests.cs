@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Transport;
@@ -23,8 +24,8 @@ public sealed class LinkActivityTests
     [Fact]
     public void The_first_packet_makes_it_receiving_once()
     {
-        _activity.OnPacket(After(0));
-        _activity.OnPacket(After(1));
+        Deliver(0);
+        Deliver(1);
         Assert.Equal([ConnectionState.Connected, ConnectionState.Receiving], _told.Select(status => status.State));
         Assert.True(_activity.HasPackets);
     }
@@ -32,12 +33,12 @@ public sealed class LinkActivityTests
     [Fact]
     public void Silence_is_told_once_and_ends_with_the_next_packet()
     {
-        _activity.OnPacket(After(0));
+        Deliver(0);
         _activity.Check(After(2.9));
         Assert.Equal(ConnectionState.Receiving, _status.State);
         _activity.Check(After(3.1));
         _activity.Check(After(4));
-        _activity.OnPacket(After(5));
+        Deliver(5);
         Assert.Equal(
             [ConnectionState.Connected, ConnectionState.Receiving, ConnectionState.Silent, ConnectionState.Receiving],
             _told.Select(status => status.State));
@@ -72,7 +73,7 @@ public sealed class LinkActivityTests
     public void Garbage_that_packets_followed_is_not_what_made_it_silent()
     {
         _activity.OnSkipped("HTTP/1.1"u8, SkipReason.NoTokens);
-        _activity.OnPacket(After(0));
+        Deliver(0);
         _activity.Check(After(4));
         Assert.Equal(ConnectionReason.NoData, _told[^1].Reason);
     }
@@ -84,6 +85,48 @@ public sealed class LinkActivityTests
         _activity.Check(After(100));
         Assert.Equal(ConnectionState.Waiting, _told[^1].State);
     }
+
+    [Fact]
+    public void A_handler_that_takes_long_is_not_a_silent_server()
+    {
+        _activity.BeginDelivery(Packet(0));
+        _activity.Check(After(10));
+        Assert.Equal(ConnectionState.Receiving, _status.State);
+        _activity.EndDelivery();
+        _activity.Check(After(12));
+        Assert.Equal(ConnectionState.Receiving, _status.State);
+        _activity.Check(After(14));
+        Assert.Equal(ConnectionState.Silent, _status.State);
+    }
+
+    [Fact]
+    public void Packets_without_frames_are_named()
+    {
+        _activity.BeginDelivery(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(1, count: 0), After(0), 0));
+        _activity.EndDelivery();
+        _activity.Check(After(4));
+        Assert.Equal(ConnectionReason.NoData, _told[^1].Reason);
+        Assert.Contains("none of them carries a frame", _told[^1].Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Packets_whose_rest_never_comes_are_named()
+    {
+        _activity.OnSkipped(TestPackets.Motion(1).AsSpan(0, 1024), SkipReason.Incomplete);
+        _activity.Check(After(4));
+        Assert.Contains("the rest is lost", _told[^1].Message, StringComparison.Ordinal);
+        LinkEnd closed = new(ConnectionReason.ClosedByPeer, "closed");
+        Assert.Equal(closed, _activity.Explain(closed));
+    }
+
+    private void Deliver(double seconds)
+    {
+        _activity.BeginDelivery(Packet(seconds));
+        _activity.EndDelivery();
+        _activity.Check(After(seconds));
+    }
+
+    private ReceivedPacket Packet(double seconds) => new(PacketKind.Motion, TestPackets.Motion(1), After(seconds), 0);
 
     private long After(double seconds) => _start + (long)(seconds * Stopwatch.Frequency);
 }

@@ -5,7 +5,7 @@ namespace NeuronMocap.Tests.Transport;
 public sealed class ReconnectPolicyTests
 {
     [Theory]
-    [InlineData(0, 0)]
+    [InlineData(0, 250)]
     [InlineData(1, 250)]
     [InlineData(2, 500)]
     [InlineData(3, 1000)]

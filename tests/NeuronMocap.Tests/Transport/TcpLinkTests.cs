@@ -20,8 +20,34 @@ public sealed class TcpLinkTests
         Assert.Equal(ConnectionReason.HostNotFound, (await OpenAsync(_ => Task.FromResult<IPAddress[]>([]))).Reason);
 
     [Fact]
-    public async Task A_resolver_that_never_answers_is_given_up() =>
-        Assert.Equal(ConnectionReason.HostNotFound, (await OpenAsync(_ => new TaskCompletionSource<IPAddress[]>().Task)).Reason);
+    public async Task A_resolver_that_never_answers_is_given_up()
+    {
+        LinkEnd end = await OpenAsync(_ => new TaskCompletionSource<IPAddress[]>().Task);
+        Assert.Equal(ConnectionReason.TimedOut, end.Reason);
+        Assert.Contains("could not be resolved", end.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_name_that_the_resolver_refuses_says_so()
+    {
+        using var link = new TcpLink(new LinkOptions(new string('x', 300), 7001));
+        Assert.Equal(ConnectionReason.HostNotFound, (await link.OpenAsync(CancellationToken.None).Soon()).Reason);
+    }
+
+    [Fact]
+    public async Task Of_several_addresses_the_most_telling_failure_is_reported()
+    {
+        using var server = new TestServer();
+        int port = server.Port;
+        server.Dispose();
+        var options = new LinkOptions("suit-pc", port)
+        {
+            // The second is no address of this machine's loopback network, so the socket cannot even be bound to reach it.
+            Resolve = _ => Task.FromResult<IPAddress[]>([IPAddress.Loopback, IPAddress.Parse("::ffff:0:0")]),
+        };
+        using var link = new TcpLink(options);
+        Assert.Equal(ConnectionReason.Refused, (await link.OpenAsync(CancellationToken.None).Soon()).Reason);
+    }
 
     [Fact]
     public async Task Addresses_are_tried_one_after_the_other()
