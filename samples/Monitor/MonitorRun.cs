@@ -47,6 +47,8 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         // At the last frame that was asked for, the receive thread took the figures; what came before it stopped does not count.
         ReaderStatistics statistics = _enough.Task.IsCompleted ? await _enough.Task : reader.GetStatistics();
         output.Finish(statistics);
+        if (output.Failure is { } failure)
+            return await FailAsync($"standard output cannot be written: {failure.Message}");
         if (asked || statistics.MotionFrames + statistics.CalculationFrames > 0)
             return CommandLine.Done;
 

@@ -46,6 +46,10 @@ int Run(ParseResult parsed)
     {
         return Fail(exception.Message);
     }
+    catch (IOException exception)
+    {
+        return Fail($"standard output cannot be written: {exception.Message}");
+    }
     catch (BroadcasterException exception)
     {
         return Fail($"{OptionOf(exception.Setting)}: {exception.Message}");

@@ -78,7 +78,8 @@ internal sealed class SimulatorCommand : RootCommand
     public Option<double?> Rate { get; } = new("--rate")
     {
         HelpName = "HZ|max",
-        Description = "Frames per second, 0.01 to 100000, or max: as fast as each client reads, each from frame 0, losing nothing. "
+        Description = "Frames per second, 0.01 to 100000, or max: as fast as each client reads, each from frame 0, losing nothing; "
+            + "ends when clients came and all have left. A file is sent row by row, so that another rate than its own changes its speed. "
             + "Default: the source's own.",
     };
 

@@ -64,8 +64,9 @@ internal sealed class JsonOutput(Stream output) : MonitorOutput
             output.Write(line);
             output.Flush();
         }
-        catch (IOException)
+        catch (IOException exception)
         {
+            OnWriteFailed(exception);
             _closed = true;
             _broken.TrySetResult();
         }

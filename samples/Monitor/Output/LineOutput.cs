@@ -60,8 +60,9 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : MonitorOu
             output.Write(Encoding.UTF8.GetBytes(line + "\n"));
             output.Flush();
         }
-        catch (IOException)
+        catch (IOException exception)
         {
+            OnWriteFailed(exception);
             _broken = true;
         }
     }

@@ -7,6 +7,9 @@ namespace NeuronMocap.Monitor.Output;
 /// <summary>A way of showing what arrives. What one does not need it leaves out.</summary>
 internal abstract class MonitorOutput
 {
+    /// <summary>Why the output could not be written, unless whoever read it has just left; null while it could.</summary>
+    public IOException? Failure { get; private set; }
+
     /// <summary>Receive thread, for every frame; the frame is valid during the call, and the connection waits.</summary>
     public virtual void OnMotion(MotionFrame frame)
     {
@@ -27,6 +30,14 @@ internal abstract class MonitorOutput
 
     /// <summary>Called once at the end, when nothing more arrives.</summary>
     public abstract void Finish(ReaderStatistics statistics);
+
+    /// <summary>Keeps the reason for the end of the run. A closed pipe is none: `neuron-monitor --json | head -1` has all it wanted.</summary>
+    protected void OnWriteFailed(IOException exception)
+    {
+        const int BrokenPipe = 32;
+        if (exception.HResult != BrokenPipe)
+            Failure ??= exception;
+    }
 
     protected static async Task Until(CancellationToken stop) =>
         await Task.Delay(Timeout.Infinite, stop).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);

@@ -12,9 +12,9 @@ internal sealed class QuietOutput(Stream output) : MonitorOutput
         {
             output.Write(lines.Summary(statistics));
         }
-        catch (IOException)
+        catch (IOException exception)
         {
-            // Whoever read the output is gone.
+            OnWriteFailed(exception);
         }
     }
 }

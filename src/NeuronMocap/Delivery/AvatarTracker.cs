@@ -31,6 +31,7 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
     private long _frames;
     private long _lost;
     private long _disordered;
+    private long _intervals;
     private double _interval;
     private double _variance;
 
@@ -146,14 +147,10 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
 
     private void Average(double seconds)
     {
-        if (_interval == 0)
-        {
-            Volatile.Write(ref _interval, seconds);
-            return;
-        }
-
+        // A plain mean until there are enough: the first intervals, of frames that came in one piece, would weigh too much.
+        double weight = Math.Max(Weight, 1.0 / ++_intervals);
         double difference = seconds - _interval;
-        Volatile.Write(ref _interval, _interval + (Weight * difference));
-        Volatile.Write(ref _variance, (1 - Weight) * (_variance + (Weight * difference * difference)));
+        Volatile.Write(ref _interval, _interval + (weight * difference));
+        Volatile.Write(ref _variance, (1 - weight) * (_variance + (weight * difference * difference)));
     }
 }

@@ -37,6 +37,8 @@ public sealed class MonitorProcessTests
     {
         if (OperatingSystem.IsWindows())
             Assert.Skip("There are no signals to send.");
+        if (signal is "INT" && IgnoresInterrupt())
+            Assert.Skip("The shell that runs the tests in the background has switched SIGINT off, and programs inherit that.");
 
         using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, 1), FrameServer.Motion(2, 2));
         using var monitor = new SampleProcess("neuron-monitor", "--connect", server.Address, "--json");
@@ -46,9 +48,37 @@ public sealed class MonitorProcessTests
         while (line?.Contains("\"index\":2", StringComparison.Ordinal) == false);
 
         using Process kill = Process.Start("kill", [$"-{signal}", $"{monitor.Id}"]);
-        string rest = await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+        Task<string> reading = monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
 
         Assert.Equal(0, await monitor.WaitForExitAsync());
+        string rest = await reading;
         Assert.StartsWith("{\"type\":\"summary\",\"frames\":", rest.Split('\n', StringSplitOptions.RemoveEmptyEntries)[^1], StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("neuron-monitor", "--frames", "20", "--json")]
+    [InlineData("neuron-monitor", "--frames", "20", "--quiet")]
+    [InlineData("neuron-simulator", "--port", "0", "--frames", "1")]
+    public async Task A_full_disk_is_an_error_and_said_in_one_line(string program, params string[] args)
+    {
+        if (!File.Exists("/dev/full"))
+            Assert.Skip("This system has no device that is always full.");
+
+        string command = $"exec dotnet {Path.Combine(AppContext.BaseDirectory, program)}.dll {string.Join(' ', args)} > /dev/full";
+        using Process shell = Process.Start(new ProcessStartInfo("sh", ["-c", command]) { RedirectStandardError = true, UseShellExecute = false })!;
+        string error = await shell.StandardError.ReadToEndAsync(TestContext.Current.CancellationToken);
+        await shell.WaitForExitAsync(TestContext.Current.CancellationToken);
+
+        Assert.Equal(1, shell.ExitCode);
+        Assert.Contains("standard output", Assert.Single(error.Split('\n', StringSplitOptions.RemoveEmptyEntries)), StringComparison.Ordinal);
+    }
+
+    // Bit 1 of the mask of ignored signals is SIGINT, number 2.
+    private static bool IgnoresInterrupt()
+    {
+        string? line = File.Exists("/proc/self/status")
+            ? File.ReadLines("/proc/self/status").FirstOrDefault(static entry => entry.StartsWith("SigIgn:", StringComparison.Ordinal))
+            : null;
+        return line is not null && (Convert.ToUInt64(line["SigIgn:".Length..].Trim(), 16) & 2) != 0;
     }
 }
