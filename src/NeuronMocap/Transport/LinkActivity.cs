@@ -13,7 +13,7 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
     private volatile SkipReason _skipReason;
     private volatile string _target = string.Empty;
     private volatile bool _hasPackets;
-    private volatile bool _hasOtherPackets;
+    private volatile bool _hasOtherPackets; // since the last frame
     private volatile bool _delivering;
     private volatile int _frames;
     private int _framesSeen;
@@ -43,6 +43,7 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
 
         _frames++;
         _skippedLength = 0;
+        _hasOtherPackets = false;
         if (status.State != ConnectionState.Receiving)
             Resume(packet.Timestamp);
     }

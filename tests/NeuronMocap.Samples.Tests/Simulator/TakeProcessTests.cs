@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using NeuronMocap.Samples.Tests.Infrastructure;
+using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Samples.Tests.Simulator;
 
@@ -12,7 +13,7 @@ public sealed class TakeProcessTests
     [InlineData("7")]
     public async Task Every_value_of_the_file_comes_out_of_the_monitor(string fragment)
     {
-        string file = FindTake();
+        string file = Fixtures.Require("test-take", "test.bvh");
         using var simulator = new SampleProcess(
             "neuron-simulator", "--bvh", file, "--port", "0", "--rate", "max", "--wait-for-client", "--fragment", fragment, "--displacement", "off");
         string? line;
@@ -40,15 +41,4 @@ public sealed class TakeProcessTests
     }
 
     private static int Bits(string text) => BitConverter.SingleToInt32Bits(float.Parse(text, CultureInfo.InvariantCulture));
-
-    private static string FindTake()
-    {
-        DirectoryInfo? root = new(AppContext.BaseDirectory);
-        while (root is not null && !File.Exists(Path.Combine(root.FullName, "NeuronDataReader.sln")))
-            root = root.Parent;
-
-        string path = Path.GetFullPath(Path.Combine(root?.FullName ?? ".", "..", "shared", "data", "test-take", "test.bvh"));
-        Assert.SkipUnless(File.Exists(path), "shared/data/test-take/test.bvh is not beside the repository.");
-        return path;
-    }
 }

@@ -110,6 +110,16 @@ public sealed class LinkActivityTests
     }
 
     [Fact]
+    public void Packets_without_frames_before_the_last_frame_are_not_what_made_it_silent()
+    {
+        _activity.BeginDelivery(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(1, count: 0), After(0), 0));
+        _activity.EndDelivery();
+        Deliver(0);
+        _activity.Check(After(4));
+        Assert.Contains("nothing has arrived", _told[^1].Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Packets_whose_rest_never_comes_are_named()
     {
         _activity.OnSkipped(TestPackets.Motion(1).AsSpan(0, 1024), SkipReason.Incomplete);
