@@ -4,10 +4,11 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// A TCP connection to a server that only sends (protocol.md section 4.1). How bytes are read differs by target: TcpReceiver.
+// A TCP connection to a server that only sends (protocol.md section 4.1). How it waits for bytes: TcpReceivers.
 internal sealed class TcpLink(LinkOptions options) : Link
 {
     private readonly object _lock = new();
+    private readonly TcpReceiver _receiver = TcpReceivers.Take();
     private Socket? _socket;
     private bool _closed;
 
@@ -55,7 +56,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
         var assembler = new PacketAssembler(new PacketScanner(options.MaxValues), receiver);
         try
         {
-            await TcpReceiver.ReceiveAsync(_socket!, assembler).ConfigureAwait(false);
+            await _receiver.ReceiveAsync(_socket!, assembler).ConfigureAwait(false);
             return new LinkEnd(ConnectionReason.ClosedByPeer, Advice.ClosedByPeer(Target));
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
@@ -77,6 +78,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
         {
             _closed = true;
             _socket?.Dispose();
+            _receiver.Release();
         }
     }
 
@@ -112,7 +114,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
                 if (options.LocalAddress is { } local)
                     socket.Bind(new IPEndPoint(local, 0));
 
-                await TcpConnector.ConnectAsync(socket, new IPEndPoint(address, options.Port)).ConfigureAwait(false);
+                await _receiver.ConnectAsync(socket, new IPEndPoint(address, options.Port)).ConfigureAwait(false);
             }
 
             LocalEndPoint = socket.LocalEndPoint;

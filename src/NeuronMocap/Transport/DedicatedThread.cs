@@ -1,9 +1,9 @@
 namespace NeuronMocap.Transport;
 
-internal static class ReceiveThread
+internal static class DedicatedThread
 {
-    // Runs a blocking loop on a background thread, which never keeps the process alive; the task ends as the loop does.
-    public static Task RunAsync(string name, Action loop)
+    // Runs what blocks on a background thread of its own, which never keeps the process alive; the task ends as it does.
+    public static Task RunAsync(string name, Action action)
     {
         var completion = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
         new Thread(Run) { IsBackground = true, Name = name }.Start();
@@ -13,7 +13,7 @@ internal static class ReceiveThread
         {
             try
             {
-                loop();
+                action();
                 completion.SetResult(true);
             }
             catch (Exception exception)

@@ -1,0 +1,35 @@
+using System.Diagnostics;
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Transport;
+
+// Waits on a thread of its own: the system wakes that thread and no other, and blocking receives allocate nothing on any runtime, Unity's
+// included. Nothing on this socket may ever be asynchronous: on .NET it is then non-blocking underneath for ever after, and every receive
+// that has to wait goes over other threads and allocates.
+internal sealed class BlockingTcpReceiver(Action? released = null) : TcpReceiver
+{
+    private Action? _released = released;
+
+    public override Task ConnectAsync(Socket socket, IPEndPoint remote) =>
+        DedicatedThread.RunAsync("NeuronMocap TCP connect", () => socket.Connect(remote));
+
+    public override Task ReceiveAsync(Socket socket, PacketAssembler assembler) =>
+        DedicatedThread.RunAsync("NeuronMocap TCP receive", () => Receive(socket, assembler));
+
+    public override void Release() => Interlocked.Exchange(ref _released, null)?.Invoke();
+
+    private static void Receive(Socket socket, PacketAssembler assembler)
+    {
+        byte[] buffer = new byte[BufferSize];
+        while (true)
+        {
+            int count = socket.Receive(buffer, 0, buffer.Length, SocketFlags.None);
+            if (count == 0)
+                return;
+
+            assembler.Push(new ArraySegment<byte>(buffer, 0, count), Stopwatch.GetTimestamp());
+        }
+    }
+}

@@ -1,0 +1,49 @@
+using System.Buffers;
+using System.Diagnostics;
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Transport;
+
+// Waits without a thread and, as long as nothing arrives, without memory: for the connections of a process that has very many. The bytes
+// are handled on whichever pool thread the system's completion arrives.
+internal sealed class PooledTcpReceiver : TcpReceiver
+{
+    public override Task ConnectAsync(Socket socket, IPEndPoint remote) => socket.ConnectAsync(remote);
+
+    public override async Task ReceiveAsync(Socket socket, PacketAssembler assembler)
+    {
+        do
+        {
+            // A receive of no bytes completes as soon as there are some.
+            await socket.ReceiveAsync(Memory<byte>.Empty, SocketFlags.None).ConfigureAwait(false);
+        }
+        while (await DrainAsync(socket, assembler).ConfigureAwait(false));
+    }
+
+    // False at the end of the stream.
+    private static async ValueTask<bool> DrainAsync(Socket socket, PacketAssembler assembler)
+    {
+        byte[] buffer = ArrayPool<byte>.Shared.Rent(BufferSize);
+        try
+        {
+            int count;
+            do
+            {
+                count = await socket.ReceiveAsync(buffer.AsMemory(0, BufferSize), SocketFlags.None).ConfigureAwait(false);
+                if (count == 0)
+                    return false;
+
+                assembler.Push(new ArraySegment<byte>(buffer, 0, count), Stopwatch.GetTimestamp());
+            }
+            while (count == BufferSize);
+
+            return true;
+        }
+        finally
+        {
+            ArrayPool<byte>.Shared.Return(buffer);
+        }
+    }
+}

@@ -1,0 +1,43 @@
+namespace NeuronMocap.Benchmarks.Harness;
+
+// Runs the floor and the ways in turn, A B C A B C: what else the machine does then falls on all of them alike.
+internal static class Alternation
+{
+    public static async Task<List<Row>> RunAsync(string @case, int runs, Way floor, IReadOnlyList<Way> ways, IReadOnlyList<Aim> aims)
+    {
+        List<Figures> floors = [];
+        List<Figures>[] results = [.. ways.Select(static _ => new List<Figures>())];
+
+        // The first round warms up and is not counted.
+        for (int run = 0; run <= runs; run++)
+        {
+            await MeasureAsync(floor, run, floors);
+            for (int way = 0; way < ways.Count; way++)
+                await MeasureAsync(ways[way], run, results[way]);
+        }
+
+        List<Row> rows = [];
+        for (int way = 0; way < ways.Count; way++)
+        {
+            foreach (string figure in results[way][0].Keys)
+            {
+                double[]? basis = floors[0].ContainsKey(figure) ? Pick(floors, figure) : null;
+                rows.Add(Row.From(@case, ways[way].Name, figure, Pick(results[way], figure), basis, aims));
+            }
+        }
+
+        return rows;
+    }
+
+    private static async Task MeasureAsync(Way way, int run, List<Figures> results)
+    {
+        // What an earlier run left behind is not collected during this one.
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        Figures figures = await way.RunAsync();
+        if (run > 0)
+            results.Add(figures);
+    }
+
+    private static double[] Pick(List<Figures> results, string figure) => [.. results.Select(figures => figures[figure])];
+}

@@ -1,0 +1,17 @@
+using NeuronMocap.Skeleton;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Benchmarks.Macro;
+
+internal static class Pipelines
+{
+    // What a reader makes for itself, without a network. No frame may come to a handler that throws.
+    public static ReceivePipeline Create()
+    {
+        var status = new StatusBoard(static _ => { });
+        status.Set(new ConnectionStatus(ConnectionState.Connected, ConnectionReason.None, string.Empty));
+        var pipeline = new ReceivePipeline(SkeletonFormat.Default, new LinkActivity(status, TimeSpan.FromSeconds(3), isUdp: false), static exception => throw exception);
+        pipeline.OnLinkOpened();
+        return pipeline;
+    }
+}

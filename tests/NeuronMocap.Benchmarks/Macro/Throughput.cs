@@ -1,0 +1,122 @@
+using System.Diagnostics;
+using System.Net.Sockets;
+using NeuronMocap.Benchmarks.Harness;
+using NeuronMocap.Benchmarks.Peers;
+using NeuronMocap.Delivery;
+
+namespace NeuronMocap.Benchmarks.Macro;
+
+// One TCP sender in its own process against one receiver: a raw socket that parses nothing, then each way of delivery, in turn.
+internal static class Throughput
+{
+    private const string Rate = "frames/s";
+
+    // A game's main loop is slower and its frames are fewer: this one looks every millisecond, and has room for what comes meanwhile.
+    private const int QueueCapacity = 16 * 1024;
+
+    private static readonly Aim[] Aims =
+    [
+        new(Rate, 0.95, IsRatio: true, IsLowerBound: true, Way: "callback"),
+        new(Rate, 0.85, IsRatio: true, IsLowerBound: true),
+        new("lost", 0),
+        new("B/frame", 0.01, Way: "callback"),
+    ];
+
+    public static async Task<int> RunAsync(int frames, int runs, int[] writes, Report report)
+    {
+        report.Begin($"{frames} frames of {TestFrame.Size} bytes over loopback TCP, {runs} runs; the floor is a blocking receive into {RawReceiver.BufferSize / 1024} KiB.");
+        foreach (int perWrite in writes)
+        {
+            Way[] ways =
+            [
+                new("callback", () => CallbackAsync(perWrite, frames)),
+                new("queue", () => QueueAsync(perWrite, frames)),
+                new("newest", () => NewestAsync(perWrite, frames)),
+            ];
+            report.Add(await Alternation.RunAsync($"{perWrite} frames/write", runs, new Way("raw", () => FloorAsync(perWrite, frames)), ways, Aims));
+        }
+
+        return report.End();
+    }
+
+    private static Task<Peer> StartSenderAsync(int perWrite, int frames) =>
+        Peer.StartAsync("flood", "--per-write", Peer.Text(perWrite), "--frames", Peer.Text(frames));
+
+    private static async Task<Figures> FloorAsync(int perWrite, int frames)
+    {
+        using Peer sender = await StartSenderAsync(perWrite, frames);
+        using Socket socket = RawReceiver.Connect(sender.Port);
+        byte[] buffer = new byte[RawReceiver.BufferSize];
+        long received = socket.Receive(buffer);
+        long start = Stopwatch.GetTimestamp();
+        for (int count = 1; count > 0; received += count)
+            count = socket.Receive(buffer);
+
+        return new Figures { [Rate] = received / (double)TestFrame.Size / Stopwatch.GetElapsedTime(start).TotalSeconds };
+    }
+
+    private static async Task<Figures> CallbackAsync(int perWrite, int frames)
+    {
+        using Peer sender = await StartSenderAsync(perWrite, frames);
+        await using NeuronReader reader = CreateReader(sender);
+        long counted = 0;
+        long allocatedBefore = 0;
+        long allocated = 0;
+        reader.MotionReceived += _ =>
+        {
+            // Between the first thousand frames and the last: connecting and ending allocate.
+            if (++counted == 1000)
+                allocatedBefore = GC.GetTotalAllocatedBytes(precise: true);
+            if (counted == frames)
+                allocated = GC.GetTotalAllocatedBytes(precise: true) - allocatedBefore;
+        };
+        reader.Start();
+        await reader.Completion;
+        return ToFigures(reader, frames - counted, allocated / (double)frames);
+    }
+
+    private static async Task<Figures> QueueAsync(int perWrite, int frames)
+    {
+        using Peer sender = await StartSenderAsync(perWrite, frames);
+        await using NeuronReader reader = CreateReader(sender);
+        using FrameQueue queue = reader.OpenQueue(QueueCapacity);
+        long counted = 0;
+        reader.Start();
+        while (!reader.Completion.IsCompleted)
+        {
+            counted += queue.Pump(static _ => { });
+            Thread.Sleep(1);
+        }
+
+        counted += queue.Pump(static _ => { });
+        return ToFigures(reader, frames - counted);
+    }
+
+    // Newer frames replace older ones on purpose, so only what was not received is lost.
+    private static async Task<Figures> NewestAsync(int perWrite, int frames)
+    {
+        using Peer sender = await StartSenderAsync(perWrite, frames);
+        await using NeuronReader reader = CreateReader(sender);
+        using LatestFrames latest = reader.OpenLatest();
+        reader.Start();
+        while (!reader.Completion.IsCompleted)
+        {
+            latest.TryTakeMotion(0, out _);
+            Thread.Sleep(1);
+        }
+
+        return ToFigures(reader, frames - reader.GetStatistics().MotionFrames);
+    }
+
+    private static NeuronReader CreateReader(Peer sender) => new(new NeuronReaderOptions { Port = sender.Port, Reconnect = { Enabled = false } });
+
+    private static Figures ToFigures(NeuronReader reader, long lost, double? allocated = null)
+    {
+        ReaderStatistics statistics = reader.GetStatistics();
+        var figures = new Figures { [Rate] = statistics.MotionFrames / statistics.Duration.TotalSeconds, ["lost"] = lost };
+        if (allocated is { } bytes)
+            figures["B/frame"] = bytes;
+
+        return figures;
+    }
+}

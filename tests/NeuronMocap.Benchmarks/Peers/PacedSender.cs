@@ -1,0 +1,57 @@
+using System.Diagnostics;
+using System.Net;
+using System.Net.Sockets;
+
+namespace NeuronMocap.Benchmarks.Peers;
+
+// Sends every one of its clients a frame at a time, at a rate, each stamped just before it is sent. The clients' frames are spread over the
+// period, as those of servers that know nothing of each other.
+internal static class PacedSender
+{
+    private const int MaxSlices = 16;
+
+    public static void Run(int connections, double rate, double seconds)
+    {
+        using var listener = new TcpListener(IPAddress.Loopback, 0);
+        listener.Start(backlog: connections);
+        Console.WriteLine(((IPEndPoint)listener.LocalEndpoint).Port);
+        Socket[] sockets = new Socket[connections];
+        for (int i = 0; i < connections; i++)
+        {
+            sockets[i] = listener.AcceptSocket();
+            sockets[i].NoDelay = true;
+        }
+
+        int slices = Math.Min(connections, MaxSlices);
+        byte[] packet = TestFrame.Create();
+        long frames = (long)(rate * seconds);
+        long start = Stopwatch.GetTimestamp();
+        for (uint frame = 0; frame < frames; frame++)
+        {
+            TestFrame.SetIndex(packet, frame);
+            for (int slice = 0; slice < slices; slice++)
+            {
+                WaitUntil(start + (long)((frame + (slice / (double)slices)) / rate * Stopwatch.Frequency));
+                for (int i = slice; i < connections; i += slices)
+                {
+                    TestFrame.SetTime(packet, Stopwatch.GetTimestamp());
+                    FloodSender.SendAll(sockets[i], packet);
+                }
+            }
+        }
+
+        foreach (Socket socket in sockets)
+        {
+            socket.Shutdown(SocketShutdown.Send);
+            socket.Receive(new byte[1]);
+            socket.Dispose();
+        }
+    }
+
+    private static void WaitUntil(long due)
+    {
+        double milliseconds = (due - Stopwatch.GetTimestamp()) * 1000.0 / Stopwatch.Frequency;
+        if (milliseconds > 0)
+            Thread.Sleep((int)Math.Ceiling(milliseconds));
+    }
+}
