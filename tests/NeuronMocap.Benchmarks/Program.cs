@@ -1,10 +1,16 @@
 using System.CommandLine;
+using BenchmarkDotNet.Configs;
+using BenchmarkDotNet.Jobs;
+using BenchmarkDotNet.Running;
+using BenchmarkDotNet.Toolchains.InProcess.Emit;
 using NeuronMocap.Benchmarks.Harness;
 using NeuronMocap.Benchmarks.Macro;
+using NeuronMocap.Benchmarks.Micro;
 using NeuronMocap.Benchmarks.Peers;
 
 var frames = new Option<int>("--frames") { Description = "Frames of one run.", DefaultValueFactory = _ => 1_000_000 };
 var runs = new Option<int>("--runs") { Description = "Runs of the floor and of each way, in turn, after one that warms up.", DefaultValueFactory = _ => 7 };
+var seconds = new Option<double>("--seconds") { Description = "Length of one run.", DefaultValueFactory = _ => 5 };
 var json = new Option<FileInfo?>("--json") { Description = "Also write all figures to this file." };
 var writes = new Option<int[]>("--writes")
 {
@@ -16,17 +22,29 @@ var writes = new Option<int[]>("--writes")
 var throughput = new Command("throughput", "Frames per second over loopback TCP, by each way of delivery.") { frames, runs, writes, json };
 throughput.SetAction((result, _) => Throughput.RunAsync(result.GetValue(frames), result.GetValue(runs), result.GetValue(writes)!, Open(result)));
 
+var avatars = new Command("avatars", "Cost of a frame with several avatars in one stream.") { runs, json };
+avatars.SetAction((result, _) => Scaling.AvatarsAsync([10, 100], result.GetValue(runs), Open(result)));
+
+var consumers = new Command("consumers", "Cost of a frame with several consumers.") { runs, json };
+consumers.SetAction((result, _) => Scaling.ConsumersAsync([4, 16], result.GetValue(runs), Open(result)));
+
+var clients = new Option<int[]>("--clients") { Description = "Numbers of clients.", DefaultValueFactory = _ => [1, 10, 100], AllowMultipleArgumentsPerToken = true };
+var broadcast = new Command("broadcast", "Cost and speed of the server.") { clients, seconds, runs, json };
+broadcast.SetAction((result, _) => Broadcast.RunAsync(result.GetValue(clients)!, result.GetValue(seconds), result.GetValue(runs), Open(result)));
+
 var decode = new Command("decode", "Cost of a frame without a network: scan, decode, publish, take.") { runs, json };
 decode.SetAction((result, _) => Decode.RunAsync(result.GetValue(runs), Open(result)));
 
 var rates = new Option<double[]>("--rates") { Description = "Frames per second.", DefaultValueFactory = _ => [60, 120, 1000], AllowMultipleArgumentsPerToken = true };
-var seconds = new Option<double>("--seconds") { Description = "Length of one run.", DefaultValueFactory = _ => 5 };
 var latency = new Command("latency", "Time from send to the handler, one frame at a time.") { rates, seconds, runs, json };
 latency.SetAction((result, _) => Latency.RunAsync(result.GetValue(rates)!, result.GetValue(seconds), result.GetValue(runs), Open(result)));
 
 var counts = new Option<int[]>("--counts") { Description = "Numbers of connections.", DefaultValueFactory = _ => [10, 100, 1000], AllowMultipleArgumentsPerToken = true };
 var streams = new Command("streams", "Cost of many connections in one process.") { counts, seconds, runs, json };
 streams.SetAction((result, _) => Streams.RunAsync(result.GetValue(counts)!, result.GetValue(seconds), result.GetValue(runs), Open(result)));
+
+var micro = new Command("micro", "The steps of the receive path one by one, by BenchmarkDotNet.");
+micro.SetAction(_ => { BenchmarkRunner.Run<ReceivePathBenchmarks>(DefaultConfig.Instance.AddJob(Job.Default.WithToolchain(InProcessEmitToolchain.Instance))); });
 
 var perWrite = new Option<int>("--per-write") { Required = true };
 var flood = new Command("flood", "The sender of throughput, in its own process.") { Hidden = true };
@@ -42,7 +60,18 @@ pace.Add(rate);
 pace.Add(seconds);
 pace.SetAction(result => PacedSender.Run(result.GetValue(connections), result.GetValue(rate), result.GetValue(seconds)));
 
-return await new RootCommand("Measures the receive path as ratios to a floor that is measured in the same run.") { throughput, latency, streams, decode, flood, pace }
+var port = new Option<int>("--port") { Required = true };
+var idler = new Option<bool>("--idler");
+var sinks = new Command("sinks", "The clients of broadcast, in their own process.") { Hidden = true };
+sinks.Add(port);
+sinks.Add(connections);
+sinks.Add(idler);
+sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(connections), result.GetValue(idler)));
+
+return await new RootCommand("Measures the receive path as ratios to a floor that is measured in the same run.") 
+    {
+        throughput, latency, streams, avatars, consumers, broadcast, decode, micro, flood, pace, sinks,
+    }
     .Parse(args)
     .InvokeAsync();
 

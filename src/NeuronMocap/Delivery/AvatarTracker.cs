@@ -148,7 +148,7 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
     private void Average(double seconds)
     {
         // A plain mean until there are enough: the first intervals, of frames that came in one piece, would weigh too much.
-        double weight = Math.Max(Weight, 1.0 / ++_intervals);
+        double weight = _intervals < 1 / Weight ? 1.0 / ++_intervals : Weight;
         double difference = seconds - _interval;
         Volatile.Write(ref _interval, _interval + (weight * difference));
         Volatile.Write(ref _variance, (1 - weight) * (_variance + (weight * difference * difference)));

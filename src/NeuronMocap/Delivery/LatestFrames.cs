@@ -58,9 +58,9 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
     void IPacketConsumer.OnPacket(in ReceivedPacket packet)
     {
         if (packet.Kind == PacketKind.Motion)
-            Publish(_motion, MotionHeader.Read(packet.Bytes).AvatarIndex, packet, _format, static format => new MotionFrame(format));
+            Publish(_motion, MotionHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static format => new MotionFrame(format));
         else
-            Publish(_calculation, CalculationHeader.Read(packet.Bytes).AvatarIndex, packet, _format, static _ => new CalculationFrame());
+            Publish(_calculation, CalculationHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static _ => new CalculationFrame());
     }
 
     private static void Publish<TFrame>(
@@ -73,7 +73,7 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
         Slot<TFrame>? slot = slots[avatar];
         if (slot is null)
         {
-            slot = new Slot<TFrame>(create(format), packet.Bytes.Count);
+            slot = new Slot<TFrame>(create(format), packet.Length);
             slot.Newest.Publish(packet);
             Volatile.Write(ref slots[avatar], slot);
             return;

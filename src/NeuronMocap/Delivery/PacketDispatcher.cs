@@ -34,12 +34,12 @@ internal sealed class PacketDispatcher(StreamCounters counters)
     private void Count(in ReceivedPacket packet)
     {
         if (packet.Kind == PacketKind.Command)
-            counters.CountCommand(packet.Bytes.Count);
+            counters.CountCommand(packet.Length);
         else if (!packet.IsFrame)
-            counters.CountEmpty(packet.Bytes.Count);
+            counters.CountEmpty(packet.Length);
         else if (packet.Kind == PacketKind.Motion)
-            counters.CountFrame(packet, MotionHeader.Read(packet.Bytes));
+            counters.CountMotion(packet);
         else
-            counters.CountFrame(packet, CalculationHeader.Read(packet.Bytes));
+            counters.CountCalculation(packet);
     }
 }

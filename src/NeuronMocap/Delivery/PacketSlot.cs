@@ -11,16 +11,15 @@ internal struct PacketSlot(int capacity)
     private long _timestamp;
     private int _source;
 
-    public readonly ReceivedPacket Packet => new(_kind, new ArraySegment<byte>(_bytes, 0, _length), _timestamp, _source);
+    public readonly ReceivedPacket Packet => new(_kind, _bytes, 0, _length, _timestamp, _source);
 
     public void Store(in ReceivedPacket packet)
     {
-        ArraySegment<byte> bytes = packet.Bytes;
-        if (_bytes.Length < bytes.Count)
-            _bytes = new byte[bytes.Count];
+        if (_bytes.Length < packet.Length)
+            _bytes = new byte[packet.Length];
 
-        bytes.AsSpan().CopyTo(_bytes);
-        _length = bytes.Count;
+        packet.Bytes.CopyTo(_bytes);
+        _length = packet.Length;
         _kind = packet.Kind;
         _timestamp = packet.Timestamp;
         _source = packet.Source;

@@ -30,18 +30,22 @@ internal sealed class StreamCounters
             tracker.Resume();
     }
 
-    public void CountFrame(in ReceivedPacket packet, in MotionHeader header)
+    public void CountMotion(in ReceivedPacket packet)
     {
+        ReadOnlySpan<byte> header = packet.Bytes;
         Volatile.Write(ref _motionFrames, _motionFrames + 1);
         CountBytes(packet);
-        Find(packet.Kind, packet.Source, header.AvatarIndex)?.OnFrame(header.AvatarName, header.FrameIndex, packet.Timestamp);
+        Find(packet.Kind, packet.Source, MotionHeader.ReadAvatarIndex(header))
+            ?.OnFrame(MotionHeader.ReadAvatarName(header), MotionHeader.ReadFrameIndex(header), packet.Timestamp);
     }
 
-    public void CountFrame(in ReceivedPacket packet, in CalculationHeader header)
+    public void CountCalculation(in ReceivedPacket packet)
     {
+        ReadOnlySpan<byte> header = packet.Bytes;
         Volatile.Write(ref _calculationFrames, _calculationFrames + 1);
         CountBytes(packet);
-        Find(packet.Kind, packet.Source, header.AvatarIndex)?.OnFrame(header.AvatarName, header.FrameIndex, packet.Timestamp);
+        Find(packet.Kind, packet.Source, CalculationHeader.ReadAvatarIndex(header))
+            ?.OnFrame(CalculationHeader.ReadAvatarName(header), CalculationHeader.ReadFrameIndex(header), packet.Timestamp);
     }
 
     public void CountCommand(int bytes)
@@ -83,7 +87,7 @@ internal sealed class StreamCounters
 
     private void CountBytes(in ReceivedPacket packet)
     {
-        Volatile.Write(ref _bytes, _bytes + packet.Bytes.Count);
+        Volatile.Write(ref _bytes, _bytes + packet.Length);
         Volatile.Write(ref _lastFrame, packet.Timestamp);
         if (_firstFrame == 0)
             Volatile.Write(ref _firstFrame, packet.Timestamp);

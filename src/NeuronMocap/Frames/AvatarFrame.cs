@@ -47,19 +47,22 @@ public abstract class AvatarFrame
 
     internal void Borrow(in ReceivedPacket packet)
     {
-        _data.Borrow(packet.Bytes);
+        _data.Borrow(packet.Array, packet.Offset, packet.Length);
         Timestamp = packet.Timestamp;
         Source = packet.Source;
-        ReadHeader();
+        OnData();
     }
 
-    private protected abstract void ReadHeader();
+    // Header fields are read when asked for: most handlers need few of them.
+    private protected virtual void OnData()
+    {
+    }
 
     private protected void CopyFrom(AvatarFrame other)
     {
         _data.Copy(other._data.Packet);
         Timestamp = other.Timestamp;
         Source = other.Source;
-        ReadHeader();
+        OnData();
     }
 }

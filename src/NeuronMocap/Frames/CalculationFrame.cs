@@ -23,8 +23,6 @@ public sealed class CalculationFrame : AvatarFrame
     private const int LeftContact = CalculationOrder.BodyBoneCount * ValuesPerBone;
     private const int RightContact = LeftContact + 1;
 
-    private CalculationHeader _header;
-
     /// <summary>Makes a frame that owns its memory: to test code that takes frames, or to feed one from another source.</summary>
     /// <param name="header">The header; its count is replaced by the number of values.</param>
     /// <param name="values">The values in wire order; copied.</param>
@@ -32,7 +30,7 @@ public sealed class CalculationFrame : AvatarFrame
     {
         byte[] packet = new byte[(header with { ValueCount = values.Length }).PacketSize];
         PacketEncoder.WriteCalculation(packet, header, values);
-        Borrow(new ReceivedPacket(PacketKind.Calculation, packet, Stopwatch.GetTimestamp(), Source: 0));
+        Borrow(new ReceivedPacket(PacketKind.Calculation, packet, Stopwatch.GetTimestamp(), source: 0));
     }
 
     internal CalculationFrame()
@@ -40,22 +38,22 @@ public sealed class CalculationFrame : AvatarFrame
     }
 
     /// <summary>All fields of the packet's header, reserved ones included.</summary>
-    public CalculationHeader Header => _header;
+    public CalculationHeader Header => CalculationHeader.Read(_data.Header);
 
     /// <inheritdoc/>
-    public override int AvatarIndex => (int)_header.AvatarIndex;
+    public override int AvatarIndex => (int)CalculationHeader.ReadAvatarIndex(_data.Header);
 
     /// <inheritdoc/>
-    public override string AvatarName => AvatarNames.GetText(_header.AvatarName);
+    public override string AvatarName => AvatarNames.GetText(CalculationHeader.ReadAvatarName(_data.Header));
 
     /// <inheritdoc/>
-    public override uint? FrameIndex => _header.FrameIndex;
+    public override uint? FrameIndex => CalculationHeader.ReadFrameIndex(_data.Header);
 
     /// <summary>
     /// How many bones the frame carries: 59, or 21 without the fingers, or 0 when the number of values is neither 338 nor 946; then only
     /// <see cref="AvatarFrame.Values"/> and the header are of use.
     /// </summary>
-    public int BoneCount => _header.ValueCount switch
+    public int BoneCount => _data.ValueCount switch
     {
         FullValueCount => BoneHierarchy.BoneCount,
         BodyValueCount => CalculationOrder.BodyBoneCount,
@@ -123,8 +121,6 @@ public sealed class CalculationFrame : AvatarFrame
         clone.CopyFrom(this);
         return clone;
     }
-
-    private protected override void ReadHeader() => _header = CalculationHeader.Read(_data.Header);
 
     private Vector3 ReadVector(Bone bone, int field)
     {

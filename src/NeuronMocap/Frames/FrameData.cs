@@ -18,24 +18,26 @@ internal struct FrameData
 
     public readonly ReadOnlySpan<byte> Header => _bytes.AsSpan(_offset, ProtocolConstants.HeaderSize);
 
+    public readonly int ValueCount => (_length - ProtocolConstants.HeaderSize) / sizeof(float);
+
     public readonly ReadOnlySpan<float> Values => MemoryMarshal.Cast<byte, float>(
         _bytes.AsSpan(_offset + ProtocolConstants.HeaderSize, _length - ProtocolConstants.HeaderSize));
 
     public readonly ReadOnlySpan<byte> Packet => _bytes.AsSpan(_offset, _length);
 
-    public void Borrow(ArraySegment<byte> packet)
+    public void Borrow(byte[] bytes, int offset, int length)
     {
-        if (!BitConverter.IsLittleEndian || (!ReadsMisaligned && packet.Offset % sizeof(float) != 0))
+        if (!BitConverter.IsLittleEndian || (!ReadsMisaligned && offset % sizeof(float) != 0))
         {
-            Copy(packet);
+            Copy(bytes.AsSpan(offset, length));
             if (!BitConverter.IsLittleEndian)
                 SwapValues();
             return;
         }
 
-        _bytes = packet.Array!;
-        _offset = packet.Offset;
-        _length = packet.Count;
+        _bytes = bytes;
+        _offset = offset;
+        _length = length;
     }
 
     // Takes a packet whose values already have this machine's byte order.

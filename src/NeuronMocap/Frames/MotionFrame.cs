@@ -15,7 +15,6 @@ namespace NeuronMocap.Frames;
 public sealed class MotionFrame : AvatarFrame
 {
     private readonly SkeletonFormat _format;
-    private MotionHeader _header;
     private ChannelLayout _layout;
 
     /// <summary>Makes a frame that owns its memory: to test code that takes frames, or to feed one from another source.</summary>
@@ -28,22 +27,22 @@ public sealed class MotionFrame : AvatarFrame
     {
         byte[] packet = new byte[(header with { ValueCount = values.Length }).PacketSize];
         PacketEncoder.WriteMotion(packet, header, values);
-        Borrow(new ReceivedPacket(PacketKind.Motion, packet, Stopwatch.GetTimestamp(), Source: 0));
+        Borrow(new ReceivedPacket(PacketKind.Motion, packet, Stopwatch.GetTimestamp(), source: 0));
     }
 
     internal MotionFrame(SkeletonFormat format) => _format = format;
 
     /// <summary>All fields of the packet's header, reserved ones included.</summary>
-    public MotionHeader Header => _header;
+    public MotionHeader Header => MotionHeader.Read(_data.Header);
 
     /// <inheritdoc/>
-    public override int AvatarIndex => (int)_header.AvatarIndex;
+    public override int AvatarIndex => (int)MotionHeader.ReadAvatarIndex(_data.Header);
 
     /// <inheritdoc/>
-    public override string AvatarName => AvatarNames.GetText(_header.AvatarName);
+    public override string AvatarName => AvatarNames.GetText(MotionHeader.ReadAvatarName(_data.Header));
 
     /// <inheritdoc/>
-    public override uint? FrameIndex => _header.FrameIndex;
+    public override uint? FrameIndex => MotionHeader.ReadFrameIndex(_data.Header);
 
     /// <summary>How the values are understood: the reader's options.</summary>
     public SkeletonFormat Format => _format;
@@ -137,11 +136,7 @@ public sealed class MotionFrame : AvatarFrame
         return clone;
     }
 
-    private protected override void ReadHeader()
-    {
-        _header = MotionHeader.Read(_data.Header);
-        HasSkeleton = ChannelLayout.TryFromValueCount(_header.ValueCount, out _layout);
-    }
+    private protected override void OnData() => HasSkeleton = ChannelLayout.TryFromValueCount(_data.ValueCount, out _layout);
 
     private static InvalidOperationException NoSkeleton() =>
         new("The frame does not hold the 59 bones; see HasSkeleton.");

@@ -82,5 +82,12 @@ public readonly record struct CalculationHeader
         Reserved3 = BinaryPrimitives.ReadUInt32LittleEndian(source[58..]),
     };
 
+    // Single fields, for the receive path, which does not need the others.
     internal static uint ReadValueCount(ReadOnlySpan<byte> source) => BinaryPrimitives.ReadUInt32LittleEndian(source[6..]);
+
+    internal static uint ReadAvatarIndex(ReadOnlySpan<byte> source) => BinaryPrimitives.ReadUInt32LittleEndian(source[10..]);
+
+    internal static AvatarName ReadAvatarName(ReadOnlySpan<byte> source) => AvatarName.Read(source[14..]);
+
+    internal static uint ReadFrameIndex(ReadOnlySpan<byte> source) => BinaryPrimitives.ReadUInt32LittleEndian(source[46..]);
 }

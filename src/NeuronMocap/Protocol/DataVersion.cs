@@ -37,6 +37,10 @@ public readonly record struct DataVersion(byte Major, byte Minor, byte Revision,
 
     internal HeaderLayout Layout => this is { Major: 1, Minor: 0 } ? HeaderLayout.Old : HeaderLayout.New;
 
+    internal static bool IsOld(ReadOnlySpan<byte> source) => source[3] == 1 && source[2] == 0;
+
+    internal static bool IsKnown(ReadOnlySpan<byte> source) => source[3] == 1 && source[2] <= 1;
+
     internal static DataVersion Read(ReadOnlySpan<byte> source) => new(source[3], source[2], source[1], source[0]);
 
     internal void Write(Span<byte> destination)

@@ -93,10 +93,19 @@ public readonly record struct MotionHeader
         return version.Layout == HeaderLayout.Old ? ReadOld(source, version) : ReadNew(source, version);
     }
 
-    internal static uint ReadValueCount(ReadOnlySpan<byte> source) =>
-        DataVersion.Read(source[2..]).Layout == HeaderLayout.Old
-            ? BinaryPrimitives.ReadUInt32LittleEndian(source[6..])
-            : BinaryPrimitives.ReadUInt16LittleEndian(source[6..]);
+    // Single fields, for the receive path, which does not need the others.
+    internal static uint ReadValueCount(ReadOnlySpan<byte> source) => DataVersion.IsOld(source[2..])
+        ? BinaryPrimitives.ReadUInt32LittleEndian(source[6..])
+        : BinaryPrimitives.ReadUInt16LittleEndian(source[6..]);
+
+    internal static uint ReadAvatarIndex(ReadOnlySpan<byte> source) =>
+        BinaryPrimitives.ReadUInt32LittleEndian(source[(DataVersion.IsOld(source[2..]) ? 18 : 10)..]);
+
+    internal static AvatarName ReadAvatarName(ReadOnlySpan<byte> source) =>
+        AvatarName.Read(source[(DataVersion.IsOld(source[2..]) ? 22 : 14)..]);
+
+    internal static uint? ReadFrameIndex(ReadOnlySpan<byte> source) =>
+        DataVersion.IsOld(source[2..]) ? null : BinaryPrimitives.ReadUInt32LittleEndian(source[46..]);
 
     private static MotionHeader ReadNew(ReadOnlySpan<byte> source, DataVersion version) => new()
     {

@@ -25,11 +25,11 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
             if (_tailLength < _needed)
                 return;
 
-            KeepTail(Deliver(new ArraySegment<byte>(_tail, 0, _tailLength), timestamp));
+            KeepTail(Deliver(_tail, 0, _tailLength, timestamp));
         }
 
         if (piece.Count > 0)
-            KeepTail(Deliver(piece, timestamp));
+            KeepTail(Deliver(piece.Array!, piece.Offset, piece.Count, timestamp));
     }
 
     // Gives up the unfinished tail: what follows it is known to be missing.
@@ -43,27 +43,28 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
         receiver.OnSkipped(_tail.AsSpan(0, length), SkipReason.Incomplete);
     }
 
-    private ArraySegment<byte> Deliver(ArraySegment<byte> bytes, long timestamp)
+    // Returns what no packet was found in yet.
+    private ArraySegment<byte> Deliver(byte[] bytes, int offset, int count, long timestamp)
     {
-        while (bytes.Count > 0)
+        while (count > 0)
         {
-            ScanResult result = scanner.Scan(bytes);
+            ScanResult result = scanner.Scan(bytes.AsSpan(offset, count));
             if (result.Status == ScanStatus.NeedMore)
             {
                 _needed = result.Length;
                 break;
             }
 
-            ArraySegment<byte> found = bytes.Slice(0, result.Length);
             if (result.Status == ScanStatus.Packet)
-                receiver.OnPacket(new ReceivedPacket(result.Kind, found, timestamp, source));
+                receiver.OnPacket(new ReceivedPacket(result.Kind, bytes, offset, result.Length, timestamp, source));
             else
-                receiver.OnSkipped(found, result.Reason);
+                receiver.OnSkipped(bytes.AsSpan(offset, result.Length), result.Reason);
 
-            bytes = bytes.Slice(result.Length);
+            offset += result.Length;
+            count -= result.Length;
         }
 
-        return bytes;
+        return new ArraySegment<byte>(bytes, offset, count);
     }
 
     // The rest may lie inside the tail itself; the copy handles the overlap.

@@ -33,17 +33,13 @@ public sealed class PacketScanner
     /// <returns>A packet, a number of bytes to wait for, or a number of bytes to skip; never a length of zero.</returns>
     public ScanResult Scan(ReadOnlySpan<byte> source)
     {
-        if (source.Length == 0)
-            return NeedMore(1);
-        if (!MayStartPacket(source))
-            return Skip(source, SkipReason.NoTokens);
-        if (source.Length < 2)
-            return NeedMore(2); // not 64: the second byte of noise has to be enough to skip it, or the total would depend on the splitting
         if (source.Length < ProtocolConstants.HeaderSize)
-            return NeedMore(ProtocolConstants.HeaderSize);
+            return ScanStart(source);
 
-        PacketKind kind = PacketTokens.KindOf(source[1]);
-        if (kind == PacketKind.Motion && !DataVersion.Read(source[2..]).TryGetLayout(out _))
+        PacketKind kind = PacketTokens.KindOf(source);
+        if (kind == PacketKind.None)
+            return Skip(source, SkipReason.NoTokens);
+        if (kind == PacketKind.Motion && !DataVersion.IsKnown(source[2..]))
             return Skip(source, SkipReason.UnknownVersion);
 
         long payload = PayloadSize(source, kind);
@@ -57,6 +53,19 @@ public sealed class PacketScanner
     // Whether the bytes begin with a whole header that this scanner accepts.
     internal bool StartsPacket(ReadOnlySpan<byte> source) =>
         source.Length >= ProtocolConstants.HeaderSize && Scan(source).Status != ScanStatus.Skipped;
+
+    // Less than a header.
+    private static ScanResult ScanStart(ReadOnlySpan<byte> source)
+    {
+        if (source.Length == 0)
+            return NeedMore(1);
+        if (!MayStartPacket(source))
+            return Skip(source, SkipReason.NoTokens);
+
+        // One byte asks for the second, not for 64: the second byte of noise has to be enough to skip it, or the total would depend on the
+        // splitting.
+        return NeedMore(source.Length < 2 ? 2 : ProtocolConstants.HeaderSize);
+    }
 
     private static ScanResult NeedMore(int length) => new(ScanStatus.NeedMore, length);
 
@@ -83,14 +92,11 @@ public sealed class PacketScanner
     // The second token is looked at only where the whole header is there: a shorter one has to wait whatever the splitting.
     private static bool MayStartPacket(ReadOnlySpan<byte> source)
     {
-        if (source[0] != ProtocolConstants.TokenStart)
-            return false;
-        if (source.Length < 2)
-            return true;
+        if (source.Length >= ProtocolConstants.HeaderSize)
+            return PacketTokens.KindOf(source) != PacketKind.None;
 
-        PacketKind kind = PacketTokens.KindOf(source[1]);
-        return kind != PacketKind.None
-            && (source.Length < ProtocolConstants.HeaderSize || PacketTokens.HasToken2(source, kind));
+        return source[0] == ProtocolConstants.TokenStart
+            && (source.Length < 2 || PacketTokens.KindOf(source[1]) != PacketKind.None);
     }
 
     private static long PayloadSize(ReadOnlySpan<byte> header, PacketKind kind) => kind switch

@@ -11,11 +11,15 @@ internal static class PacketTokens
         _ => PacketKind.None,
     };
 
+    // The caller has seen 64 bytes.
+    public static PacketKind KindOf(ReadOnlySpan<byte> header)
+    {
+        PacketKind kind = header[0] == ProtocolConstants.TokenStart ? KindOf(header[1]) : PacketKind.None;
+        return kind != PacketKind.None && HasToken2(header, kind) ? kind : PacketKind.None;
+    }
+
     public static bool Match(ReadOnlySpan<byte> source, PacketKind kind) =>
-        source.Length >= ProtocolConstants.HeaderSize
-        && source[0] == ProtocolConstants.TokenStart
-        && KindOf(source[1]) == kind
-        && HasToken2(source, kind);
+        source.Length >= ProtocolConstants.HeaderSize && KindOf(source) == kind;
 
     public static bool HasToken2(ReadOnlySpan<byte> header, PacketKind kind) =>
         header[ProtocolConstants.Token2Offset] == ProtocolConstants.TokenStart

@@ -1,8 +1,35 @@
+using System.Runtime.CompilerServices;
+
 namespace NeuronMocap.Protocol;
 
 // One whole packet on its way to the consumers. The bytes belong to the receive buffer and are valid only during the call that hands them over.
-internal readonly record struct ReceivedPacket(PacketKind Kind, ArraySegment<byte> Bytes, long Timestamp, int Source)
+// Array, offset and length stand by themselves: a nested segment is copied as a whole right after its parts were written, which stalls the
+// processor in every frame.
+internal readonly struct ReceivedPacket(PacketKind kind, byte[] array, int offset, int length, long timestamp, int source)
 {
+    public ReceivedPacket(PacketKind kind, ArraySegment<byte> bytes, long timestamp, int source)
+        : this(kind, bytes.Array!, bytes.Offset, bytes.Count, timestamp, source)
+    {
+    }
+
+    public readonly PacketKind Kind = kind;
+
+    public readonly byte[] Array = array;
+
+    public readonly int Offset = offset;
+
+    public readonly int Length = length;
+
+    public readonly long Timestamp = timestamp;
+
+    public readonly int Source = source;
+
+    public ReadOnlySpan<byte> Bytes
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Array.AsSpan(Offset, Length);
+    }
+
     // Whether it carries values: commands do not, and a server may send packets of none.
-    public bool IsFrame => Kind != PacketKind.Command && Bytes.Count > ProtocolConstants.HeaderSize;
+    public bool IsFrame => Kind != PacketKind.Command && Length > ProtocolConstants.HeaderSize;
 }

@@ -19,4 +19,7 @@ internal sealed record LinkOptions(string Host, int Port)
 
     // Replaced by tests: what a resolver does on a machine without a network cannot be foreseen.
     public Func<string, Task<IPAddress[]>> Resolve { get; init; } = Dns.GetHostAddressesAsync;
+
+    // How the connection waits; for each link one of its own.
+    public Func<TcpReceiver> TakeReceiver { get; init; } = TcpReceivers.Shared.Take;
 }

@@ -8,7 +8,7 @@ namespace NeuronMocap.Transport;
 internal sealed class TcpLink(LinkOptions options) : Link
 {
     private readonly object _lock = new();
-    private readonly TcpReceiver _receiver = TcpReceivers.Take();
+    private readonly TcpReceiver _receiver = options.TakeReceiver();
     private Socket? _socket;
     private bool _closed;
 

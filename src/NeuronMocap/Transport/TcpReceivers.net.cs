@@ -1,17 +1,18 @@
 namespace NeuronMocap.Transport;
 
-internal static class TcpReceivers
+// Who gets a thread. A blocking thread answers soonest, and more than a few servers at once is rare; past the limit, connections share the
+// pool's threads, so that a process with a thousand of them has no thousand threads. docs/performance.md has the figures of both.
+internal sealed class TcpReceivers(int maxThreads)
 {
-    // Blocking threads answer soonest, and more than a few servers at once is rare; past these, connections share the pool's threads, so that
-    // a process with a thousand of them has no thousand threads. docs/performance.md has the figures.
-    public const int MaxThreads = 16;
+    private int _threads;
 
-    private static int _threads;
+    // Of all connections of the process.
+    public static TcpReceivers Shared { get; } = new(maxThreads: 16);
 
-    public static TcpReceiver Take()
+    public TcpReceiver Take()
     {
-        if (Interlocked.Increment(ref _threads) <= MaxThreads)
-            return new BlockingTcpReceiver(static () => Interlocked.Decrement(ref _threads));
+        if (Interlocked.Increment(ref _threads) <= maxThreads)
+            return new BlockingTcpReceiver(() => Interlocked.Decrement(ref _threads));
 
         Interlocked.Decrement(ref _threads);
         return new PooledTcpReceiver();

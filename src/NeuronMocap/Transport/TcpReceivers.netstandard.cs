@@ -1,7 +1,9 @@
 namespace NeuronMocap.Transport;
 
-internal static class TcpReceivers
+// Every connection has a thread: what this target offers for waiting without one allocates for every wait.
+internal sealed class TcpReceivers
 {
-    // Always a thread: what this target offers for many sockets at once allocates for every wait.
-    public static TcpReceiver Take() => new BlockingTcpReceiver();
+    public static TcpReceivers Shared { get; } = new();
+
+    public TcpReceiver Take() => new BlockingTcpReceiver();
 }

@@ -48,7 +48,7 @@ internal static class PacedSender
         }
     }
 
-    private static void WaitUntil(long due)
+    public static void WaitUntil(long due)
     {
         double milliseconds = (due - Stopwatch.GetTimestamp()) * 1000.0 / Stopwatch.Frequency;
         if (milliseconds > 0)

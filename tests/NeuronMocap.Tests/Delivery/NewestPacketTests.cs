@@ -32,7 +32,7 @@ public sealed class NewestPacketTests
         for (int i = 2; i < 10; i++)
             newest.Publish(Packet(i));
 
-        Assert.Equal(-1, held.Bytes.AsSpan().IndexOfAnyExcept((byte)1));
+        Assert.Equal(-1, held.Bytes.IndexOfAnyExcept((byte)1));
     }
 
     [Fact]
@@ -66,7 +66,7 @@ public sealed class NewestPacketTests
             }
 
             Assert.True(packet.Timestamp > last, $"{packet.Timestamp} after {last}");
-            Assert.Equal(-1, packet.Bytes.AsSpan().IndexOfAnyExcept((byte)packet.Timestamp));
+            Assert.Equal(-1, packet.Bytes.IndexOfAnyExcept((byte)packet.Timestamp));
             last = packet.Timestamp;
         }
 

@@ -66,7 +66,7 @@ public sealed class PacketRingTests
     {
         var ring = new PacketRing(1, slotSize: 8);
         byte[] large = TestPackets.Calculation(frame: 3);
-        Assert.True(ring.TryEnqueue(new ReceivedPacket(PacketKind.Calculation, large, Timestamp: 42, Source: 7)));
+        Assert.True(ring.TryEnqueue(new ReceivedPacket(PacketKind.Calculation, large, timestamp: 42, source: 7)));
 
         Assert.True(ring.TryPeek(out ReceivedPacket packet));
         Assert.Equal(large, packet.Bytes.ToArray());
@@ -109,7 +109,7 @@ public sealed class PacketRingTests
 
             int number = Number(packet);
             Assert.True(number > last, $"{number} after {last}");
-            Assert.Equal(-1, packet.Bytes.AsSpan(4).IndexOfAnyExcept((byte)number));
+            Assert.Equal(-1, packet.Bytes[4..].IndexOfAnyExcept((byte)number));
             last = number;
             received++;
             ring.Release();

@@ -139,11 +139,11 @@ public sealed class CalculationFrameTests
     {
         byte[] buffer = GoldenPackets.CalculationData(Ascending(946), avatar: 1, name: "Before", frame: 7);
         var frame = new CalculationFrame();
-        frame.Borrow(new ReceivedPacket(PacketKind.Calculation, buffer, Timestamp: 123, Source: 4));
+        frame.Borrow(new ReceivedPacket(PacketKind.Calculation, buffer, timestamp: 123, source: 4));
         CalculationFrame clone = frame.Clone();
 
         GoldenPackets.CalculationData(new float[338], avatar: 2, name: "After", frame: 8).CopyTo(buffer, 0);
-        frame.Borrow(new ReceivedPacket(PacketKind.Calculation, new ArraySegment<byte>(buffer, 0, 1416), Timestamp: 456, Source: 5));
+        frame.Borrow(new ReceivedPacket(PacketKind.Calculation, new ArraySegment<byte>(buffer, 0, 1416), timestamp: 456, source: 5));
 
         Assert.Equal((2, "After", 8u, 456L, 5), (frame.AvatarIndex, frame.AvatarName, frame.FrameIndex, frame.Timestamp, frame.Source));
         Assert.Equal(21, frame.BoneCount);
@@ -207,7 +207,7 @@ public sealed class CalculationFrameTests
         byte[] buffer = new byte[offset + packet.Length + 5];
         packet.CopyTo(buffer, offset);
         var frame = new CalculationFrame();
-        frame.Borrow(new ReceivedPacket(PacketKind.Calculation, new ArraySegment<byte>(buffer, offset, packet.Length), Timestamp: 0, Source: 0));
+        frame.Borrow(new ReceivedPacket(PacketKind.Calculation, new ArraySegment<byte>(buffer, offset, packet.Length), timestamp: 0, source: 0));
         return frame;
     }
 

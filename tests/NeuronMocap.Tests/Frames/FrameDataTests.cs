@@ -12,7 +12,7 @@ public sealed class FrameDataTests
     {
         byte[] lent = [0, 0, 0, .. Large, 0];
         var data = default(FrameData);
-        data.Borrow(new ArraySegment<byte>(lent, 3, Large.Length));
+        data.Borrow(lent, 3, Large.Length);
         data.Copy(Small);
 
         Assert.Equal(Small, data.Packet.ToArray());

@@ -1,0 +1,159 @@
+using System.Diagnostics;
+using System.Globalization;
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Benchmarks.Harness;
+using NeuronMocap.Benchmarks.Peers;
+using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Benchmarks.Macro;
+
+// The server to its clients, which are in another process; the floor is a thread for each client that sends the same bytes and does nothing
+// else. At a rate the cost of a frame is compared, flat out the number of frames.
+internal static class Broadcast
+{
+    private const double Rate = 120;
+    private const string Cost = "CPU µs/frame and client";
+    private const string Speed = "frames/s";
+
+    private static readonly Aim[] Aims = [new(Cost, 1 / 0.9, IsRatio: true), new(Speed, 0.9, IsRatio: true, IsLowerBound: true), new("lost", 0)];
+
+    public static async Task<int> RunAsync(int[] counts, double seconds, int runs, Report report)
+    {
+        report.Begin($"A server to its clients: {seconds} s at {Rate} Hz, then flat out, {runs} runs; the floor is a raw send loop for each client.");
+        foreach (int count in counts)
+        {
+            Way[] paced =
+            [
+                new("paced", () => PacedAsync(count, seconds, withIdler: false)),
+                new("paced, one more client that never reads", () => PacedAsync(count, seconds, withIdler: true)),
+            ];
+            report.Add(await Alternation.RunAsync($"{count} clients", runs, new Way("raw", () => RawPacedAsync(count, seconds)), paced, Aims));
+
+            int frames = 2_000_000 / count;
+            Way raw = new("raw", () => RawFloodAsync(count, frames));
+            report.Add(await Alternation.RunAsync($"{count} clients", runs, raw, [new Way("flat out", () => FloodAsync(count, frames))], Aims));
+        }
+
+        return report.End();
+    }
+
+    private static async Task<Figures> PacedAsync(int count, double seconds, bool withIdler)
+    {
+        using Broadcaster server = CreateServer(Rate, (long)(Rate * seconds));
+        server.Start();
+        return await MeasureAsync(server.LocalEndPoint!.Port, count, withIdler, (long)(Rate * seconds), () => server.Completion);
+    }
+
+    private static async Task<Figures> FloodAsync(int count, int frames)
+    {
+        using Broadcaster server = CreateServer(BroadcasterOptions.MaxRate, frames);
+        server.Start();
+        using Peer sinks = await StartSinksAsync(server.LocalEndPoint!.Port, count, withIdler: false);
+        (long received, double elapsed) = await ReadResultAsync(sinks);
+        return new Figures { [Speed] = received * count / elapsed, ["lost"] = frames - received };
+    }
+
+    private static Broadcaster CreateServer(double rate, long frames) => new(new BroadcasterOptions
+    {
+        Sources = [new StillSource()],
+        Port = 0,
+        Rate = rate,
+        FrameLimit = frames,
+        MaxClients = 1000,
+        WaitForClient = true,
+        CloseTimeout = TimeSpan.FromSeconds(1),
+    });
+
+    private static async Task<Figures> RawPacedAsync(int count, double seconds)
+    {
+        using var listener = Listen(count);
+        byte[] packet = TestFrame.Create();
+        long frames = (long)(Rate * seconds);
+        Task serving = ServeAsync(listener, count, socket =>
+        {
+            long start = Stopwatch.GetTimestamp();
+            for (long frame = 0; frame < frames; frame++)
+            {
+                PacedSender.WaitUntil(start + (long)(frame / Rate * Stopwatch.Frequency));
+                FloodSender.SendAll(socket, packet);
+            }
+        });
+        return await MeasureAsync(((IPEndPoint)listener.LocalEndpoint).Port, count, withIdler: false, frames, () => serving);
+    }
+
+    private static async Task<Figures> RawFloodAsync(int count, int frames)
+    {
+        using var listener = Listen(count);
+        const int PerWrite = 88;
+        byte[] block = new byte[PerWrite * TestFrame.Size];
+        Task serving = ServeAsync(listener, count, socket =>
+        {
+            for (int sent = 0; sent < frames; sent += PerWrite)
+                FloodSender.SendAll(socket, block.AsSpan(0, Math.Min(PerWrite, frames - sent) * TestFrame.Size));
+        });
+        using Peer sinks = await StartSinksAsync(((IPEndPoint)listener.LocalEndpoint).Port, count, withIdler: false);
+        (long received, double elapsed) = await ReadResultAsync(sinks);
+        await serving;
+        return new Figures { [Speed] = received * count / elapsed };
+    }
+
+    private static async Task<Figures> MeasureAsync(int port, int count, bool withIdler, long frames, Func<Task> completion)
+    {
+        using Peer sinks = await StartSinksAsync(port, count, withIdler);
+        TimeSpan cpu = Environment.CpuUsage.TotalTime;
+        (long received, _) = await ReadResultAsync(sinks);
+        cpu = Environment.CpuUsage.TotalTime - cpu;
+        await completion();
+
+        // The first client starts the frames; the others miss those that were sent while they connected.
+        bool all = received >= frames - (Rate * count / 100) - 12;
+        return new Figures { [Cost] = cpu.TotalMicroseconds / (received * count), ["lost"] = all ? 0 : frames - received };
+    }
+
+    private static TcpListener Listen(int count)
+    {
+        var listener = new TcpListener(IPAddress.Loopback, 0);
+        listener.Start(count);
+        return listener;
+    }
+
+    private static Task ServeAsync(TcpListener listener, int count, Action<Socket> send) => Task.WhenAll(Enumerable.Range(0, count).Select(_ => Task.Factory.StartNew(
+        () =>
+        {
+            using Socket socket = listener.AcceptSocket();
+            socket.NoDelay = true;
+            send(socket);
+            socket.Shutdown(SocketShutdown.Send);
+            socket.Receive(new byte[1]);
+        },
+        CancellationToken.None,
+        TaskCreationOptions.LongRunning,
+        TaskScheduler.Default)));
+
+    private static Task<Peer> StartSinksAsync(int port, int count, bool withIdler) =>
+        Peer.StartAsync("sinks", "--port", Peer.Text(port), "--connections", Peer.Text(count), "--idler", withIdler ? "true" : "false");
+
+    private static async Task<(long Frames, double Seconds)> ReadResultAsync(Peer sinks)
+    {
+        string[] parts = (await sinks.ReadLineAsync()).Split(' ');
+        return (long.Parse(parts[0], CultureInfo.InvariantCulture), double.Parse(parts[1], CultureInfo.InvariantCulture));
+    }
+
+    // A performance that costs nothing to make, as the raw loop's does.
+    private sealed class StillSource : Server.Sources.MotionSource
+    {
+        public override double FrameRate => Rate;
+
+        public override long? FrameCount => null;
+
+        public override bool HasDisplacement => true;
+
+        public override void GetPose(long frame, Span<BoneTransform> pose) => pose.Fill(BoneTransform.Identity);
+
+        public override (bool Left, bool Right) GetFootContacts(long frame) => (true, true);
+
+        public override void WriteValues(long frame, ChannelLayout layout, RotationOrder order, Span<float> values) => values.Clear();
+    }
+}

@@ -1,0 +1,93 @@
+using System.Diagnostics;
+using NeuronMocap.Benchmarks.Harness;
+using NeuronMocap.Benchmarks.Peers;
+using NeuronMocap.Delivery;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Benchmarks.Macro;
+
+// What more avatars in one stream, and more consumers of it, cost: on one thread, without a network. The floor is one of them.
+internal static class Scaling
+{
+    private const int Frames = 400_000;
+    private const int PerPiece = 40;
+
+    public static async Task<int> AvatarsAsync(int[] counts, int runs, Report report)
+    {
+        report.Begin($"Nanoseconds a frame to scan, count, queue and take it, with several avatars in one stream; {Frames} frames a run, {runs} runs; the floor is one avatar.");
+        foreach (int count in counts)
+        {
+            Way floor = new("1 avatar", () => Measure(1, 1, newest: false));
+            Way[] ways = [new("queue", () => Measure(count, 1, newest: false)), new("newest", () => Measure(count, 1, newest: true))];
+            report.Add(await Alternation.RunAsync($"{count} avatars", runs, floor, ways, [new Aim("ns/frame", 1, IsRatio: true, Way: "queue")]));
+        }
+
+        return report.End();
+    }
+
+    public static async Task<int> ConsumersAsync(int[] counts, int runs, Report report)
+    {
+        report.Begin($"Nanoseconds a frame and consumer; {Frames} frames a run, {runs} runs; the floor is one consumer.");
+        foreach (int count in counts)
+        {
+            foreach (bool newest in new[] { false, true })
+            {
+                Way floor = new("1 consumer", () => Measure(1, 1, newest));
+                Way way = new(newest ? "newest" : "queue", () => Measure(1, count, newest));
+                report.Add(await Alternation.RunAsync($"{count} consumers", runs, floor, [way], [new Aim("ns/frame", 1, IsRatio: true)]));
+            }
+        }
+
+        return report.End();
+    }
+
+    private static Figures Measure(int avatars, int consumers, bool newest)
+    {
+        ReceivePipeline pipeline = Pipelines.Create();
+        FrameQueue[] queues = [.. Enumerable.Range(0, newest ? 0 : consumers).Select(_ => pipeline.OpenQueue(2 * PerPiece))];
+        LatestFrames[] latest = [.. Enumerable.Range(0, newest ? consumers : 0).Select(_ => pipeline.OpenLatest())];
+        var assembler = new PacketAssembler(new PacketScanner(), pipeline);
+        byte[] piece = new byte[PerPiece * TestFrame.Size];
+        byte[][] packets = [.. Enumerable.Range(0, avatars).Select(TestFrame.Create)];
+        long taken = 0;
+        Action<NeuronMocap.Frames.MotionFrame> take = _ => taken++;
+        Run(Frames / 10);
+        taken = 0;
+        long start = Stopwatch.GetTimestamp();
+        Run(Frames);
+        double nanoseconds = Stopwatch.GetElapsedTime(start).TotalNanoseconds;
+        if (!newest && taken != (long)Frames * consumers)
+            throw new InvalidOperationException($"{taken} of {(long)Frames * consumers} frames were taken.");
+
+        return new Figures { ["ns/frame"] = nanoseconds / Frames / consumers };
+
+        void Run(int frames)
+        {
+            uint index = 0;
+            int avatar = 0;
+            for (int done = 0; done < frames; done += PerPiece)
+            {
+                for (int i = 0; i < PerPiece; i++)
+                {
+                    Span<byte> packet = piece.AsSpan(i * TestFrame.Size, TestFrame.Size);
+                    packets[avatar].AsSpan(0, TestFrame.HeaderSize).CopyTo(packet);
+                    TestFrame.SetIndex(packet, index);
+                    if (++avatar == avatars)
+                    {
+                        avatar = 0;
+                        index++;
+                    }
+                }
+
+                assembler.Push(piece, done);
+                foreach (FrameQueue queue in queues)
+                    queue.Pump(take);
+                foreach (LatestFrames view in latest)
+                {
+                    for (int i = 0; i < avatars; i++)
+                        view.TryTakeMotion(i, out _);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,50 @@
+using System.Diagnostics;
+using System.Globalization;
+using System.Net;
+using System.Net.Sockets;
+
+namespace NeuronMocap.Benchmarks.Peers;
+
+// Clients of a server, in a process of their own: each reads until the server closes. Prints when all are connected, and at the end the
+// frames that the worst one got and the seconds between the first bytes and the last.
+internal static class Sinks
+{
+    public static void Run(int port, int connections, bool withIdler)
+    {
+        using Socket? idler = withIdler ? Connect(port) : null;
+        Socket[] sockets = [.. Enumerable.Range(0, connections).Select(_ => Connect(port))];
+        long[] received = new long[connections];
+        long start = 0;
+        Thread[] threads = [.. sockets.Select((socket, i) => new Thread(() => Read(socket, ref received[i], ref start)))];
+        foreach (Thread thread in threads)
+            thread.Start();
+
+        Console.WriteLine(port);
+        foreach (Thread thread in threads)
+            thread.Join();
+
+        double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
+        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{received.Min() / TestFrame.Size} {seconds}"));
+    }
+
+    private static Socket Connect(int port)
+    {
+        var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+        socket.Connect(IPAddress.Loopback, port);
+        return socket;
+    }
+
+    private static void Read(Socket socket, ref long received, ref long start)
+    {
+        byte[] buffer = new byte[128 * 1024];
+        while (socket.Receive(buffer) is > 0 and var count)
+        {
+            if (received == 0)
+                Interlocked.CompareExchange(ref start, Stopwatch.GetTimestamp(), 0);
+
+            received += count;
+        }
+
+        socket.Dispose();
+    }
+}
