@@ -1,8 +1,5 @@
 using System.CommandLine;
-using BenchmarkDotNet.Configs;
-using BenchmarkDotNet.Jobs;
 using BenchmarkDotNet.Running;
-using BenchmarkDotNet.Toolchains.InProcess.Emit;
 using NeuronMocap.Benchmarks.Harness;
 using NeuronMocap.Benchmarks.Macro;
 using NeuronMocap.Benchmarks.Micro;
@@ -44,7 +41,7 @@ var streams = new Command("streams", "Cost of many connections in one process.")
 streams.SetAction((result, _) => Streams.RunAsync(result.GetValue(counts)!, result.GetValue(seconds), result.GetValue(runs), Open(result)));
 
 var micro = new Command("micro", "The steps of the receive path one by one, by BenchmarkDotNet.");
-micro.SetAction(_ => { BenchmarkRunner.Run<ReceivePathBenchmarks>(DefaultConfig.Instance.AddJob(Job.Default.WithToolchain(InProcessEmitToolchain.Instance))); });
+micro.SetAction(_ => { BenchmarkRunner.Run<ReceivePathBenchmarks>(ReceivePathBenchmarks.Config); });
 
 var perWrite = new Option<int>("--per-write") { Required = true };
 var flood = new Command("flood", "The sender of throughput, in its own process.") { Hidden = true };

@@ -1,4 +1,7 @@
 using BenchmarkDotNet.Attributes;
+using BenchmarkDotNet.Configs;
+using BenchmarkDotNet.Jobs;
+using BenchmarkDotNet.Toolchains.InProcess.Emit;
 using NeuronMocap.Benchmarks.Peers;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
@@ -11,6 +14,11 @@ namespace NeuronMocap.Benchmarks.Micro;
 [MemoryDiagnoser]
 public class ReceivePathBenchmarks
 {
+    // In this process: the project it would generate does not know which build of the library is measured.
+    internal static IConfig Config => DefaultConfig.Instance
+        .AddJob(Job.ShortRun.WithToolchain(InProcessEmitToolchain.Instance))
+        .WithArtifactsPath(Path.Combine(Path.GetTempPath(), "NeuronMocap.Benchmarks"));
+
     private readonly byte[] _packet = TestFrame.Create();
     private readonly byte[] _target = new byte[TestFrame.Size];
     private readonly BoneTransform[] _bones = new BoneTransform[BoneHierarchy.BoneCount];
