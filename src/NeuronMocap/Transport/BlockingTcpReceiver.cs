@@ -10,6 +10,10 @@ namespace NeuronMocap.Transport;
 // that has to wait goes over other threads and allocates.
 internal sealed class BlockingTcpReceiver(Action? released = null) : TcpReceiver
 {
+    // Ten frames at once are more than an ordinary server ever has ready; one that sends as fast as it can gets up to the largest.
+    private const int SmallestBuffer = 16 * 1024;
+    private const int LargestBuffer = 256 * 1024;
+
     private Action? _released = released;
 
     public override Task ConnectAsync(Socket socket, IPEndPoint remote) =>
@@ -22,7 +26,7 @@ internal sealed class BlockingTcpReceiver(Action? released = null) : TcpReceiver
 
     private static void Receive(Socket socket, PacketAssembler assembler)
     {
-        byte[] buffer = new byte[BufferSize];
+        byte[] buffer = new byte[SmallestBuffer];
         while (true)
         {
             int count = socket.Receive(buffer, 0, buffer.Length, SocketFlags.None);
@@ -30,6 +34,10 @@ internal sealed class BlockingTcpReceiver(Action? released = null) : TcpReceiver
                 return;
 
             assembler.Push(new ArraySegment<byte>(buffer, 0, count), Stopwatch.GetTimestamp());
+
+            // More is waiting than there is room for: fewer, larger receives from here on.
+            if (count == buffer.Length && count < LargestBuffer)
+                buffer = new byte[2 * count];
         }
     }
 }

@@ -10,6 +10,8 @@ namespace NeuronMocap.Transport;
 // are handled on whichever pool thread the system's completion arrives.
 internal sealed class PooledTcpReceiver : TcpReceiver
 {
+    private const int BufferSize = 64 * 1024;
+
     public override Task ConnectAsync(Socket socket, IPEndPoint remote) => socket.ConnectAsync(remote);
 
     public override async Task ReceiveAsync(Socket socket, PacketAssembler assembler)
