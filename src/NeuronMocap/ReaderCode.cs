@@ -1,0 +1,39 @@
+using NeuronMocap.Diagnostics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap;
+
+// The program that receives a stream, for people to copy.
+internal static class ReaderCode
+{
+    public static string For(NeuronReaderOptions options, StreamPlace place, PacketKind wanted)
+    {
+        string method = wanted == PacketKind.Motion ? nameof(NeuronReader.ReadMotionAsync) : nameof(NeuronReader.ReadCalculationAsync);
+        return $"""
+            await using var reader = new NeuronReader(new NeuronReaderOptions {OptionsOf(options, place)});
+            await foreach (var frame in reader.{method}())
+                Console.WriteLine(frame.AvatarName);
+            """;
+    }
+
+    private static string OptionsOf(NeuronReaderOptions options, StreamPlace place)
+    {
+        var parts = new List<string>();
+        if (place.Transport == TransportKind.Udp)
+            parts.Add("Transport = TransportKind.Udp");
+        else
+            parts.Add($"Host = \"{place.Host}\"");
+
+        parts.Add($"Port = {place.Port}");
+        if (options.LocalAddress is { } address)
+            parts.Add($"LocalAddress = IPAddress.Parse(\"{address}\")");
+        if (options.SharePort && place.Transport == TransportKind.Udp)
+            parts.Add("SharePort = true");
+        if (options.RotationOrder != RotationOrder.YXZ)
+            parts.Add($"RotationOrder = RotationOrder.{options.RotationOrder}");
+
+        return $"{{ {string.Join(", ", parts)} }}";
+    }
+}

@@ -1,0 +1,37 @@
+using System.Net;
+using System.Net.Sockets;
+
+namespace NeuronMocap.Tests.Diagnostics;
+
+// Sends datagrams to a port of this computer, as a server that is set to UDP does.
+internal sealed class DatagramSender : IDisposable
+{
+    private readonly Socket _socket = new(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+
+    public DatagramSender() => _socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+
+    public EndPoint EndPoint => _socket.LocalEndPoint!;
+
+    public static int FreePort()
+    {
+        using var sender = new DatagramSender();
+        return ((IPEndPoint)sender.EndPoint).Port;
+    }
+
+    // One group of datagrams after the other, by its number, until the task ends.
+    public async Task<T> SendUntilAsync<T>(Task<T> task, int port, Func<int, IEnumerable<byte[]>> datagrams)
+    {
+        var target = new IPEndPoint(IPAddress.Loopback, port);
+        for (int i = 0; !task.IsCompleted; i++)
+        {
+            foreach (byte[] datagram in datagrams(i))
+                await _socket.SendToAsync(datagram, SocketFlags.None, target);
+
+            await Task.Delay(1, TestContext.Current.CancellationToken);
+        }
+
+        return await task.Soon();
+    }
+
+    public void Dispose() => _socket.Dispose();
+}
