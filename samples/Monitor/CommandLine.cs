@@ -17,8 +17,8 @@ internal sealed class CommandLine
     public const int Interrupted = 130;
 
     private const string Usage =
-        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT | --demo] [--order YXZ] [--once] [--frames N] [--duration SECONDS] "
-        + "[--json | --quiet]\n       neuron-monitor --diagnose [HOST[:PORT]] [--udp PORT] [--duration SECONDS] [--json | --quiet]";
+        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--once] [--frames N] "
+        + "[--duration SECONDS] [--json | --quiet]";
 
     private const double LongestDuration = 1_000_000;
 

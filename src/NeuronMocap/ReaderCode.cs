@@ -12,13 +12,13 @@ internal static class ReaderCode
     {
         string method = wanted == PacketKind.Motion ? nameof(NeuronReader.ReadMotionAsync) : nameof(NeuronReader.ReadCalculationAsync);
         return $"""
-            await using var reader = new NeuronReader(new NeuronReaderOptions {OptionsOf(options, place)});
+            await using var reader = new NeuronReader({ArgumentsOf(options, place)});
             await foreach (var frame in reader.{method}())
                 Console.WriteLine(frame.AvatarName);
             """;
     }
 
-    private static string OptionsOf(NeuronReaderOptions options, StreamPlace place)
+    private static string ArgumentsOf(NeuronReaderOptions options, StreamPlace place)
     {
         var parts = new List<string>();
         if (place.Transport == TransportKind.Udp)
@@ -27,6 +27,7 @@ internal static class ReaderCode
             parts.Add($"Host = \"{place.Host}\"");
 
         parts.Add($"Port = {place.Port}");
+        int essential = parts.Count;
         if (options.LocalAddress is { } address)
             parts.Add($"LocalAddress = IPAddress.Parse(\"{address}\")");
         if (options.SharePort && place.Transport == TransportKind.Udp)
@@ -34,6 +35,8 @@ internal static class ReaderCode
         if (options.RotationOrder != RotationOrder.YXZ)
             parts.Add($"RotationOrder = RotationOrder.{options.RotationOrder}");
 
-        return $"{{ {string.Join(", ", parts)} }}";
+        return place.Transport == TransportKind.Tcp && parts.Count == essential
+            ? $"\"{place.Host}\", {place.Port}"
+            : $"new NeuronReaderOptions {{ {string.Join(", ", parts)} }}";
     }
 }

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Diagnostics;
 
-/// <summary>What a diagnosis found. With the values up to <see cref="StandsStill"/> the frames that were asked for arrive; the others are faults.</summary>
+/// <summary>What a diagnosis found. With the values below 100 the frames that were asked for arrive; the others are faults.</summary>
 public enum DiagnosisVerdict
 {
     /// <summary>Frames arrive, and nothing is wrong with them.</summary>
@@ -28,7 +28,7 @@ public enum DiagnosisVerdict
     StandsStill,
 
     /// <summary>The host name has no address, or the name server gave no answer.</summary>
-    HostNotFound,
+    HostNotFound = 100,
 
     /// <summary>There is no route to the address.</summary>
     Unreachable,

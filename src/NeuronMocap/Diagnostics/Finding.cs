@@ -5,7 +5,7 @@ namespace NeuronMocap.Diagnostics;
 // One thing that was found: what it is, and which setting changes it.
 internal readonly record struct Finding(DiagnosisVerdict Verdict, string Text, string? Advice = null)
 {
-    public bool IsFault => Verdict > DiagnosisVerdict.StandsStill;
+    public bool IsFault => Verdict >= DiagnosisVerdict.HostNotFound;
 }
 
 // Where frames come from.

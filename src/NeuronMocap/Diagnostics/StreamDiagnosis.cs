@@ -14,7 +14,7 @@ public sealed record StreamDiagnosis
     public IReadOnlyList<DiagnosisVerdict> Findings { get; init; } = [DiagnosisVerdict.Receiving];
 
     /// <summary>Whether the frames that were asked for arrive where the reader would look for them.</summary>
-    public bool FramesArrive => Verdict <= DiagnosisVerdict.StandsStill;
+    public bool FramesArrive => Verdict < DiagnosisVerdict.HostNotFound;
 
     /// <summary>One paragraph of English for the operator: what is the case, why, and which setting to change.</summary>
     public string Summary { get; init; } = string.Empty;

@@ -100,18 +100,22 @@ internal sealed class TcpExamination(DiagnosisTask task)
         return [.. routed];
     }
 
-    // All addresses at once: one that does not answer shall not use up the time of the next.
+    // All addresses at once, and the first in their order that connects: one that does not answer shall not use up the time of the next.
     private async Task<(TcpLink? Link, IPAddress Address, LinkEnd Failure)> ConnectAsync(TcpLink[] links, IPAddress[] addresses)
     {
-        LinkEnd[] ends = await Task.WhenAll(links.Select(link => link.OpenAsync(task.Stop))).ConfigureAwait(false);
+        Task<LinkEnd>[] opening = [.. links.Select(link => link.OpenAsync(task.Stop))];
+        var ends = new List<LinkEnd>();
+        while (ends.Count < links.Length && (ends.Count == 0 || ends[^1].Reason != ConnectionReason.None))
+            ends.Add(await opening[ends.Count].ConfigureAwait(false));
+
         task.Stop.ThrowIfCancellationRequested();
-        int connected = Array.FindIndex(ends, static end => end.Reason == ConnectionReason.None);
-        if (connected < 0)
+        if (ends[^1].Reason != ConnectionReason.None)
         {
-            int telling = Math.Max(0, Array.FindIndex(ends, static end => end.Reason == ConnectionReason.Refused));
+            int telling = Math.Max(0, ends.FindIndex(static end => end.Reason == ConnectionReason.Refused));
             return (null, addresses[telling], ends[telling]);
         }
 
+        int connected = ends.Count - 1;
         for (int i = 0; i < links.Length; i++)
         {
             if (i != connected)

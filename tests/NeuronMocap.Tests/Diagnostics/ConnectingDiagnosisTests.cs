@@ -8,8 +8,12 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Tests.Diagnostics;
 
 // The links of the chain before the first byte.
-public sealed class ConnectingDiagnosisTests
+public sealed class ConnectingDiagnosisTests : IDisposable
 {
+    private readonly RefusingPort _refusing = new();
+
+    public void Dispose() => _refusing.Dispose();
+
     [Theory]
     [InlineData(SocketError.HostNotFound, "spelling")]
     [InlineData(SocketError.TryAgain, "name server")]
@@ -62,11 +66,10 @@ public sealed class ConnectingDiagnosisTests
     [Fact]
     public async Task Nothing_listening_names_the_broadcasting_settings_of_both_programs()
     {
-        int port = FreePort();
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(port, Diagnosing.Silent);
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(_refusing.Number, Diagnosing.Silent);
 
         diagnosis.AssertFault(
-            DiagnosisVerdict.Refused, "port", $"127.0.0.1:{port}", "File > Settings > Broadcasting", "Settings > BVH Broadcasting", "TCP", "is this computer");
+            DiagnosisVerdict.Refused, "port", $"127.0.0.1:{_refusing.Number}", "File > Settings > Broadcasting", "Settings > BVH Broadcasting", "TCP", "is this computer");
         Assert.Contains("inside this computer", diagnosis.Step("route").Detail, StringComparison.Ordinal);
         Assert.Equal(diagnosis.Advice, diagnosis.Summary[^diagnosis.Advice!.Length..]);
     }
@@ -83,8 +86,8 @@ public sealed class ConnectingDiagnosisTests
     public async Task A_host_that_answers_on_another_port_is_not_switched_off()
     {
         using var hole = new BlackHole();
-        DiagnosisOptions how = Diagnosing.With(Diagnosing.Silent with { Connecting = 0.003, Elsewhere = 0.03 });
-        how.UsualTcpPorts = [FreePort()];
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Silent with { Connecting = 0.003, Elsewhere = 0.015 });
+        how.UsualTcpPorts = [_refusing.Number];
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = hole.Port }, how);
         diagnosis.AssertFault(DiagnosisVerdict.NoAnswer, "port", "answers on other ports");
     }
@@ -107,13 +110,14 @@ public sealed class ConnectingDiagnosisTests
     [Fact]
     public async Task A_stream_on_another_usual_port_is_found_with_the_code_to_receive_it()
     {
+        using var other = new RefusingPort();
         using ScriptedServer server = ScriptedServer.Streaming();
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient);
-        how.UsualTcpPorts = [FreePort(), server.Port];
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = FreePort() }, how);
+        how.UsualTcpPorts = [other.Number, server.Port];
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
 
         diagnosis.AssertFault(DiagnosisVerdict.OtherPort, "port", $"Use port {server.Port} here");
-        Assert.Contains($"Port = {server.Port}", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Contains($"new NeuronReader(\"127.0.0.1\", {server.Port})", diagnosis.Code, StringComparison.Ordinal);
         Assert.Equal(StepOutcome.Warning, diagnosis.Step("other ports").Outcome);
     }
 
@@ -123,7 +127,7 @@ public sealed class ConnectingDiagnosisTests
         using ScriptedServer server = ScriptedServer.Streaming(PacketKind.Calculation);
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Elsewhere = 0.01 });
         how.UsualTcpPorts = [server.Port];
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = FreePort() }, how);
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
 
         diagnosis.AssertFault(DiagnosisVerdict.Refused, "port", $"TCP port {server.Port} of 127.0.0.1 has calculation data");
         Assert.Null(diagnosis.Code);
@@ -148,7 +152,7 @@ public sealed class ConnectingDiagnosisTests
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient);
         how.UsualTcpPorts = [server.Port];
         how.LookElsewhere = false;
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = FreePort() }, how);
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
 
         Assert.Equal(DiagnosisVerdict.Refused, diagnosis.Verdict);
         Assert.Equal(["name", "route", "port"], diagnosis.Steps.Select(static step => step.Name));
@@ -177,11 +181,16 @@ public sealed class ConnectingDiagnosisTests
             await Assert.ThrowsAsync<ArgumentException>(() => NeuronDiagnostics.DiagnoseAsync(new NeuronReaderOptions(), wrong));
     }
 
-    // A port that was free a moment ago; the system gives out others first.
-    private static int FreePort()
+    // A port of this test's own on which nothing listens: bound, so that nobody else gets it.
+    private sealed class RefusingPort : IDisposable
     {
-        using var server = new TestServer();
-        return server.Port;
+        private readonly Socket _socket = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+
+        public RefusingPort() => _socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+
+        public int Number => ((IPEndPoint)_socket.LocalEndPoint!).Port;
+
+        public void Dispose() => _socket.Dispose();
     }
 
     private sealed class CancelAt(string step, CancellationTokenSource cancellation) : IProgress<DiagnosisStep>

@@ -21,7 +21,7 @@ public sealed class StreamDiagnosisTests
         foreach (string text in (string[])["version 1.1.0.0", "354 values, displacement on, reference off", "2 avatars: 0 Char00, 1 Zoe"])
             Assert.Contains(text, diagnosis.Summary, StringComparison.Ordinal);
 
-        Assert.Contains($"Host = \"127.0.0.1\", Port = {server.Port}", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Contains($"new NeuronReader(\"127.0.0.1\", {server.Port})", diagnosis.Code, StringComparison.Ordinal);
         Assert.Equal([(0, "Char00"), (1, "Zoe")], diagnosis.Avatars.Select(static avatar => (avatar.Index, avatar.Name)));
         Assert.All(diagnosis.Avatars, static avatar => Assert.True(avatar is { Kind: PacketKind.Motion, Lost: 0, Frames: > 0, ValueCount: 354, HasDisplacement: true }));
     }
@@ -63,7 +63,7 @@ public sealed class StreamDiagnosisTests
 
         diagnosis.AssertFault(DiagnosisVerdict.CalculationOnly, "token", $"Use port {motion.Port} over TCP here");
         Assert.Equal([DiagnosisVerdict.CalculationOnly, DiagnosisVerdict.OtherPort], diagnosis.Findings);
-        Assert.Contains($"Port = {motion.Port}", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Contains($"new NeuronReader(\"127.0.0.1\", {motion.Port})", diagnosis.Code, StringComparison.Ordinal);
     }
 
     [Fact]
