@@ -19,11 +19,12 @@ internal sealed class PersonDiagnosis : DiagnosisOutput
     public PersonDiagnosis(StandardStreams streams)
     {
         _isTerminal = streams.IsTerminal;
+        var writer = new StreamWriter(streams.Output, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { AutoFlush = true };
         _console = AnsiConsole.Create(new AnsiConsoleSettings
         {
             Ansi = _isTerminal && Screen.IsSupported ? AnsiSupport.Yes : AnsiSupport.No,
             Interactive = InteractionSupport.No,
-            Out = new AnsiConsoleOutput(new StreamWriter(streams.Output, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { AutoFlush = true }),
+            Out = new AnsiConsoleOutput(writer),
         });
         _console.Profile.Capabilities.ColorSystem = _isTerminal ? AnsiConsole.Profile.Capabilities.ColorSystem : ColorSystem.NoColors;
         _console.Profile.Width = _isTerminal ? Math.Min(Screen.Width, WidestText) : Unlimited;

@@ -45,7 +45,12 @@ internal sealed class AvatarSample(PacketKind kind, int source, uint index)
     public long Frames { get; private set; }
 
     // Without the first frames, which the server may have kept for a new client, and which wait while this end gets ready.
-    public double Rate => Frames >= 3 * FramesToBegin ? PerSecond(Frames - FramesToBegin, _begun) : Frames >= FewestFrames ? PerSecond(Frames - 1, _first) : 0;
+    public double Rate => Frames switch
+    {
+        >= 3 * FramesToBegin => PerSecond(Frames - FramesToBegin, _begun),
+        >= FewestFrames => PerSecond(Frames - 1, _first),
+        _ => 0,
+    };
 
     public TimeSpan LongestPause => TimeSpan.FromSeconds(_longest / (double)Stopwatch.Frequency);
 

@@ -8,6 +8,9 @@ internal static class ForeignBytes
     private const string OtherProgramAdvice =
         "Check the port against the one in the server's broadcasting settings; it is usually 7001.";
 
+    private const string TooManyAdvice =
+        "No Perception Neuron server sends so many; check the port. If it is right, raise MaxValues of the reader's options.";
+
     public static Conclusion Judge(StepLog log, StreamSample sample, StreamPlace place)
     {
         FormatGuess guess = sample.Guess();
@@ -17,7 +20,7 @@ internal static class ForeignBytes
         (DiagnosisVerdict verdict, string? advice) = guess.Format switch
         {
             ForeignFormat.UnknownVersion => (DiagnosisVerdict.UnknownVersion, guess.Advice),
-            ForeignFormat.TooManyValues => (DiagnosisVerdict.TooManyValues, "No Perception Neuron server sends so many; check the port. If it is right, raise MaxValues of the reader's options."),
+            ForeignFormat.TooManyValues => (DiagnosisVerdict.TooManyValues, TooManyAdvice),
             ForeignFormat.Incomplete => (DiagnosisVerdict.IncompletePackets, IncompleteAdvice(place)),
             ForeignFormat.Text => (DiagnosisVerdict.TextFormat, ServerSettings.Binary),
             ForeignFormat.StudioCalculation => (DiagnosisVerdict.StudioCalculation, ServerSettings.Enable(Protocol.PacketKind.Motion)),

@@ -43,7 +43,8 @@ internal static class RateExamination
             $"{lost} of {all} frames did not arrive.",
             isUdp
                 ? "UDP loses what a busy network or computer cannot take: use a cable instead of Wi-Fi, or choose TCP here and on the server."
-                : "TCP itself loses nothing: the server leaves frames out. Close other programs on its computer, and use a cable instead of Wi-Fi between suit and computer."));
+                : "TCP itself loses nothing: the server leaves frames out. Close other programs on its computer, and use a cable instead of Wi-Fi "
+                    + "between suit and computer."));
     }
 
     private static Finding LowRate(AvatarSample avatar)

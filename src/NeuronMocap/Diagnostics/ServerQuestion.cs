@@ -50,7 +50,8 @@ internal static class ServerQuestion
             int count = 1;
             while (count > 0 && length < question.Length)
             {
-                count = await socket.ReceiveAsync(new ArraySegment<byte>(answer, length, answer.Length - length), SocketFlags.None).ConfigureAwait(false);
+                var room = new ArraySegment<byte>(answer, length, answer.Length - length);
+                count = await socket.ReceiveAsync(room, SocketFlags.None).ConfigureAwait(false);
                 length += count;
             }
         }

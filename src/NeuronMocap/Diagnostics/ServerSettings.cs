@@ -10,7 +10,8 @@ internal static class ServerSettings
         + "In Axis Studio open Settings > BVH Broadcasting and set Type to Binary under Frame Format.";
 
     public const string NewHeader =
-        "In Axis Studio open Settings > BVH Broadcasting and clear \"Use old header format\" under Frame Format. Axis Neuron sent it until 2015: use a newer version.";
+        "In Axis Studio open Settings > BVH Broadcasting and clear \"Use old header format\" under Frame Format. Axis Neuron sent it until 2015: "
+        + "use a newer version.";
 
     public const string Play =
         "Connect and calibrate the suit, or open a take and press play. Axis Studio has two broadcasts, each with a switch of its own: "

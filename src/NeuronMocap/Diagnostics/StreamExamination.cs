@@ -9,6 +9,9 @@ internal static class StreamExamination
     // So many bytes between the frames are no accident of joining in the middle of one.
     private const long FewForeignBytes = 4096;
 
+    private const string AllIsWell =
+        "All is well. Not in the stream is the rotation order: it must be the same in the program and on the server (default YXZ).";
+
     public static Conclusion Judge(DiagnosisTask task, StreamSample sample, StreamPlace place)
     {
         PacketKind other = task.Wanted == PacketKind.Motion ? PacketKind.Calculation : PacketKind.Motion;
@@ -34,10 +37,7 @@ internal static class StreamExamination
         string summary = $"Frames arrive on {place}: {StreamText.Describe(avatars)}.";
         if (findings.Count == 0)
         {
-            return new Conclusion(
-                [new Finding(DiagnosisVerdict.Receiving, $"{summary} All is well. Not in the stream is the rotation order: it must be the same in the program and on the server (default YXZ).")],
-                sample,
-                place);
+            return new Conclusion([new Finding(DiagnosisVerdict.Receiving, $"{summary} {AllIsWell}")], sample, place);
         }
 
         findings.Sort(static (left, right) => right.Verdict.CompareTo(left.Verdict));
@@ -93,7 +93,8 @@ internal static class StreamExamination
         {
             findings.Add(new Finding(
                 DiagnosisVerdict.UnusualValueCount,
-                $"A frame of {StreamText.NameOf(unusual)} carries {unusual.ValueCount} values, where the skeleton of 59 bones has {UsualCounts(unusual.Kind)}.",
+                $"A frame of {StreamText.NameOf(unusual)} carries {unusual.ValueCount} values, where the skeleton of 59 bones has "
+                + $"{UsualCounts(unusual.Kind)}.",
                 ServerSettings.Skeleton));
         }
 
@@ -101,7 +102,8 @@ internal static class StreamExamination
         {
             findings.Add(new Finding(
                 DiagnosisVerdict.ForeignBytes,
-                $"{100 * sample.SkippedBytes / sample.Bytes} % of the bytes that arrive belong to no frame; they are skipped. Frames are cut on the way, or another stream is mixed in.",
+                $"{100 * sample.SkippedBytes / sample.Bytes} % of the bytes that arrive belong to no frame; they are skipped. Frames are cut on the "
+                + "way, or another stream is mixed in.",
                 "Connect to the server itself, without a program in between, and over UDP let only one program send to the port."));
         }
 

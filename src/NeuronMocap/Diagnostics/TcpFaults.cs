@@ -11,7 +11,8 @@ internal static class TcpFaults
     public static Conclusion UnknownHost(DiagnosisTask task, Exception? exception)
     {
         string host = task.Link.Host;
-        const string GiveAddress = "give the IP address of the computer that runs Axis Neuron or Axis Studio (there, ipconfig in a command window shows it).";
+        const string GiveAddress =
+            "give the IP address of the computer that runs Axis Neuron or Axis Studio (there, ipconfig in a command window shows it).";
         if (host.Contains(':', StringComparison.Ordinal) || host.Contains('/', StringComparison.Ordinal))
         {
             task.Log.Failed("name", $"'{host}' is no host name");
@@ -70,7 +71,8 @@ internal static class TcpFaults
         {
             DiagnosisVerdict.Refused => new Finding(
                 verdict,
-                $"{task.Link.Target} refuses the connection: nothing listens on that port. Axis Neuron or Axis Studio does not run there, or its broadcasting is off, set to UDP, or on another port.",
+                $"{task.Link.Target} refuses the connection: nothing listens on that port. Axis Neuron or Axis Studio does not run there, or its "
+                + "broadcasting is off, set to UDP, or on another port.",
                 $"{ServerSettings.BroadcastTcp(task.Link.Port, !IPAddress.IsLoopback(address))}{OtherComputer(address)}"),
             DiagnosisVerdict.NoAnswer => NoAnswer(task, address, search.HostAnswers),
             DiagnosisVerdict.Unreachable => new Finding(
@@ -90,7 +92,8 @@ internal static class TcpFaults
             DiagnosisVerdict.ClosedAtOnce,
             $"{task.Link.Target} accepts the connection and closes it without sending anything. A forwarded port (a container, a VPN, a tunnel) "
             + "behind which nothing listens does so, a server that allows no further client, or another program.",
-            $"Close other programs that receive the stream, check the port, and connect to the server itself. {ServerSettings.BroadcastTcp(task.Link.Port, !IPAddress.IsLoopback(address))}");
+            "Close other programs that receive the stream, check the port, and connect to the server itself. "
+            + $"{ServerSettings.BroadcastTcp(task.Link.Port, !IPAddress.IsLoopback(address))}");
         return Conclude(task, plain, search.Found);
     }
 
@@ -107,7 +110,8 @@ internal static class TcpFaults
         var plain = new Finding(
             DiagnosisVerdict.Silent,
             $"{task.Link.Target} accepts the connection, but sends nothing: most likely no suit is connected and calibrated and no take is played.",
-            $"{ServerSettings.Play} Where the avatar does move in the server's window, its BVH broadcasting is off for this port: {ServerSettings.BroadcastTcp(task.Link.Port, isRemote: false)}");
+            $"{ServerSettings.Play} Where the avatar does move in the server's window, its BVH broadcasting is off for this port. "
+            + ServerSettings.BroadcastTcp(task.Link.Port, isRemote: false));
         return Conclude(task, plain, search.Found);
     }
 
@@ -122,7 +126,10 @@ internal static class TcpFaults
             return conclusion;
 
         Finding instead = found.Place.Transport == TransportKind.Udp
-            ? new Finding(DiagnosisVerdict.SentOverUdp, $"Frames do arrive on {found.Place}, from {found.Sender}.", $"Receive over UDP on port {found.Place.Port} here.")
+            ? new Finding(
+                DiagnosisVerdict.SentOverUdp,
+                $"Frames do arrive on {found.Place}, from {found.Sender}.",
+                $"Receive over UDP on port {found.Place.Port} here.")
             : new Finding(DiagnosisVerdict.OtherPort, $"Frames do arrive on {found.Place}.", $"Use port {found.Place.Port} over TCP here.");
         return conclusion with { Findings = [.. conclusion.Findings, instead], Place = found.Place };
     }
@@ -183,7 +190,8 @@ internal static class TcpFaults
             : new Finding(
                 DiagnosisVerdict.SentOverUdp,
                 $"{instead}, from {found.Sender}: the server is set to UDP.",
-                $"Receive over UDP on port {found.Place.Port} here, or choose TCP on the server. {ServerSettings.BroadcastTcp(task.Link.Port, isRemote: false)}");
+                $"Receive over UDP on port {found.Place.Port} here, or choose TCP on the server. "
+                + ServerSettings.BroadcastTcp(task.Link.Port, isRemote: false));
         return new Conclusion([better], Place: found.Place);
     }
 

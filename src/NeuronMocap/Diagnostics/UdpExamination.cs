@@ -38,7 +38,8 @@ internal sealed class UdpExamination(DiagnosisTask task)
 
     private Task<Conclusion> JudgeAsync(UdpListener listener, StreamSample sample, StreamPlace place)
     {
-        task.Log.Ok("first bytes", $"{sample.FirstBytes}, from {string.Join(", ", listener.Senders)}, datagrams of up to {listener.LargestDatagram} bytes");
+        string senders = string.Join(", ", listener.Senders);
+        task.Log.Ok("first bytes", $"{sample.FirstBytes}, from {senders}, datagrams of up to {listener.LargestDatagram} bytes");
         return TcpFaults.AddElsewhereAsync(task, StreamExamination.Judge(task, sample, place), address: null, isUdp: true);
     }
 
@@ -50,7 +51,8 @@ internal sealed class UdpExamination(DiagnosisTask task)
                 DiagnosisVerdict.PortInUse,
                 "another program uses it",
                 $"UDP port {_link.Port} of this computer is used by another program, which gets what arrives.",
-                "Close that program; or choose another port here, and the same in the server's broadcasting settings as the client's or destination's port."),
+                "Close that program; or choose another port here, and the same in the server's broadcasting settings as the client's or "
+                + "destination's port."),
             ConnectionReason.AddressUnavailable => (
                 DiagnosisVerdict.LocalAddressUnavailable,
                 $"{_link.LocalAddress} is no address of this computer",
@@ -61,7 +63,11 @@ internal sealed class UdpExamination(DiagnosisTask task)
                 "the system does not allow it",
                 $"This computer does not allow UDP port {_link.Port}.",
                 "Choose a port of 1024 or more, here and on the server."),
-            _ => (DiagnosisVerdict.NetworkError, "it cannot be opened", $"UDP port {_link.Port} of this computer cannot be opened ({reason}).", (string?)null),
+            _ => (
+                DiagnosisVerdict.NetworkError,
+                "it cannot be opened",
+                $"UDP port {_link.Port} of this computer cannot be opened ({reason}).",
+                (string?)null),
         };
         task.Log.Failed("port", $"UDP port {_link.Port}: {detail}");
         return new Conclusion(verdict, text, advice);
@@ -79,8 +85,8 @@ internal sealed class UdpExamination(DiagnosisTask task)
         string destination = $"{(addresses.Count > 0 ? addresses[0] : "127.0.0.1")}:{port}";
         return new Conclusion(
             DiagnosisVerdict.Silent,
-            $"Nothing arrives on UDP port {port} of this computer. The server sends to another address or port, over TCP, or nothing at all; or a firewall "
-            + "keeps it out, this computer's or one that drops datagrams of more than one network packet.",
+            $"Nothing arrives on UDP port {port} of this computer. The server sends to another address or port, over TCP, or nothing "
+            + "at all; or a firewall keeps it out, this computer's or one that drops datagrams of more than one network packet.",
             $"{ServerSettings.BroadcastUdp(destination)} A server on this computer sends to 127.0.0.1:{port}. Allow this program in this computer's "
             + $"firewall. {ServerSettings.Play}");
     }

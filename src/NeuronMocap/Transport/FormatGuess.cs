@@ -50,15 +50,24 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
         if (reason == SkipReason.TooLarge)
             return new(ForeignFormat.TooManyValues, "a packet that announces more values than the limit allows", "Raise MaxValues if that is right.");
         if (reason == SkipReason.Incomplete)
-            return new(ForeignFormat.Incomplete, "only the first part of each packet; the rest is lost on the way", "Check the firewall, or use TCP.");
+        {
+            return new(
+                ForeignFormat.Incomplete, "only the first part of each packet; the rest is lost on the way", "Check the firewall, or use TCP.");
+        }
+
         if (start.Length >= 2 && start[0] == 0xCF && start[1] == 0xDC)
         {
             return new(
-                ForeignFormat.StudioCalculation, "Axis Studio's calculation data, which this reader does not read", "Broadcast BVH data to this port.");
+                ForeignFormat.StudioCalculation,
+                "Axis Studio's calculation data, which this reader does not read",
+                "Broadcast BVH data to this port.");
         }
 
         if (start.Length >= 2 && start[0] == ProtocolConstants.TokenStart && start[1] == ProtocolConstants.CommandToken1)
-            return new(ForeignFormat.CommandReply, "a reply to a command", "This is the command port; data is broadcast on another, by default 7001.");
+        {
+            return new(
+                ForeignFormat.CommandReply, "a reply to a command", "This is the command port; data is broadcast on another, by default 7001.");
+        }
 
         return OfProgram(start) ?? OfText(start);
     }

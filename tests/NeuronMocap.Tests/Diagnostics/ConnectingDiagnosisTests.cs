@@ -145,6 +145,28 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         Assert.Contains("TransportKind.Udp", diagnosis.Code, StringComparison.Ordinal);
     }
 
+    // The bound is the promise; the slack is for a machine that does other things.
+    [Theory]
+    [InlineData(true, false)]
+    [InlineData(false, true)]
+    [InlineData(false, false)]
+    public async Task The_whole_takes_no_longer_than_it_may(bool unknownName, bool blackHole)
+    {
+        using var hole = new BlackHole();
+        using var server = new ScriptedServer(static (_, stop) => Task.Delay(Timeout.Infinite, stop));
+        var link = new LinkOptions("studio", blackHole ? hole.Port : server.Port)
+        {
+            Resolve = unknownName ? static _ => new TaskCompletionSource<IPAddress[]>().Task : static _ => Task.FromResult<IPAddress[]>([IPAddress.Loopback]),
+        };
+        DiagnosisOptions how = Diagnosing.With(new DiagnosisPace());
+        how.Timeout = TimeSpan.FromSeconds(1);
+        how.UsualTcpPorts = [hole.Port, server.Port];
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, how);
+
+        Assert.False(diagnosis.FramesArrive);
+        Assert.InRange(diagnosis.Elapsed, TimeSpan.Zero, TimeSpan.FromSeconds(5));
+    }
+
     [Fact]
     public async Task Looking_elsewhere_can_be_switched_off()
     {
