@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Net;
+using NeuronMocap.Monitor.Diagnosis;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
@@ -13,12 +14,16 @@ internal sealed class CommandLine
     public const int Done = 0;
     public const int NothingReceived = 1;
     public const int BadUsage = 2;
+    public const int Interrupted = 130;
 
     private const string Usage =
-        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT | --demo] [--order YXZ] [--once] [--frames N] [--duration SECONDS] "
-        + "[--json | --quiet]";
+        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--once] [--frames N] "
+        + "[--duration SECONDS] [--json | --quiet]";
 
     private const double LongestDuration = 1_000_000;
+
+    private static readonly TimeSpan ShortestDiagnosis = TimeSpan.FromSeconds(1);
+    private static readonly TimeSpan LongestDiagnosis = TimeSpan.FromMinutes(5);
 
     private static readonly string[] Orders = Enum.GetNames<RotationOrder>();
 
@@ -41,6 +46,16 @@ internal sealed class CommandLine
     private readonly Option<bool> _demo = new("--demo")
     {
         Description = "Receive from a simulator inside this program. This is the default.",
+    };
+
+    private readonly Option<ServerAddress?> _diagnose = new("--diagnose")
+    {
+        HelpName = "HOST[:PORT]",
+        Description = "No data? Look at this server once, step by step, and say what is wrong and which setting of Axis Neuron or Axis Studio "
+            + "to change. Without HOST[:PORT]: the server of --connect or --demo, the port of --udp, or this computer. Takes 10 s at most, "
+            + "or as long as --duration says.",
+        CustomParser = result => ParseServer(result),
+        Arity = ArgumentArity.ZeroOrOne,
     };
 
     private readonly Option<RotationOrder?> _order = new("--order")
@@ -100,9 +115,11 @@ internal sealed class CommandLine
 
     private CommandLine()
     {
-        foreach (Option option in (Option[])[_connect, _udp, _demo, _order, _once, _frames, _duration, _json, _quiet])
+        foreach (Option option in (Option[])[_connect, _udp, _demo, _diagnose, _order, _once, _frames, _duration, _json, _quiet])
         {
-            option.Arity = option.ValueType == typeof(bool) ? ArgumentArity.Zero : ArgumentArity.ExactlyOne;
+            if (option != _diagnose)
+                option.Arity = option.ValueType == typeof(bool) ? ArgumentArity.Zero : ArgumentArity.ExactlyOne;
+
             _root.Options.Add(option);
         }
 
@@ -124,7 +141,7 @@ internal sealed class CommandLine
         }
 
         int exitCode = Done;
-        commandLine._root.SetAction(async _ => exitCode = await new MonitorRun(commandLine.Read(result), streams).RunAsync(cancellation));
+        commandLine._root.SetAction(async _ => exitCode = await RunAsync(commandLine.Read(result), streams, cancellation));
         using var output = new StreamWriter(streams.Output, leaveOpen: true);
         await result.InvokeAsync(
             new InvocationConfiguration
@@ -138,12 +155,18 @@ internal sealed class CommandLine
         return exitCode;
     }
 
+    private static Task<int> RunAsync(MonitorOptions options, StandardStreams streams, CancellationToken cancellation) => options.Diagnose
+        ? new DiagnosisRun(options, streams).RunAsync(cancellation)
+        : new MonitorRun(options, streams).RunAsync(cancellation);
+
     private static ServerAddress? ParseServer(ArgumentResult result)
     {
+        if (result.Tokens.Count == 0)
+            return null;
         if (ServerAddress.TryParse(result.Tokens[0].Value, out ServerAddress address, out string? error))
             return address;
 
-        result.AddError($"--connect: {error}");
+        result.AddError($"{((OptionResult)result.Parent!).Option.Name}: {error}");
         return null;
     }
 
@@ -159,16 +182,39 @@ internal sealed class CommandLine
 
     private void RejectContradictions(CommandResult result)
     {
-        Option[] sources = [.. ((Option[])[_connect, _udp, _demo]).Where(option => result.GetResult(option) is { Implicit: false })];
+        Option[] sources = [.. ((Option[])[_connect, _udp, _demo]).Where(option => IsGiven(result, option))];
         if (sources.Length > 1)
             result.AddError($"{sources[0].Name} and {sources[1].Name} exclude each other: there is one server.");
-        if (result.GetResult(_json) is { Implicit: false } && result.GetResult(_quiet) is { Implicit: false })
+        if (IsGiven(result, _diagnose))
+            RejectForDiagnosis(result);
+        if (IsGiven(result, _json) && IsGiven(result, _quiet))
             result.AddError("--json and --quiet exclude each other.");
     }
 
+    private void RejectForDiagnosis(CommandResult result)
+    {
+        foreach (Option option in (Option[])[_once, _frames])
+        {
+            if (IsGiven(result, option))
+                result.AddError($"--diagnose and {option.Name} exclude each other.");
+        }
+
+        foreach (Option option in (Option[])[_connect, _demo])
+        {
+            if (IsGiven(result, option) && result.GetResult(_diagnose)!.Tokens.Count > 0)
+                result.AddError($"--diagnose HOST and {option.Name} exclude each other: there is one server.");
+        }
+
+        if (IsGiven(result, _duration) && result.GetValue(_duration) is { } duration && (duration < ShortestDiagnosis || duration > LongestDiagnosis))
+            result.AddError($"--duration: a diagnosis takes {ShortestDiagnosis.TotalSeconds} to {LongestDiagnosis.TotalSeconds} seconds.");
+    }
+
+    private static bool IsGiven(CommandResult result, Option option) => result.GetResult(option) is { Implicit: false };
+
     private MonitorOptions Read(ParseResult result) => new()
     {
-        Server = result.GetValue(_connect),
+        Server = FindServer(result),
+        Diagnose = result.GetResult(_diagnose) is { Implicit: false },
         UdpPort = result.GetValue(_udp),
         RotationOrder = result.GetValue(_order) ?? RotationOrder.YXZ,
         Once = result.GetValue(_once),
@@ -176,4 +222,13 @@ internal sealed class CommandLine
         Duration = result.GetValue(_duration),
         Output = result.GetValue(_json) ? OutputKind.Json : result.GetValue(_quiet) ? OutputKind.Quiet : OutputKind.Person,
     };
+
+    // A diagnosis without a word about the server looks at this computer.
+    private ServerAddress? FindServer(ParseResult result)
+    {
+        if (result.GetResult(_diagnose) is not { Implicit: false } || result.GetValue(_demo))
+            return result.GetValue(_connect);
+
+        return result.GetValue(_diagnose) ?? result.GetValue(_connect) ?? new ServerAddress("127.0.0.1", ProtocolConstants.DefaultPort);
+    }
 }

@@ -15,12 +15,15 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
           0  done as asked, or ended by q, Ctrl+C or SIGTERM
           1  nothing could be connected, bound or received; standard error says which setting to look at
           2  wrong options
+          Of --diagnose: 0 frames arrive, 1 a fault was found, 2 wrong options, 130 ended by Ctrl+C or SIGTERM before it knew
 
         Examples:
           neuron-monitor                                        a moving skeleton, without suit or server
           neuron-monitor --connect 192.168.1.20                 Axis Neuron on another computer, TCP port 7001
           neuron-monitor --connect [::1]:7003 --order XYZ       IPv6, another port, another rotation order
           neuron-monitor --udp 7012                             Axis Neuron set to UDP, with this computer as destination
+          neuron-monitor --diagnose 192.168.1.20                no data? What is wrong, and which setting to change
+          neuron-monitor --diagnose --udp 7012                  the same for UDP; with --demo it shows a healthy stream
           neuron-monitor --connect studio --json --frames 100   100 frames for another program
           neuron-monitor --connect studio --quiet --duration 10 does anything arrive? The exit code tells
 

@@ -35,10 +35,13 @@ internal sealed record MonitorOptions
 
     public bool Once { get; init; }
 
+    /// <summary>Whether to say what is wrong instead of showing the stream.</summary>
+    public bool Diagnose { get; init; }
+
     /// <summary>Number of frames, motion and calculation together, to end after; null for no end.</summary>
     public long? Frames { get; init; }
 
-    /// <summary>Time to end after; null for no end.</summary>
+    /// <summary>Time to end after; null for no end, and for a diagnosis in its own time.</summary>
     public TimeSpan? Duration { get; init; }
 
     public OutputKind Output { get; init; }
@@ -59,10 +62,13 @@ internal sealed record MonitorOptions
             options.Transport = TransportKind.Udp;
             options.Port = port;
         }
-        else if (server is { } address)
+
+        // Over UDP a server is the computer at which a diagnosis looks for the stream when nothing arrives.
+        if (server is { } address)
         {
             options.Host = address.Host;
-            options.Port = address.Port;
+            if (UdpPort is null)
+                options.Port = address.Port;
         }
 
         return options;

@@ -2,6 +2,7 @@ using System.Buffers;
 using System.Diagnostics.CodeAnalysis;
 using System.Text.Json;
 using NeuronMocap.Delivery;
+using NeuronMocap.Diagnostics;
 using NeuronMocap.Frames;
 using NeuronMocap.Transport;
 
@@ -61,6 +62,38 @@ internal sealed class JsonLines
         return End();
     }
 
+    public ReadOnlySpan<byte> Step(DiagnosisStep step)
+    {
+        Begin("step"u8);
+        _json.WriteString("name"u8, step.Name);
+        _json.WriteString("outcome"u8, step.Outcome.ToString());
+        _json.WriteString("detail"u8, step.Detail);
+        _json.WriteNumber("seconds"u8, step.Elapsed.TotalSeconds);
+        return End();
+    }
+
+    public ReadOnlySpan<byte> Diagnosis(StreamDiagnosis diagnosis)
+    {
+        Begin("diagnosis"u8);
+        _json.WriteString("verdict"u8, diagnosis.Verdict.ToString());
+        _json.WriteBoolean("framesArrive"u8, diagnosis.FramesArrive);
+        _json.WriteStartArray("findings"u8);
+        foreach (DiagnosisVerdict finding in diagnosis.Findings)
+            _json.WriteStringValue(finding.ToString());
+
+        _json.WriteEndArray();
+        _json.WriteString("summary"u8, diagnosis.Summary);
+        _json.WriteString("advice"u8, diagnosis.Advice);
+        _json.WriteString("code"u8, diagnosis.Code);
+        _json.WriteStartArray("avatars"u8);
+        foreach (DiagnosedAvatar avatar in diagnosis.Avatars)
+            WriteAvatar(avatar);
+
+        _json.WriteEndArray();
+        _json.WriteNumber("seconds"u8, diagnosis.Elapsed.TotalSeconds);
+        return End();
+    }
+
     private void Begin(ReadOnlySpan<byte> type)
     {
         _buffer.ResetWrittenCount();
@@ -77,6 +110,22 @@ internal sealed class JsonLines
             _json.WriteNumber("index"u8, counter);
         else
             _json.WriteNull("index"u8);
+    }
+
+    private void WriteAvatar(DiagnosedAvatar avatar)
+    {
+        _json.WriteStartObject();
+        _json.WriteNumber("avatar"u8, (uint)avatar.Index);
+        _json.WriteString("name"u8, avatar.Name);
+        _json.WriteString("kind"u8, avatar.Kind.ToString());
+        _json.WriteString("version"u8, avatar.Version.ToString());
+        _json.WriteNumber("values"u8, avatar.ValueCount);
+        _json.WriteBoolean("displacement"u8, avatar.HasDisplacement);
+        _json.WriteBoolean("reference"u8, avatar.HasReference);
+        _json.WriteNumber("frames"u8, avatar.Frames);
+        _json.WriteNumber("lost"u8, avatar.Lost);
+        _json.WriteNumber("rate"u8, avatar.Rate);
+        _json.WriteEndObject();
     }
 
     private void WriteValues(ReadOnlySpan<float> values)

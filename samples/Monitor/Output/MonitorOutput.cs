@@ -34,9 +34,15 @@ internal abstract class MonitorOutput
     /// <summary>Keeps the reason for the end of the run. A closed pipe is none: `neuron-monitor --json | head -1` has all it wanted.</summary>
     protected void OnWriteFailed(IOException exception)
     {
-        const int BrokenPipe = 32;
-        if (exception.HResult != BrokenPipe)
+        if (!IsBrokenPipe(exception))
             Failure ??= exception;
+    }
+
+    /// <summary>Whether the output could not be written because whoever read it has left.</summary>
+    public static bool IsBrokenPipe(IOException exception)
+    {
+        const int BrokenPipe = 32;
+        return exception.HResult == BrokenPipe;
     }
 
     protected static async Task Until(CancellationToken stop) =>

@@ -30,7 +30,7 @@ internal static class Advice
         + "computer's address and this port as the destination; check that the firewall lets UDP in.";
 
     public static string UnknownFormat(string target, string format) =>
-        $"Data arrives from {target}, but it is {format}.";
+        $"Data arrives from {target}, but it is {format}";
 
     public static string TcpFailed(ConnectionReason reason, LinkOptions options, Exception exception)
     {

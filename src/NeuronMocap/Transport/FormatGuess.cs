@@ -3,48 +3,113 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// Says what bytes that are no packets probably are, and which setting makes them packets.
-internal static class FormatGuess
+internal enum ForeignFormat
 {
-    public static string Describe(ReadOnlySpan<byte> start, SkipReason reason)
+    Unknown,
+    UnknownVersion,
+    TooManyValues,
+    Incomplete,
+    Text,
+    StudioCalculation,
+    CommandReply,
+    OtherProgram,
+}
+
+// What bytes that are no packets probably are, and which setting makes them packets. Text completes a sentence that begins with "it is".
+internal readonly record struct FormatGuess(ForeignFormat Format, string Text, string Advice)
+{
+    // What other programs say first, or answer to a client that speaks first: the name in the sentence, and how the bytes begin.
+    private static readonly (string Start, string Name)[] OtherPrograms =
+    [
+        ("HTTP/", "a web server's answer"),
+        ("<", "a web page"),
+        ("SSH-", "the greeting of an SSH server"),
+        ("220", "the greeting of a mail or FTP server"),
+        ("RFB ", "the greeting of a VNC server"),
+        ("RTSP/", "the answer of a video server (RTSP)"),
+        ("\u0015\u0003", "an encrypted connection's error message (TLS)"),
+        ("\u0016\u0003", "the start of an encrypted connection (TLS)"),
+        ("#bundle", "OSC, which other motion capture programs send"),
+        ("/", "OSC, which other motion capture programs send"),
+        ("MXTP", "the stream of Xsens MVN"),
+        ("{", "JSON text of another program"),
+    ];
+
+    public string Description => $"{Text}. {Advice}";
+
+    public static FormatGuess Of(ReadOnlySpan<byte> start, SkipReason reason)
     {
         if (reason == SkipReason.UnknownVersion && start.Length >= 6)
-            return $"of data version {DataVersion.Read(start[2..])}, which this reader does not know: only 1.0 and 1.1 are";
-        if (reason == SkipReason.TooLarge)
-            return "a packet that announces more values than the limit allows. Raise MaxValues if that is right";
-        if (reason == SkipReason.Incomplete)
-            return "only the first part of each packet; the rest is lost on the way. Check the firewall, or use TCP";
-        if (start.StartsWith("HTTP/"u8))
-            return "a web server's answer. Check the port; Axis Neuron's default is 7001";
-        if (start.Length >= 2 && start[0] == 0xCF && start[1] == 0xDC)
-            return "Axis Studio's calculation data, which this reader does not read. Broadcast BVH data to this port";
-        if (IsNumericText(start))
-            return "text. In the server's broadcasting settings set the format (block type) to Binary";
-
-        return $"of no format known here; it starts with {ToHex(start)}. Check the port, and that the server's format is Binary";
-    }
-
-    // "0 Char00 0.00 93.02": avatar number, name, numbers (protocol.md section 8).
-    private static bool IsNumericText(ReadOnlySpan<byte> start)
-    {
-        bool digit = false;
-        foreach (byte value in start)
         {
-            if (value is < 0x20 and not ((byte)'\r' or (byte)'\n' or (byte)'\t' or 0))
-                return false;
-
-            digit |= value is >= (byte)'0' and <= (byte)'9';
+            return new(
+                ForeignFormat.UnknownVersion,
+                $"of data version {DataVersion.Read(start[2..])}, which this reader does not know: only 1.0 and 1.1 are",
+                "Look for a newer version of this library, or for an older format in the server's broadcasting settings.");
         }
 
-        return digit;
+        if (reason == SkipReason.TooLarge)
+            return new(ForeignFormat.TooManyValues, "a packet that announces more values than the limit allows", "Raise MaxValues if that is right.");
+        if (reason == SkipReason.Incomplete)
+        {
+            return new(
+                ForeignFormat.Incomplete, "only the first part of each packet; the rest is lost on the way", "Check the firewall, or use TCP.");
+        }
+
+        if (start.Length >= 2 && start[0] == 0xCF && start[1] == 0xDC)
+        {
+            return new(
+                ForeignFormat.StudioCalculation,
+                "Axis Studio's calculation data, which this reader does not read",
+                "Broadcast BVH data to this port.");
+        }
+
+        if (start.Length >= 2 && start[0] == ProtocolConstants.TokenStart && start[1] == ProtocolConstants.CommandToken1)
+        {
+            return new(
+                ForeignFormat.CommandReply, "a reply to a command", "This is the command port; data is broadcast on another, by default 7001.");
+        }
+
+        return OfProgram(start) ?? OfText(start);
     }
 
-    private static string ToHex(ReadOnlySpan<byte> bytes)
+    public static string ToHex(ReadOnlySpan<byte> bytes)
     {
         var text = new StringBuilder(bytes.Length * 3);
         foreach (byte value in bytes[..Math.Min(bytes.Length, 8)])
             text.Append(text.Length > 0 ? " " : string.Empty).Append(value.ToString("X2", provider: null));
 
         return text.ToString();
+    }
+
+    private static FormatGuess? OfProgram(ReadOnlySpan<byte> start)
+    {
+        foreach ((string beginning, string name) in OtherPrograms)
+        {
+            if (StartsWith(start, beginning))
+                return new(ForeignFormat.OtherProgram, name, "Check the port; Axis Neuron's default is 7001.");
+        }
+
+        return null;
+    }
+
+    private static FormatGuess OfText(ReadOnlySpan<byte> start) => NumericText.IsAt(start)
+        ? new(ForeignFormat.Text, "text", "In the server's broadcasting settings set the format (block type) to Binary.")
+        : new(
+            ForeignFormat.Unknown,
+            $"of no format known here; it starts with {ToHex(start)}",
+            "Check the port, and that the server's format is Binary.");
+
+    private static bool StartsWith(ReadOnlySpan<byte> bytes, string beginning)
+    {
+        if (bytes.Length < beginning.Length)
+            return false;
+
+        for (int i = 0; i < beginning.Length; i++)
+        {
+            if (bytes[i] != beginning[i])
+                return false;
+        }
+
+        return true;
     }
 }

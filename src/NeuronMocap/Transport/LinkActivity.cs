@@ -8,7 +8,7 @@ namespace NeuronMocap.Transport;
 internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool isUdp)
 {
     // The first bytes since the last packet that belong to none, and why.
-    private readonly byte[] _skipped = new byte[16];
+    private readonly byte[] _skipped = new byte[64];
     private volatile int _skippedLength;
     private volatile SkipReason _skipReason;
     private volatile string _target = string.Empty;
@@ -118,5 +118,5 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
         return (ConnectionReason.NoData, isUdp ? Advice.NoDatagrams(_target, silence) : Advice.NoFrames(_target, silence));
     }
 
-    private string DescribeSkipped() => FormatGuess.Describe(_skipped.AsSpan(0, _skippedLength), _skipReason);
+    private string DescribeSkipped() => FormatGuess.Of(_skipped.AsSpan(0, _skippedLength), _skipReason).Description;
 }

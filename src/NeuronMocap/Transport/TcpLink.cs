@@ -19,7 +19,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
         IPAddress[] addresses;
         try
         {
-            addresses = await ResolveAsync(stop).ConfigureAwait(false);
+            addresses = await HostResolver.ResolveAsync(options, stop).ConfigureAwait(false);
         }
         catch (SocketException exception)
         {
@@ -80,21 +80,6 @@ internal sealed class TcpLink(LinkOptions options) : Link
             _socket?.Dispose();
             _receiver.Release();
         }
-    }
-
-    // A name that takes longer than a connection may is abandoned: no runtime can interrupt the system's resolver.
-    private async Task<IPAddress[]> ResolveAsync(CancellationToken stop)
-    {
-        if (IPAddress.TryParse(options.Host, out IPAddress? address))
-            return [address];
-
-        Task<IPAddress[]> resolving = options.Resolve(options.Host);
-        Task first = await Task.WhenAny(resolving, Task.Delay(options.ConnectTimeout, stop)).ConfigureAwait(false);
-        if (first == resolving)
-            return await resolving.ConfigureAwait(false);
-
-        _ = resolving.ContinueWith(static task => _ = task.Exception, TaskContinuationOptions.OnlyOnFaulted);
-        throw new TimeoutException();
     }
 
     private async Task<LinkEnd> ConnectAsync(IPAddress address, CancellationToken stop)

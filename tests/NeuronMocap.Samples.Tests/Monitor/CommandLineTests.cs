@@ -41,7 +41,7 @@ public sealed class CommandLineTests
         Assert.Equal(0, result.ExitCode);
         Assert.Empty(result.Error);
         string text = string.Join('\n', result.Output);
-        foreach (string option in (string[])["--connect", "--udp", "--demo", "--order", "--once", "--frames", "--duration", "--json", "--quiet", "--version"])
+        foreach (string option in (string[])["--connect", "--udp", "--demo", "--diagnose", "--order", "--once", "--frames", "--duration", "--json", "--quiet", "--version"])
             Assert.Contains($"  {option} ", text, StringComparison.Ordinal);
 
         Assert.Contains("Examples:", text, StringComparison.Ordinal);

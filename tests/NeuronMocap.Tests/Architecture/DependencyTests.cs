@@ -15,6 +15,7 @@ public sealed class DependencyTests
         ["Frames"] = ["Protocol", "Skeleton"],
         ["Transport"] = ["Protocol"],
         ["Delivery"] = ["Frames", "Protocol", "Skeleton"],
+        ["Diagnostics"] = ["Protocol", "Transport"],
         ["Commands"] = ["Protocol"],
         ["Bvh"] = ["Frames", "Skeleton", "Protocol"],
         ["Recording"] = ["Frames", "Skeleton", "Protocol"],

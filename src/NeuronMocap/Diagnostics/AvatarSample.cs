@@ -1,0 +1,145 @@
+using System.Diagnostics;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Diagnostics;
+
+// The frames of one kind of one avatar of one sender while a diagnosis looks. Receive loop only; read when that has ended.
+internal sealed class AvatarSample(PacketKind kind, int source, uint index)
+{
+    // A larger step, forwards or back, is no gap: the server counts anew.
+    private const int LargestGap = 10_000;
+
+    // With fewer frames neither a rate nor a standstill means anything.
+    private const int FewestFrames = 5;
+
+    private const int FramesToBegin = 10;
+
+    private byte[] _lastValues = [];
+    private uint? _lastIndex;
+    private long _first;
+    private long _begun;
+    private long _last;
+    private long _longest;
+    private long _sameValues;
+    private long _sameIndex;
+    private long _steps;
+    private long _stepSum;
+    private int _smallestStep = int.MaxValue;
+
+    public PacketKind Kind => kind;
+
+    public int Source => source;
+
+    public uint Index => index;
+
+    public AvatarName Name { get; private set; }
+
+    public DataVersion Version { get; private set; }
+
+    public int ValueCount { get; private set; }
+
+    public bool HasDisplacement { get; private set; }
+
+    public bool HasReference { get; private set; }
+
+    public long Frames { get; private set; }
+
+    // Without the first frames, which the server may have kept for a new client, and which wait while this end gets ready.
+    public double Rate => Frames switch
+    {
+        >= 3 * FramesToBegin => PerSecond(Frames - FramesToBegin, _begun),
+        >= FewestFrames => PerSecond(Frames - 1, _first),
+        _ => 0,
+    };
+
+    public TimeSpan LongestPause => TimeSpan.FromSeconds(_longest / (double)Stopwatch.Frequency);
+
+    // How far the frame index goes on from frame to frame. More than 1 where the server sends every second or third frame and counts all.
+    public int Step => _smallestStep == int.MaxValue ? 1 : _smallestStep;
+
+    // Frames that come out of order go back as far as they went forth before, and cancel out.
+    public long Lost => Math.Max(0, (_stepSum / Step) - _steps);
+
+    public bool StandsStill => Frames >= FewestFrames && (_sameValues == Frames - 1 || _sameIndex == Frames - 1);
+
+    public void OnFrame(in ReceivedPacket packet)
+    {
+        if (kind == PacketKind.Motion)
+            Read(MotionHeader.Read(packet.Bytes));
+        else
+            Read(CalculationHeader.Read(packet.Bytes));
+
+        ReadOnlySpan<byte> values = packet.Bytes.AsSpan(ProtocolConstants.HeaderSize);
+        if (Frames == 0)
+            _first = packet.Timestamp;
+        else
+            Compare(values, packet.Timestamp);
+
+        if (_lastValues.Length != values.Length)
+            _lastValues = new byte[values.Length];
+
+        values.CopyTo(_lastValues);
+        _last = packet.Timestamp;
+        if (++Frames == FramesToBegin)
+            _begun = _last;
+    }
+
+    public DiagnosedAvatar ToPublic() => new()
+    {
+        Kind = kind,
+        Index = (int)index,
+        Name = Name.ToString(),
+        Version = Version,
+        ValueCount = ValueCount,
+        HasDisplacement = HasDisplacement,
+        HasReference = HasReference,
+        Frames = Frames,
+        Lost = Lost,
+        Rate = Rate,
+        LongestPause = LongestPause,
+    };
+
+    private double PerSecond(long intervals, long since) => _last > since ? intervals * (double)Stopwatch.Frequency / (_last - since) : 0;
+
+    private void Compare(ReadOnlySpan<byte> values, long timestamp)
+    {
+        _longest = Math.Max(_longest, timestamp - _last);
+        if (values.SequenceEqual(_lastValues))
+            _sameValues++;
+    }
+
+    private void Read(in MotionHeader header)
+    {
+        (Name, Version, ValueCount) = (header.AvatarName, header.Version, header.ValueCount);
+        (HasDisplacement, HasReference) = (header.HasDisplacement, header.HasReference);
+        Count(header.FrameIndex);
+    }
+
+    private void Read(in CalculationHeader header)
+    {
+        (Name, Version, ValueCount) = (header.AvatarName, header.Version, header.ValueCount);
+        Count(header.FrameIndex);
+    }
+
+    private void Count(uint? frameIndex)
+    {
+        if (frameIndex is { } next && _lastIndex is { } last)
+        {
+            int step = (int)(next - last);
+            if (step == 0)
+                _sameIndex++;
+            else if (step is > -LargestGap and < LargestGap)
+                CountStep(step);
+        }
+
+        _lastIndex = frameIndex;
+    }
+
+    private void CountStep(int step)
+    {
+        _steps++;
+        _stepSum += step;
+        if (step > 0)
+            _smallestStep = Math.Min(_smallestStep, step);
+    }
+}

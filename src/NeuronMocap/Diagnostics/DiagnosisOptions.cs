@@ -1,0 +1,44 @@
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Diagnostics;
+
+/// <summary>How a diagnosis looks, and for what.</summary>
+public sealed class DiagnosisOptions
+{
+    /// <summary>
+    /// Longest time of the whole diagnosis: 10 s unless set; 1 s to 5 minutes. Of it a quarter at most goes to the name, a quarter to
+    /// connecting, three tenths to waiting for the first byte, and a fifth to measuring the rate or looking elsewhere. Where frames arrive at
+    /// once it is a fifth in all.
+    /// </summary>
+    public TimeSpan Timeout { get; set; } = TimeSpan.FromSeconds(10);
+
+    /// <summary>The frames that the application wants: <see cref="PacketKind.Motion"/> unless set, or <see cref="PacketKind.Calculation"/>.</summary>
+    public PacketKind Wanted { get; set; } = PacketKind.Motion;
+
+    /// <summary>
+    /// Whether to look beyond the port that the reader would use, where nothing comes from it: connect to the other usual data ports of the
+    /// same host, listen on the usual UDP ports of this computer, and ask a server that says nothing who it is, with two small requests on
+    /// connections of their own (a command that only reads, and one of HTTP). Data servers pass over both. True unless set.
+    /// </summary>
+    public bool LookElsewhere { get; set; } = true;
+
+    // Where the stream is usually found: protocol.md section 4.3, and 7012, which several receivers have as their default. Tests have ports
+    // of their own.
+    internal int[] UsualTcpPorts { get; set; } = [7001, 7002, 7003, 7004, 7005, 7006, 8012];
+
+    internal int[] UsualUdpPorts { get; set; } = [7001, 7002, 7003, 7004, 7012];
+
+    internal DiagnosisPace Pace { get; set; } = new();
+
+    internal DiagnosisOptions Copy() => (DiagnosisOptions)MemberwiseClone();
+
+    internal string? FindFault()
+    {
+        if (Timeout < TimeSpan.FromSeconds(1) || Timeout > TimeSpan.FromMinutes(5))
+            return $"Timeout is {Timeout}; it must be 1 s to 5 minutes.";
+        if (Wanted is not (PacketKind.Motion or PacketKind.Calculation))
+            return $"Wanted is {Wanted}; it must be Motion or Calculation.";
+
+        return null;
+    }
+}

@@ -1,0 +1,25 @@
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Diagnostics;
+
+// One thing that was found: what it is, and which setting changes it.
+internal readonly record struct Finding(DiagnosisVerdict Verdict, string Text, string? Advice = null)
+{
+    public bool IsFault => Verdict >= DiagnosisVerdict.HostNotFound;
+}
+
+// Where frames come from.
+internal readonly record struct StreamPlace(TransportKind Transport, string Host, int Port)
+{
+    public override string ToString() =>
+        Transport == TransportKind.Udp ? $"UDP port {Port} of this computer" : $"TCP port {Port} of {Host}";
+}
+
+// What an examination came to. Place: where frames of the wanted kind can be received now, if anywhere.
+internal sealed record Conclusion(IReadOnlyList<Finding> Findings, StreamSample? Sample = null, StreamPlace? Place = null)
+{
+    public Conclusion(DiagnosisVerdict verdict, string text, string? advice)
+        : this([new Finding(verdict, text, advice)])
+    {
+    }
+}

@@ -1,0 +1,46 @@
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Diagnostics;
+
+// Judges a stream in which no packet was found.
+internal static class ForeignBytes
+{
+    private const string OtherProgramAdvice =
+        "Check the port against the one in the server's broadcasting settings; it is usually 7001.";
+
+    private const string TooManyAdvice =
+        "No Perception Neuron server sends so many; check the port. If it is right, raise MaxValues of the reader's options.";
+
+    public static Conclusion Judge(StepLog log, StreamSample sample, StreamPlace place)
+    {
+        FormatGuess guess = sample.Guess();
+        string quoted = guess.Format is ForeignFormat.OtherProgram or ForeignFormat.Text or ForeignFormat.Unknown && sample.Quote() is { } quote
+            ? $" (\"{quote}\")"
+            : string.Empty;
+        (DiagnosisVerdict verdict, string? advice) = guess.Format switch
+        {
+            ForeignFormat.UnknownVersion => (DiagnosisVerdict.UnknownVersion, guess.Advice),
+            ForeignFormat.TooManyValues => (DiagnosisVerdict.TooManyValues, TooManyAdvice),
+            ForeignFormat.Incomplete => (DiagnosisVerdict.IncompletePackets, IncompleteAdvice(place)),
+            ForeignFormat.Text => (DiagnosisVerdict.TextFormat, ServerSettings.Binary),
+            ForeignFormat.StudioCalculation => (DiagnosisVerdict.StudioCalculation, ServerSettings.Enable(Protocol.PacketKind.Motion)),
+            ForeignFormat.CommandReply => (DiagnosisVerdict.CommandPort, guess.Advice),
+            ForeignFormat.OtherProgram => (DiagnosisVerdict.OtherProgram, OtherProgramAdvice),
+            _ => (DiagnosisVerdict.UnknownFormat, $"{OtherProgramAdvice} {ServerSettings.Binary}"),
+        };
+        log.Failed(StepOf(guess.Format), $"{guess.Text}{quoted}");
+        return new Conclusion([new Finding(verdict, $"Data arrives on {place}, but it is {guess.Text}{quoted}.", advice)], sample);
+    }
+
+    private static string StepOf(ForeignFormat format) => format switch
+    {
+        ForeignFormat.UnknownVersion => "version",
+        ForeignFormat.TooManyValues or ForeignFormat.Incomplete => "format",
+        _ => "token",
+    };
+
+    private static string IncompleteAdvice(StreamPlace place) => place.Transport == TransportKind.Udp
+        ? "A frame is larger than a network packet, and a firewall or router drops the second part: choose TCP here and on the server, or clear "
+            + "Displacement in the server's output format, which makes frames small enough."
+        : "The connection ends in the middle of a frame: look for what cuts it off, a relay, a VPN or a firewall.";
+}

@@ -1,0 +1,88 @@
+namespace NeuronMocap.Diagnostics;
+
+// Judges how often frames come, against the rates at which suits measure.
+internal static class RateExamination
+{
+    // A tenth below 60 Hz, the slowest rate of a suit.
+    private const double LowestRate = 54;
+
+    private static readonly int[] SuitRates = [60, 96, 120];
+
+    public static void Judge(StepLog log, AvatarSample[] avatars, bool isUdp, List<Finding> findings)
+    {
+        int before = findings.Count;
+        AvatarSample slowest = avatars.OrderBy(static avatar => avatar.Rate).First();
+        JudgeLoss(avatars, isUdp, findings);
+        if (avatars.FirstOrDefault(static avatar => avatar.StandsStill) is { } still)
+        {
+            findings.Add(new Finding(
+                DiagnosisVerdict.StandsStill,
+                $"The frames of {StreamText.NameOf(still)} are all the same.",
+                "If nobody stands still on purpose, the take is paused or at its end, or the suit is no longer connected: see the server's window."));
+        }
+
+        if (slowest.Rate < LowestRate)
+            findings.Add(LowRate(slowest));
+
+        string detail = Describe(avatars, slowest);
+        if (findings.Count > before)
+            log.Warning("rate", detail);
+        else
+            log.Ok("rate", detail);
+    }
+
+    private static void JudgeLoss(AvatarSample[] avatars, bool isUdp, List<Finding> findings)
+    {
+        long lost = avatars.Sum(static avatar => avatar.Lost);
+        long all = lost + avatars.Sum(static avatar => avatar.Frames);
+        if (lost * 100 <= all)
+            return;
+
+        findings.Add(new Finding(
+            DiagnosisVerdict.LosingFrames,
+            $"{lost} of {all} frames did not arrive.",
+            isUdp
+                ? "UDP loses what a busy network or computer cannot take: use a cable instead of Wi-Fi, or choose TCP here and on the server."
+                : "TCP itself loses nothing: the server leaves frames out. Close other programs on its computer, and use a cable instead of Wi-Fi "
+                    + "between suit and computer."));
+    }
+
+    private static Finding LowRate(AvatarSample avatar)
+    {
+        if (avatar.Rate <= 0)
+            return new Finding(DiagnosisVerdict.LowRate, $"Only {avatar.Frames} frames arrived while the diagnosis looked.", ServerSettings.FullRate);
+
+        string reason = avatar.Step > 1
+            ? $"the server sends one frame in {avatar.Step}"
+            : Fraction(avatar.Rate) is { } fraction ? $"the server seems to send {fraction}" : "a suit measures 60, 96 or 120 times a second";
+        return new Finding(
+            DiagnosisVerdict.LowRate,
+            StreamText.Invariant($"{avatar.Rate:0.0} frames per second are few: {reason}."),
+            ServerSettings.FullRate);
+    }
+
+    // Where the rate is a half or a third of a suit's.
+    private static string? Fraction(double rate)
+    {
+        for (int divisor = 2; divisor <= 3; divisor++)
+        {
+            foreach (int suit in SuitRates)
+            {
+                if (Math.Abs((rate * divisor) - suit) < suit * 0.03)
+                    return $"one frame in {divisor} of {suit}";
+            }
+        }
+
+        return null;
+    }
+
+    private static string Describe(AvatarSample[] avatars, AvatarSample slowest)
+    {
+        if (slowest.Rate <= 0)
+            return $"{slowest.Frames} frames, too few to tell";
+
+        long lost = avatars.Sum(static avatar => avatar.Lost);
+        double pause = avatars.Max(static avatar => avatar.LongestPause.TotalMilliseconds);
+        return StreamText.Invariant($"{slowest.Rate:0.0} Hz, {(lost > 0 ? $"{lost} frames lost" : "none lost")}, longest pause {pause:0} ms");
+    }
+}

@@ -1,0 +1,144 @@
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Diagnostics;
+
+// Judges what arrived: token, version, format, rate.
+internal static class StreamExamination
+{
+    // So many bytes between the frames are no accident of joining in the middle of one.
+    private const long FewForeignBytes = 4096;
+
+    private const string AllIsWell =
+        "All is well. Not in the stream is the rotation order: it must be the same in the program and on the server (default YXZ).";
+
+    public static Conclusion Judge(DiagnosisTask task, StreamSample sample, StreamPlace place)
+    {
+        PacketKind other = task.Wanted == PacketKind.Motion ? PacketKind.Calculation : PacketKind.Motion;
+        if (sample.Has(task.Wanted))
+            return JudgeFrames(task, sample, place);
+        if (sample.Has(other))
+            return JudgeOtherKind(task, sample, place);
+        if (sample.Packets > 0)
+            return JudgeEmpty(task.Log, sample, place);
+
+        return ForeignBytes.Judge(task.Log, sample, place);
+    }
+
+    private static Conclusion JudgeFrames(DiagnosisTask task, StreamSample sample, StreamPlace place)
+    {
+        var findings = new List<Finding>();
+        AvatarSample[] avatars = [.. sample.Avatars.Where(avatar => avatar.Kind == task.Wanted)];
+        task.Log.Ok("token", DescribeTokens(sample));
+        JudgeVersion(task.Log, avatars[0], findings);
+        JudgeFormat(task.Log, sample, avatars, findings);
+        RateExamination.Judge(task.Log, avatars, place.Transport == TransportKind.Udp, findings);
+
+        string summary = $"Frames arrive on {place}: {StreamText.Describe(avatars)}.";
+        if (findings.Count == 0)
+        {
+            return new Conclusion([new Finding(DiagnosisVerdict.Receiving, $"{summary} {AllIsWell}")], sample, place);
+        }
+
+        findings.Sort(static (left, right) => right.Verdict.CompareTo(left.Verdict));
+        findings[0] = findings[0] with { Text = $"{summary} {findings[0].Text}" };
+        return new Conclusion(findings, sample, place);
+    }
+
+    private static Conclusion JudgeOtherKind(DiagnosisTask task, StreamSample sample, StreamPlace place)
+    {
+        task.Log.Failed("token", $"{DescribeTokens(sample)} only");
+        (DiagnosisVerdict verdict, string seen, string wanted) = task.Wanted == PacketKind.Motion
+            ? (DiagnosisVerdict.CalculationOnly, "calculation data", "motion (BVH) data")
+            : (DiagnosisVerdict.MotionOnly, "motion (BVH) data", "calculation data");
+        string text = $"Frames arrive on {place}, but they are {seen}; no {wanted} among them.";
+        return new Conclusion([new Finding(verdict, text, ServerSettings.Enable(task.Wanted))], sample);
+    }
+
+    private static Conclusion JudgeEmpty(StepLog log, StreamSample sample, StreamPlace place)
+    {
+        if (sample.Commands > 0)
+        {
+            log.Failed("token", "0xAAFF: commands, no data");
+            return new Conclusion(
+                DiagnosisVerdict.CommandPort,
+                $"{Capital(place)} sends commands and no frames.",
+                "Connect to the port of the BVH data, which stands in the server's broadcasting settings (usually 7001).");
+        }
+
+        log.Failed("format", $"{sample.Packets} packets of no values");
+        return new Conclusion(
+            DiagnosisVerdict.NoValues, $"Packets arrive on {place}, but none of them carries a pose.", ServerSettings.Play);
+    }
+
+    private static void JudgeVersion(StepLog log, AvatarSample avatar, List<Finding> findings)
+    {
+        if (avatar.Kind == PacketKind.Motion && avatar.Version.Layout == HeaderLayout.Old)
+        {
+            log.Warning("version", $"{avatar.Version}, the old header, which has no frame index");
+            findings.Add(new Finding(
+                DiagnosisVerdict.OldHeader,
+                "The old header (data version 1.0) is read as well as the new one, but it has no frame index: lost frames cannot be counted.",
+                ServerSettings.NewHeader));
+            return;
+        }
+
+        log.Ok("version", $"{avatar.Version}{StreamText.ProducerOf(avatar)}");
+    }
+
+    private static void JudgeFormat(StepLog log, StreamSample sample, AvatarSample[] avatars, List<Finding> findings)
+    {
+        int before = findings.Count;
+        if (avatars.FirstOrDefault(avatar => !IsUsual(avatar)) is { } unusual)
+        {
+            findings.Add(new Finding(
+                DiagnosisVerdict.UnusualValueCount,
+                $"A frame of {StreamText.NameOf(unusual)} carries {unusual.ValueCount} values, where the skeleton of 59 bones has "
+                + $"{UsualCounts(unusual.Kind)}.",
+                ServerSettings.Skeleton));
+        }
+
+        if (sample.SkippedBytes > FewForeignBytes && sample.SkippedBytes > sample.Bytes / 50)
+        {
+            findings.Add(new Finding(
+                DiagnosisVerdict.ForeignBytes,
+                $"{100 * sample.SkippedBytes / sample.Bytes} % of the bytes that arrive belong to no frame; they are skipped. Frames are cut on the "
+                + "way, or another stream is mixed in.",
+                "Connect to the server itself, without a program in between, and over UDP let only one program send to the port."));
+        }
+
+        int senders = avatars.Select(static avatar => avatar.Source).Distinct().Count();
+        if (senders > 1)
+        {
+            findings.Add(new Finding(
+                DiagnosisVerdict.SeveralSenders,
+                $"{senders} programs send frames to this port; the reader keeps them apart by their Source.",
+                "If only one is meant, switch the broadcasting of the others off, or give them another destination port."));
+        }
+
+        string detail = $"{StreamText.DescribeFormat(avatars[0])}; {StreamText.DescribeAvatars(avatars)}";
+        if (findings.Count > before)
+            log.Warning("format", detail);
+        else
+            log.Ok("format", detail);
+    }
+
+    private static bool IsUsual(AvatarSample avatar) => avatar.Kind == PacketKind.Motion
+        ? avatar.ValueCount is 180 or 186 or 354 or 360
+        : avatar.ValueCount is 338 or 946;
+
+    private static string UsualCounts(PacketKind kind) => kind == PacketKind.Motion ? "180, 186, 354 or 360" : "338 or 946";
+
+    private static string DescribeTokens(StreamSample sample) => (sample.Has(PacketKind.Motion), sample.Has(PacketKind.Calculation)) switch
+    {
+        (true, true) => $"0xDDFF and 0x88FF: {StreamText.KindsOf(sample)}",
+        (true, false) => $"0xDDFF: {StreamText.KindsOf(sample)}",
+        _ => $"0x88FF: {StreamText.KindsOf(sample)}",
+    };
+
+    private static string Capital(StreamPlace place)
+    {
+        string text = place.ToString();
+        return char.ToUpperInvariant(text[0]) + text[1..];
+    }
+}

@@ -1,0 +1,113 @@
+using System.Diagnostics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Diagnostics;
+
+// Everything that arrives while a diagnosis looks. The receive loop writes; the two tasks tell that something came, the rest is read when
+// the loop has ended.
+internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
+{
+    // Enough to recognise a format and to quote a greeting.
+    private const int KeptBytes = 256;
+
+    // Anyone can make up avatar numbers.
+    private const int MaxAvatars = 1024;
+
+    private readonly TaskCompletionSource<bool> _started = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly TaskCompletionSource<bool> _wantedFrame = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly Dictionary<(PacketKind Kind, int Source, uint Avatar), AvatarSample> _avatars = [];
+    private readonly Dictionary<SkipReason, (long Bytes, List<byte> Start)> _skipped = [];
+
+    // The first bytes have come; those that may begin a packet count when the rest of it is there.
+    public Task Started => _started.Task;
+
+    public Task WantedFrame => _wantedFrame.Task;
+
+    public long StartedAt { get; private set; }
+
+    public string FirstBytes { get; private set; } = string.Empty;
+
+    public long Bytes { get; private set; }
+
+    public long Packets { get; private set; }
+
+    public long Commands { get; private set; }
+
+    public long SkippedBytes => _skipped.Values.Sum(static skipped => skipped.Bytes);
+
+    public IEnumerable<AvatarSample> Avatars => _avatars.Values.OrderBy(static avatar => avatar.Index);
+
+    public bool Has(PacketKind kind) => _avatars.Keys.Any(key => key.Kind == kind);
+
+    public long SkippedFor(SkipReason reason) => _skipped.TryGetValue(reason, out var skipped) ? skipped.Bytes : 0;
+
+    // What the bytes probably are that belong to no packet; the reason with the most of them decides.
+    public FormatGuess Guess() => Largest is { Value.Bytes: > 0 } largest
+        ? FormatGuess.Of(largest.Value.Start.ToArray(), largest.Key)
+        : FormatGuess.Of([], SkipReason.NoTokens);
+
+    // The skipped bytes as text, where they are text.
+    public string? Quote() => Quotation.Of(Largest.Value.Start is { } start ? start.ToArray() : []);
+
+    public void OnLinkOpened()
+    {
+    }
+
+    public void OnPacket(in ReceivedPacket packet)
+    {
+        Begin(packet.Bytes);
+        Bytes += packet.Bytes.Count;
+        Packets++;
+        if (packet.Kind == PacketKind.Command)
+            Commands++;
+        if (!packet.IsFrame)
+            return;
+
+        uint index = packet.Kind == PacketKind.Motion
+            ? MotionHeader.Read(packet.Bytes).AvatarIndex
+            : CalculationHeader.Read(packet.Bytes).AvatarIndex;
+        if (Find(packet.Kind, packet.Source, index) is { } avatar)
+            avatar.OnFrame(packet);
+        if (packet.Kind == wanted)
+            _wantedFrame.TrySetResult(true);
+    }
+
+    public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
+    {
+        Begin(bytes);
+        Bytes += bytes.Length;
+        if (!_skipped.TryGetValue(reason, out (long Bytes, List<byte> Start) skipped))
+            skipped = (0, []);
+
+        foreach (byte value in bytes[..Math.Min(bytes.Length, KeptBytes - skipped.Start.Count)])
+            skipped.Start.Add(value);
+
+        _skipped[reason] = (skipped.Bytes + bytes.Length, skipped.Start);
+    }
+
+    private KeyValuePair<SkipReason, (long Bytes, List<byte> Start)> Largest =>
+        _skipped.OrderByDescending(static skipped => skipped.Value.Bytes).FirstOrDefault();
+
+    private void Begin(ReadOnlySpan<byte> bytes)
+    {
+        if (_started.Task.IsCompleted)
+            return;
+
+        StartedAt = Stopwatch.GetTimestamp();
+        FirstBytes = FormatGuess.ToHex(bytes);
+        _started.TrySetResult(true);
+    }
+
+    private AvatarSample? Find(PacketKind kind, int source, uint index)
+    {
+        if (_avatars.TryGetValue((kind, source, index), out AvatarSample? avatar))
+            return avatar;
+        if (_avatars.Count >= MaxAvatars)
+            return null;
+
+        avatar = new AvatarSample(kind, source, index);
+        _avatars.Add((kind, source, index), avatar);
+        return avatar;
+    }
+}

@@ -1,0 +1,47 @@
+using System.Globalization;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Diagnostics;
+
+// Says what a stream is.
+internal static class StreamText
+{
+    private const int MostNames = 4;
+
+    public static string Describe(AvatarSample[] avatars)
+    {
+        AvatarSample first = avatars[0];
+        string kind = first.Kind == PacketKind.Motion ? "motion (BVH) data" : "calculation data";
+        double rate = avatars.Min(static avatar => avatar.Rate);
+        string frequency = rate > 0 ? Invariant($", {rate:0.0} frames per second{(avatars.Length > 1 ? " of each" : string.Empty)}") : string.Empty;
+        return $"{kind}, version {first.Version}, {DescribeFormat(first)}; {DescribeAvatars(avatars)}{frequency}";
+    }
+
+    public static string DescribeFormat(AvatarSample avatar) => avatar.Kind == PacketKind.Motion
+        ? $"{avatar.ValueCount} values, displacement {OnOff(avatar.HasDisplacement)}, reference {OnOff(avatar.HasReference)}"
+        : $"{avatar.ValueCount} values";
+
+    public static string DescribeAvatars(AvatarSample[] avatars)
+    {
+        string names = string.Join(", ", avatars.Take(MostNames).Select(NameOf));
+        string more = avatars.Length > MostNames ? $" and {avatars.Length - MostNames} more" : string.Empty;
+        return $"{avatars.Length} {(avatars.Length == 1 ? "avatar" : "avatars")}: {names}{more}";
+    }
+
+    public static string NameOf(AvatarSample avatar) => $"{avatar.Index} {avatar.Name}".TrimEnd();
+
+    public static string ProducerOf(AvatarSample avatar) => avatar.Kind != PacketKind.Motion
+        ? string.Empty
+        : avatar.Version == DataVersion.Studio ? ", as Axis Studio sends" : ", the new header";
+
+    public static string KindsOf(StreamSample sample) => (sample.Has(PacketKind.Motion), sample.Has(PacketKind.Calculation)) switch
+    {
+        (true, true) => "motion (BVH) and calculation data",
+        (true, false) => "motion (BVH) data",
+        _ => "calculation data",
+    };
+
+    public static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+
+    private static string OnOff(bool value) => value ? "on" : "off";
+}

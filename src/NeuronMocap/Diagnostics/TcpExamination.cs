@@ -1,0 +1,165 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Diagnostics;
+
+// Walks the chain to a TCP server, from its name to its frames, and looks elsewhere where the chain breaks.
+internal sealed class TcpExamination(DiagnosisTask task)
+{
+    // More addresses than any computer has that is meant.
+    private const int MostAddresses = 4;
+
+    private readonly LinkOptions _link = task.Link;
+
+    private StreamPlace Place => new(TransportKind.Tcp, _link.Host, _link.Port);
+
+    public async Task<Conclusion> RunAsync()
+    {
+        (IPAddress[] addresses, Conclusion? unknown) = await ResolveAsync().ConfigureAwait(false);
+        if (unknown is not null)
+            return unknown;
+
+        IPAddress[] routed = FindRoutes(addresses, out ConnectionReason reason);
+        if (routed.Length == 0)
+            return TcpFaults.NoRoute(task, reason);
+
+        TcpLink[] links = [.. routed.Select(Open)];
+        try
+        {
+            (TcpLink? link, IPAddress address, LinkEnd failure) = await ConnectAsync(links, routed).ConfigureAwait(false);
+            if (link is null)
+                return await TcpFaults.NotConnectedAsync(task, failure, address).ConfigureAwait(false);
+
+            return await ListenAsync(link, address).ConfigureAwait(false);
+        }
+        finally
+        {
+            foreach (TcpLink link in links)
+                link.Dispose();
+        }
+
+        TcpLink Open(IPAddress address) =>
+            new(_link with { Host = address.ToString(), ConnectTimeout = task.Share(task.Pace.Connecting) });
+    }
+
+    private async Task<(IPAddress[] Addresses, Conclusion? Unknown)> ResolveAsync()
+    {
+        if (IPAddress.TryParse(_link.Host, out IPAddress? literal))
+        {
+            string text = literal.ToString();
+            if (literal.AddressFamily == AddressFamily.InterNetwork && !text.Equals(_link.Host, StringComparison.Ordinal))
+                task.Log.Warning("name", $"{_link.Host} is read as the address {text}");
+            else
+                task.Log.Ok("name", $"{text} is an address; there is no name to look up");
+            return ([literal], null);
+        }
+
+        try
+        {
+            LinkOptions limited = _link with { ConnectTimeout = task.Share(task.Pace.Name) };
+            IPAddress[] addresses = await HostResolver.ResolveAsync(limited, task.Stop).ConfigureAwait(false);
+            if (addresses.Length > 0)
+            {
+                task.Log.Ok("name", $"{_link.Host} has the address {string.Join(", ", addresses.Take(MostAddresses).Select(Written))}");
+                return ([.. addresses.Take(MostAddresses)], null);
+            }
+        }
+        catch (Exception exception) when (exception is SocketException or ArgumentException or TimeoutException)
+        {
+            task.Stop.ThrowIfCancellationRequested();
+            return ([], TcpFaults.UnknownHost(task, exception));
+        }
+
+        return ([], TcpFaults.UnknownHost(task, exception: null));
+    }
+
+    private IPAddress[] FindRoutes(IPAddress[] addresses, out ConnectionReason reason)
+    {
+        reason = ConnectionReason.None;
+        var routed = new List<IPAddress>();
+        var details = new List<string>();
+        foreach (IPAddress address in addresses)
+        {
+            ConnectionReason failure = LocalNetwork.FindRoute(address, _link.Port, _link.LocalAddress, out IPAddress? local);
+            string to = addresses.Length > 1 ? $"to {Written(address)} " : string.Empty;
+            if (local is null)
+            {
+                reason = failure;
+                details.Add($"{to}no route");
+                continue;
+            }
+
+            routed.Add(address);
+            details.Add($"{to}{LocalNetwork.DescribeRoute(local, address)}");
+        }
+
+        if (routed.Count > 0)
+            task.Log.Ok("route", string.Join("; ", details));
+
+        return [.. routed];
+    }
+
+    // All addresses at once, and the first in their order that connects: one that does not answer shall not use up the time of the next.
+    private async Task<(TcpLink? Link, IPAddress Address, LinkEnd Failure)> ConnectAsync(TcpLink[] links, IPAddress[] addresses)
+    {
+        Task<LinkEnd>[] opening = [.. links.Select(link => link.OpenAsync(task.Stop))];
+        var ends = new List<LinkEnd>();
+        while (ends.Count < links.Length && (ends.Count == 0 || ends[^1].Reason != ConnectionReason.None))
+            ends.Add(await opening[ends.Count].ConfigureAwait(false));
+
+        task.Stop.ThrowIfCancellationRequested();
+        if (ends[^1].Reason != ConnectionReason.None)
+        {
+            int telling = Math.Max(0, ends.FindIndex(static end => end.Reason == ConnectionReason.Refused));
+            return (null, addresses[telling], ends[telling]);
+        }
+
+        int connected = ends.Count - 1;
+        for (int i = 0; i < links.Length; i++)
+        {
+            if (i != connected)
+                links[i].Close();
+        }
+
+        if (connected > 0)
+        {
+            task.Log.Warning(
+                "port",
+                $"TCP port {_link.Port} of {Written(addresses[connected])} is open, but {Written(addresses[0])}, which a reader tries first, "
+                + $"{(ends[0].Reason == ConnectionReason.Refused ? "refuses" : "does not answer")}: give the address instead of the name");
+        }
+        else
+        {
+            task.Log.Ok("port", $"TCP port {_link.Port} of {Written(addresses[connected])} is open");
+        }
+
+        return (links[connected], addresses[connected], LinkEnd.None);
+    }
+
+    private async Task<Conclusion> ListenAsync(TcpLink link, IPAddress address)
+    {
+        var sample = new StreamSample(task.Wanted);
+        Task<LinkEnd> receiving = link.ReceiveAsync(sample);
+        TimeSpan silence = task.Share(task.Pace.Silence);
+        await task.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
+        if (sample.Started.IsCompleted)
+            await task.WaitAsync(task.Share(task.Pace.Measuring), receiving).ConfigureAwait(false);
+
+        bool closedByServer = receiving.IsCompleted;
+        link.Close();
+        await receiving.ConfigureAwait(false);
+        if (sample.Bytes == 0)
+        {
+            return closedByServer
+                ? await TcpFaults.ClosedAsync(task, address).ConfigureAwait(false)
+                : await TcpFaults.SilentAsync(task, address, silence).ConfigureAwait(false);
+        }
+
+        task.Log.Ok("first bytes", $"{sample.FirstBytes}{(closedByServer ? "; then the server closed the connection" : string.Empty)}");
+        return await TcpFaults.AddElsewhereAsync(task, StreamExamination.Judge(task, sample, Place), address, isUdp: false).ConfigureAwait(false);
+    }
+
+    private static string Written(IPAddress address) =>
+        address.AddressFamily == AddressFamily.InterNetworkV6 ? $"[{address}]" : address.ToString();
+}

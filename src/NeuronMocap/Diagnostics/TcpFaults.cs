@@ -1,0 +1,201 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Diagnostics;
+
+// What to say where no bytes come over TCP, and where to look instead.
+internal static class TcpFaults
+{
+    public static Conclusion UnknownHost(DiagnosisTask task, Exception? exception)
+    {
+        string host = task.Link.Host;
+        const string GiveAddress =
+            "give the IP address of the computer that runs Axis Neuron or Axis Studio (there, ipconfig in a command window shows it).";
+        if (host.Contains(':', StringComparison.Ordinal) || host.Contains('/', StringComparison.Ordinal))
+        {
+            task.Log.Failed("name", $"'{host}' is no host name");
+            return new Conclusion(
+                DiagnosisVerdict.HostNotFound,
+                $"'{host}' is neither a host name nor an address.",
+                "Host takes the name or address alone; the port has an option of its own.");
+        }
+
+        if (exception is TimeoutException or SocketException { SocketErrorCode: SocketError.TryAgain })
+        {
+            task.Log.Failed("name", $"no name server answers for '{host}'");
+            return new Conclusion(
+                DiagnosisVerdict.HostNotFound,
+                $"The name '{host}' could not be looked up: no name server answers.",
+                $"Check this computer's network, or {GiveAddress}");
+        }
+
+        task.Log.Failed("name", $"'{host}' has no address");
+        return new Conclusion(
+            DiagnosisVerdict.HostNotFound, $"The host name '{host}' has no address.", $"Check its spelling, or {GiveAddress}");
+    }
+
+    public static Conclusion NoRoute(DiagnosisTask task, ConnectionReason reason)
+    {
+        if (task.Link.LocalAddress is { } local && reason != ConnectionReason.Unreachable)
+        {
+            task.Log.Failed("route", $"{local} cannot be the sender");
+            return new Conclusion(
+                DiagnosisVerdict.LocalAddressUnavailable,
+                $"The local address {local} does not belong to this computer, or is of another kind (IPv4, IPv6) than the server's.",
+                "Set LocalAddress to one that does, or to none.");
+        }
+
+        task.Log.Failed("route", "there is none");
+        return new Conclusion(
+            DiagnosisVerdict.Unreachable,
+            $"This computer has no route to {task.Link.Host}.",
+            "Check the address, and that the cable is in or Wi-Fi is on; both computers have to be in the same network.");
+    }
+
+    public static async Task<Conclusion> NotConnectedAsync(DiagnosisTask task, LinkEnd failure, IPAddress address)
+    {
+        (DiagnosisVerdict verdict, string detail) = failure.Reason switch
+        {
+            ConnectionReason.Refused => (DiagnosisVerdict.Refused, "nothing listens there"),
+            ConnectionReason.TimedOut => (DiagnosisVerdict.NoAnswer, "no answer"),
+            ConnectionReason.Unreachable => (DiagnosisVerdict.Unreachable, "the computer cannot be reached"),
+            ConnectionReason.AddressUnavailable => (DiagnosisVerdict.LocalAddressUnavailable, "the local address does not fit"),
+            ConnectionReason.AccessDenied => (DiagnosisVerdict.AccessDenied, "this computer does not allow the connection"),
+            _ => (DiagnosisVerdict.NetworkError, failure.Message),
+        };
+        task.Log.Failed("port", $"TCP port {task.Link.Port}: {detail}");
+        Search search = await Elsewhere.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
+        Finding plain = verdict switch
+        {
+            DiagnosisVerdict.Refused => new Finding(
+                verdict,
+                $"{task.Link.Target} refuses the connection: nothing listens on that port. Axis Neuron or Axis Studio does not run there, or its "
+                + "broadcasting is off, set to UDP, or on another port.",
+                $"{ServerSettings.BroadcastTcp(task.Link.Port, !IPAddress.IsLoopback(address))}{OtherComputer(address)}"),
+            DiagnosisVerdict.NoAnswer => NoAnswer(task, address, search.HostAnswers),
+            DiagnosisVerdict.Unreachable => new Finding(
+                verdict,
+                $"{task.Link.Target} cannot be reached: the network says that there is no such computer.",
+                "Check the address, that the computer is switched on, and that both computers are in the same network."),
+            _ => new Finding(verdict, failure.Message),
+        };
+        return Conclude(task, plain, search.Found);
+    }
+
+    public static async Task<Conclusion> ClosedAsync(DiagnosisTask task, IPAddress address)
+    {
+        task.Log.Failed("first bytes", "none: the server closed the connection");
+        Search search = await Elsewhere.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
+        var plain = new Finding(
+            DiagnosisVerdict.ClosedAtOnce,
+            $"{task.Link.Target} accepts the connection and closes it without sending anything. A forwarded port (a container, a VPN, a tunnel) "
+            + "behind which nothing listens does so, a server that allows no further client, or another program.",
+            "Close other programs that receive the stream, check the port, and connect to the server itself. "
+            + $"{ServerSettings.BroadcastTcp(task.Link.Port, !IPAddress.IsLoopback(address))}");
+        return Conclude(task, plain, search.Found);
+    }
+
+    public static async Task<Conclusion> SilentAsync(DiagnosisTask task, IPAddress address, TimeSpan silence)
+    {
+        task.Log.Failed("first bytes", StreamText.Invariant($"none in {silence.TotalSeconds:0.#} s"));
+        if (task.Options.LookElsewhere && await ServerQuestion.AskAsync(task, address).ConfigureAwait(false) is { } answer)
+            return await AddElsewhereAsync(task, Answered(task, answer), address, isUdp: false).ConfigureAwait(false);
+
+        if (task.Options.LookElsewhere)
+            task.Log.Ok("question", "asked who it is, it says nothing");
+
+        Search search = await Elsewhere.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
+        var plain = new Finding(
+            DiagnosisVerdict.Silent,
+            $"{task.Link.Target} accepts the connection, but sends nothing: most likely no suit is connected and calibrated and no take is played.",
+            $"{ServerSettings.Play} Where the avatar does move in the server's window, its BVH broadcasting is off for this port. "
+            + ServerSettings.BroadcastTcp(task.Link.Port, isRemote: false));
+        return Conclude(task, plain, search.Found);
+    }
+
+    // Something else comes from the port; frames may come from another one.
+    public static async Task<Conclusion> AddElsewhereAsync(DiagnosisTask task, Conclusion conclusion, IPAddress? address, bool isUdp)
+    {
+        if (!conclusion.Findings[0].IsFault)
+            return conclusion;
+
+        Search search = await Elsewhere.FindAsync(task, address, isUdp).ConfigureAwait(false);
+        if (search.Found is not { } found || !found.Sample.Has(task.Wanted))
+            return conclusion;
+
+        Finding instead = found.Place.Transport == TransportKind.Udp
+            ? new Finding(
+                DiagnosisVerdict.SentOverUdp,
+                $"Frames do arrive on {found.Place}, from {found.Sender}.",
+                $"Receive over UDP on port {found.Place.Port} here.")
+            : new Finding(DiagnosisVerdict.OtherPort, $"Frames do arrive on {found.Place}.", $"Use port {found.Place.Port} over TCP here.");
+        return conclusion with { Findings = [.. conclusion.Findings, instead], Place = found.Place };
+    }
+
+    private static Conclusion Answered(DiagnosisTask task, StreamSample answer)
+    {
+        FormatGuess guess = answer.Guess();
+        string quoted = answer.Quote() is { } quote ? $" (\"{quote}\")" : string.Empty;
+        if (guess.Format == ForeignFormat.CommandReply)
+        {
+            task.Log.Failed("question", "asked for the rotation order, it answers: a command port");
+            return new Conclusion(
+                DiagnosisVerdict.CommandPort,
+                $"{task.Link.Target} is the server's command port: it answers commands, and frames never come from it.",
+                "Connect to the port of the BVH data, which stands in the server's broadcasting settings (usually 7001).");
+        }
+
+        string answers = guess.Format == ForeignFormat.OtherProgram ? guess.Text : $"bytes that no motion capture server sends, {answer.FirstBytes}";
+        task.Log.Failed("question", $"asked who it is, it sends {answers}{quoted}");
+        return new Conclusion(
+            DiagnosisVerdict.OtherProgram,
+            $"On {task.Link.Target} another program listens: it says nothing by itself and sends {answers}{quoted} when asked.",
+            $"Check the port against the one in the server's broadcasting settings; it is usually {ProtocolConstants.DefaultPort}.");
+    }
+
+    private static Finding NoAnswer(DiagnosisTask task, IPAddress address, bool hostAnswers)
+    {
+        string where = hostAnswers
+            ? "The computer itself answers on other ports, so a firewall blocks this one, or nothing listens there."
+            : "The address is wrong, the computer is switched off or in another network, or a firewall drops the connection (that of Windows also "
+                + "does when nothing listens).";
+        return new Finding(
+            DiagnosisVerdict.NoAnswer,
+            $"{task.Link.Target} does not answer. {where}",
+            "On that computer, allow Axis Neuron or Axis Studio in Windows Defender Firewall (private networks), and check that it broadcasts. "
+            + ServerSettings.BroadcastTcp(task.Link.Port, !IPAddress.IsLoopback(address)));
+    }
+
+    // A stream that was found in another place explains more than the silence in this one.
+    private static Conclusion Conclude(DiagnosisTask task, Finding plain, Probe? found)
+    {
+        if (found is null)
+            return new Conclusion([plain]);
+        if (!found.Sample.Has(task.Wanted))
+        {
+            return new Conclusion([plain with
+            {
+                Text = $"{plain.Text} The server does run: {found.Place} has {StreamText.KindsOf(found.Sample)}.",
+            }]);
+        }
+
+        string instead = $"Nothing comes from TCP port {task.Link.Port}, but frames arrive on {found.Place}";
+        Finding better = found.Place.Transport == TransportKind.Tcp
+            ? new Finding(
+                DiagnosisVerdict.OtherPort,
+                $"{instead}.",
+                $"Use port {found.Place.Port} here, or set the port in the server's broadcasting settings to {task.Link.Port}.")
+            : new Finding(
+                DiagnosisVerdict.SentOverUdp,
+                $"{instead}, from {found.Sender}: the server is set to UDP.",
+                $"Receive over UDP on port {found.Place.Port} here, or choose TCP on the server. "
+                + ServerSettings.BroadcastTcp(task.Link.Port, isRemote: false));
+        return new Conclusion([better], Place: found.Place);
+    }
+
+    private static string OtherComputer(IPAddress address) => IPAddress.IsLoopback(address)
+        ? $" {address} is this computer: if the server runs on another one, give its address."
+        : string.Empty;
+}

@@ -1,0 +1,123 @@
+using System.Net;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Diagnostics;
+
+// Walks the chain from this computer's UDP port to the frames, and looks elsewhere where nothing arrives.
+internal sealed class UdpExamination(DiagnosisTask task)
+{
+    private readonly LinkOptions _link = task.Link;
+
+    public async Task<Conclusion> RunAsync()
+    {
+        IReadOnlyList<string> addresses = LocalNetwork.ReachableAddresses();
+        task.Log.Ok("route", addresses.Count > 0
+            ? $"other computers send to {string.Join(" or ", addresses)}, programs on this one to 127.0.0.1"
+            : "this computer has no network: only programs on it can send here, to 127.0.0.1");
+
+        var sample = new StreamSample(task.Wanted);
+        using var listener = new UdpListener(_link, sample);
+        ConnectionReason reason = listener.Open();
+        if (reason != ConnectionReason.None)
+            return NotBound(reason);
+
+        task.Log.Ok("port", $"UDP port {listener.Port} is free and open");
+        Task receiving = listener.ReceiveAsync();
+        TimeSpan silence = task.Share(task.Pace.Silence);
+        await task.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
+        if (sample.Started.IsCompleted)
+            await task.WaitAsync(task.Share(task.Pace.Measuring), receiving).ConfigureAwait(false);
+
+        var place = new StreamPlace(TransportKind.Udp, _link.Host, listener.Port);
+        listener.Dispose();
+        await receiving.ConfigureAwait(false);
+        return sample.Bytes == 0
+            ? await SilentAsync(listener, silence, addresses).ConfigureAwait(false)
+            : await JudgeAsync(listener, sample, place).ConfigureAwait(false);
+    }
+
+    private Task<Conclusion> JudgeAsync(UdpListener listener, StreamSample sample, StreamPlace place)
+    {
+        string senders = string.Join(", ", listener.Senders);
+        task.Log.Ok("first bytes", $"{sample.FirstBytes}, from {senders}, datagrams of up to {listener.LargestDatagram} bytes");
+        return TcpFaults.AddElsewhereAsync(task, StreamExamination.Judge(task, sample, place), address: null, isUdp: true);
+    }
+
+    private Conclusion NotBound(ConnectionReason reason)
+    {
+        (DiagnosisVerdict verdict, string detail, string text, string? advice) = reason switch
+        {
+            ConnectionReason.PortInUse => (
+                DiagnosisVerdict.PortInUse,
+                "another program uses it",
+                $"UDP port {_link.Port} of this computer is used by another program, which gets what arrives.",
+                "Close that program; or choose another port here, and the same in the server's broadcasting settings as the client's or "
+                + "destination's port."),
+            ConnectionReason.AddressUnavailable => (
+                DiagnosisVerdict.LocalAddressUnavailable,
+                $"{_link.LocalAddress} is no address of this computer",
+                $"The local address {_link.LocalAddress} does not belong to this computer.",
+                "Set LocalAddress to one that does, or to none to receive on all."),
+            ConnectionReason.AccessDenied => (
+                DiagnosisVerdict.AccessDenied,
+                "the system does not allow it",
+                $"This computer does not allow UDP port {_link.Port}.",
+                "Choose a port of 1024 or more, here and on the server."),
+            _ => (
+                DiagnosisVerdict.NetworkError,
+                "it cannot be opened",
+                $"UDP port {_link.Port} of this computer cannot be opened ({reason}).",
+                (string?)null),
+        };
+        task.Log.Failed("port", $"UDP port {_link.Port}: {detail}");
+        return new Conclusion(verdict, text, advice);
+    }
+
+    private async Task<Conclusion> SilentAsync(UdpListener listener, TimeSpan silence, IReadOnlyList<string> addresses)
+    {
+        task.Log.Failed("first bytes", StreamText.Invariant($"none in {silence.TotalSeconds:0.#} s"));
+        IPAddress? host = await ResolveHostAsync().ConfigureAwait(false);
+        Search search = await Elsewhere.FindAsync(task, host, isUdp: true).ConfigureAwait(false);
+        if (search.Found is { } found && found.Sample.Has(task.Wanted))
+            return Instead(found);
+
+        string port = $"{listener.Port}";
+        string destination = $"{(addresses.Count > 0 ? addresses[0] : "127.0.0.1")}:{port}";
+        return new Conclusion(
+            DiagnosisVerdict.Silent,
+            $"Nothing arrives on UDP port {port} of this computer. The server sends to another address or port, over TCP, or nothing "
+            + "at all; or a firewall keeps it out, this computer's or one that drops datagrams of more than one network packet.",
+            $"{ServerSettings.BroadcastUdp(destination)} A server on this computer sends to 127.0.0.1:{port}. Allow this program in this computer's "
+            + $"firewall. {ServerSettings.Play}");
+    }
+
+    private static Conclusion Instead(Probe found)
+    {
+        Finding finding = found.Place.Transport == TransportKind.Udp
+            ? new Finding(
+                DiagnosisVerdict.OtherPort,
+                $"Frames arrive on {found.Place}, from {found.Sender}, and not on the port that was asked for.",
+                $"Use port {found.Place.Port} here, or change the client's or destination's port in the server's broadcasting settings.")
+            : new Finding(
+                DiagnosisVerdict.OfferedOverTcp,
+                $"No datagram arrives, but {found.Place} has the stream: the server is set to TCP.",
+                $"Receive over TCP from {found.Place.Host}, port {found.Place.Port}; or choose UDP on the server.");
+        return new Conclusion([finding], Place: found.Place);
+    }
+
+    // A name that cannot be looked up is no fault here: over UDP nobody needs it.
+    private async Task<IPAddress?> ResolveHostAsync()
+    {
+        try
+        {
+            LinkOptions limited = _link with { ConnectTimeout = task.Share(task.Pace.Asking) };
+            IPAddress[] addresses = await HostResolver.ResolveAsync(limited, task.Stop).ConfigureAwait(false);
+            return addresses.Length > 0 ? addresses[0] : null;
+        }
+        catch (Exception exception) when (exception is System.Net.Sockets.SocketException or ArgumentException or TimeoutException)
+        {
+            task.Stop.ThrowIfCancellationRequested();
+            return null;
+        }
+    }
+}

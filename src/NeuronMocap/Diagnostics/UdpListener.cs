@@ -1,0 +1,70 @@
+using System.Diagnostics;
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Diagnostics;
+
+// Listens on a UDP port of this computer for a moment, and remembers who sends and how much at a time, which the reader's link does not.
+internal sealed class UdpListener(LinkOptions options, StreamSample sample) : IDisposable
+{
+    private const int MaxDatagram = 65_536;
+    private const int MostSenders = 16;
+
+    private readonly HashSet<IPEndPoint> _senders = [];
+    private Socket? _socket;
+
+    public IEnumerable<string> Senders => _senders.Select(static sender => sender.ToString());
+
+    public int LargestDatagram { get; private set; }
+
+    // Once open.
+    public int Port { get; private set; }
+
+    public ConnectionReason Open()
+    {
+        IPAddress address = options.LocalAddress ?? IPAddress.Any;
+        try
+        {
+            _socket = new Socket(address.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
+            if (options.SharePort)
+                _socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, optionValue: true);
+
+            _socket.Bind(new IPEndPoint(address, options.Port));
+            Port = ((IPEndPoint)_socket.LocalEndPoint!).Port;
+            return ConnectionReason.None;
+        }
+        catch (SocketException exception)
+        {
+            return SocketErrors.ToReason(exception.SocketErrorCode);
+        }
+    }
+
+    // Until the socket is closed.
+    public async Task ReceiveAsync()
+    {
+        var senders = new UdpSenders(new PacketScanner(options.MaxValues), sample);
+        byte[] buffer = new byte[MaxDatagram];
+        EndPoint anyone = new IPEndPoint(_socket!.AddressFamily == AddressFamily.InterNetwork ? IPAddress.Any : IPAddress.IPv6Any, 0);
+        try
+        {
+            while (true)
+            {
+                SocketReceiveFromResult result =
+                    await _socket.ReceiveFromAsync(new ArraySegment<byte>(buffer), SocketFlags.None, anyone).ConfigureAwait(false);
+                LargestDatagram = Math.Max(LargestDatagram, result.ReceivedBytes);
+                if (_senders.Count < MostSenders)
+                    _senders.Add((IPEndPoint)result.RemoteEndPoint);
+
+                senders.Push(result.RemoteEndPoint.Serialize(), new ArraySegment<byte>(buffer, 0, result.ReceivedBytes), Stopwatch.GetTimestamp());
+            }
+        }
+        catch (Exception exception) when (SocketErrors.IsExpected(exception))
+        {
+            // Closed, as every listening ends.
+        }
+    }
+
+    public void Dispose() => _socket?.Dispose();
+}

@@ -1,0 +1,64 @@
+using NeuronMocap.Diagnostics;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap;
+
+/// <summary>
+/// Answers "no data": walks the chain from the server's name to the rate of its frames, and says where it breaks and which setting of Axis
+/// Neuron or Axis Studio to change.
+/// </summary>
+public static class NeuronDiagnostics
+{
+    /// <summary>
+    /// Tries to receive as a reader with these options would, looks at what arrives, and elsewhere where nothing does. It connects on its
+    /// own, beside any reader; over UDP it binds the port, so a reader of the same port has to be stopped before, or to share it.
+    /// </summary>
+    /// <param name="options">
+    /// The options of the reader that gets no data. Over UDP, Host is the computer to look at for a TCP server. The time outs do not count:
+    /// <see cref="DiagnosisOptions.Timeout"/> does.
+    /// </param>
+    /// <param name="diagnosis">How to look; null for the defaults, which take 10 s at most and 2 s where frames arrive.</param>
+    /// <param name="progress">Told every step as it ends, on a pool thread, one at a time; what it throws ends the diagnosis.</param>
+    /// <param name="cancellationToken">Ends the diagnosis with an <see cref="OperationCanceledException"/>.</param>
+    /// <returns>What was found. Whatever the network does is a result, never an exception.</returns>
+    /// <exception cref="ArgumentException">An option is out of its range; the message names it.</exception>
+    public static Task<StreamDiagnosis> DiagnoseAsync(
+        NeuronReaderOptions options,
+        DiagnosisOptions? diagnosis = null,
+        IProgress<DiagnosisStep>? progress = null,
+        CancellationToken cancellationToken = default)
+    {
+        ArgumentNullException.ThrowIfNull(options);
+        DiagnosisOptions how = diagnosis?.Copy() ?? new DiagnosisOptions();
+        if (options.FindFault() is { } fault)
+            throw new ArgumentException(fault, nameof(options));
+        if (how.FindFault() is { } howFault)
+            throw new ArgumentException(howFault, nameof(diagnosis));
+
+        NeuronReaderOptions copy = options.Copy();
+        return Task.Run(() => RunAsync(copy, copy.Link, how, progress, cancellationToken), cancellationToken);
+    }
+
+    internal static async Task<StreamDiagnosis> RunAsync(
+        NeuronReaderOptions options, LinkOptions link, DiagnosisOptions how, IProgress<DiagnosisStep>? progress, CancellationToken stop)
+    {
+        var log = new StepLog(progress);
+        var task = new DiagnosisTask(link, how, log, stop);
+        Conclusion conclusion = options.Transport == TransportKind.Tcp
+            ? await new TcpExamination(task).RunAsync().ConfigureAwait(false)
+            : await new UdpExamination(task).RunAsync().ConfigureAwait(false);
+
+        IReadOnlyList<Finding> findings = conclusion.Findings;
+        string advice = string.Join(" ", findings.Select(static finding => finding.Advice).Where(static text => text is not null));
+        return new StreamDiagnosis
+        {
+            Findings = [.. findings.Select(static finding => finding.Verdict)],
+            Summary = string.Join(" ", findings.Select(static finding => finding.Advice is null ? finding.Text : $"{finding.Text} {finding.Advice}")),
+            Advice = advice.Length > 0 ? advice : null,
+            Code = conclusion.Place is { } place ? ReaderCode.For(options, place, how.Wanted) : null,
+            Steps = log.Steps,
+            Avatars = conclusion.Sample is { } sample ? [.. sample.Avatars.Select(static avatar => avatar.ToPublic())] : [],
+            Elapsed = task.Elapsed,
+        };
+    }
+}

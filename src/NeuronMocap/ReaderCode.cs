@@ -1,0 +1,42 @@
+using NeuronMocap.Diagnostics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap;
+
+// The program that receives a stream, for people to copy.
+internal static class ReaderCode
+{
+    public static string For(NeuronReaderOptions options, StreamPlace place, PacketKind wanted)
+    {
+        string method = wanted == PacketKind.Motion ? nameof(NeuronReader.ReadMotionAsync) : nameof(NeuronReader.ReadCalculationAsync);
+        return $"""
+            await using var reader = new NeuronReader({ArgumentsOf(options, place)});
+            await foreach (var frame in reader.{method}())
+                Console.WriteLine(frame.AvatarName);
+            """;
+    }
+
+    private static string ArgumentsOf(NeuronReaderOptions options, StreamPlace place)
+    {
+        var parts = new List<string>();
+        if (place.Transport == TransportKind.Udp)
+            parts.Add("Transport = TransportKind.Udp");
+        else
+            parts.Add($"Host = \"{place.Host}\"");
+
+        parts.Add($"Port = {place.Port}");
+        int essential = parts.Count;
+        if (options.LocalAddress is { } address)
+            parts.Add($"LocalAddress = IPAddress.Parse(\"{address}\")");
+        if (options.SharePort && place.Transport == TransportKind.Udp)
+            parts.Add("SharePort = true");
+        if (options.RotationOrder != RotationOrder.YXZ)
+            parts.Add($"RotationOrder = RotationOrder.{options.RotationOrder}");
+
+        return place.Transport == TransportKind.Tcp && parts.Count == essential
+            ? $"\"{place.Host}\", {place.Port}"
+            : $"new NeuronReaderOptions {{ {string.Join(", ", parts)} }}";
+    }
+}

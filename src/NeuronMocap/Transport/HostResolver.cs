@@ -1,0 +1,22 @@
+using System.Net;
+
+namespace NeuronMocap.Transport;
+
+internal static class HostResolver
+{
+    // A name that takes longer than a connection may is abandoned: no runtime can interrupt the system's resolver. Throws SocketException,
+    // ArgumentException for names that no computer can have, and TimeoutException, which also stands for a cancelled wait.
+    public static async Task<IPAddress[]> ResolveAsync(LinkOptions options, CancellationToken stop)
+    {
+        if (IPAddress.TryParse(options.Host, out IPAddress? address))
+            return [address];
+
+        Task<IPAddress[]> resolving = options.Resolve(options.Host);
+        Task first = await Task.WhenAny(resolving, Task.Delay(options.ConnectTimeout, stop)).ConfigureAwait(false);
+        if (first == resolving)
+            return await resolving.ConfigureAwait(false);
+
+        _ = resolving.ContinueWith(static task => _ = task.Exception, TaskContinuationOptions.OnlyOnFaulted);
+        throw new TimeoutException();
+    }
+}

@@ -1,0 +1,59 @@
+namespace NeuronMocap.Transport;
+
+// Recognises the text format (protocol.md section 8): "0 Char00 0.00 93.02", avatar number, name and values; calculation data are values only.
+internal static class NumericText
+{
+    // A word in this place is the avatar's name. What follows the last separator may be cut off anywhere and says nothing.
+    private const int NameIndex = 1;
+
+    public static bool IsAt(ReadOnlySpan<byte> bytes)
+    {
+        int words = 0;
+        int numbers = 0;
+        int start = 0;
+        for (int i = 0; i < bytes.Length; i++)
+        {
+            if (!IsSeparator(bytes[i]))
+            {
+                if (bytes[i] < 0x20)
+                    return false;
+
+                continue;
+            }
+
+            ReadOnlySpan<byte> word = bytes[start..i];
+            start = i + 1;
+            if (word.Length > 0)
+            {
+                if (IsNumber(word))
+                    numbers++;
+                else if (words != NameIndex)
+                    return false;
+
+                words++;
+            }
+
+            if (bytes[i] is (byte)'|' or (byte)'\n')
+                words = 0;
+        }
+
+        return numbers > 1;
+    }
+
+    // A public emulator sends stray zero bytes between the lines, and "||" ends each avatar's values.
+    private static bool IsSeparator(byte value) => value is 0 or (byte)' ' or (byte)'\t' or (byte)'\r' or (byte)'\n' or (byte)'|';
+
+    private static bool IsNumber(ReadOnlySpan<byte> word)
+    {
+        bool digit = false;
+        foreach (byte value in word)
+        {
+            if (value is >= (byte)'0' and <= (byte)'9')
+                digit = true;
+            else if (value is not ((byte)'.' or (byte)'-' or (byte)'+' or (byte)'e' or (byte)'E'))
+                return false;
+        }
+
+        return digit;
+    }
+}

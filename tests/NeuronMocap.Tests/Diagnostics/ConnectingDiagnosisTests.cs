@@ -1,0 +1,226 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Diagnostics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Diagnostics;
+
+// The links of the chain before the first byte.
+public sealed class ConnectingDiagnosisTests : IDisposable
+{
+    private readonly RefusingPort _refusing = new();
+
+    public void Dispose() => _refusing.Dispose();
+
+    [Theory]
+    [InlineData(SocketError.HostNotFound, "spelling")]
+    [InlineData(SocketError.TryAgain, "name server")]
+    public async Task An_unknown_name_is_told_apart_from_a_name_server_that_is_silent(SocketError error, string said)
+    {
+        var link = new LinkOptions("studio", 7001) { Resolve = _ => Task.FromException<IPAddress[]>(new SocketException((int)error)) };
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, Diagnosing.With(Diagnosing.Patient));
+
+        diagnosis.AssertFault(DiagnosisVerdict.HostNotFound, "name", "studio", said, "IP address");
+        Assert.Single(diagnosis.Steps);
+        Assert.Null(diagnosis.Code);
+    }
+
+    [Fact]
+    public async Task A_name_server_that_never_answers_costs_its_share_of_the_time_only()
+    {
+        var link = new LinkOptions("studio", 7001) { Resolve = static _ => new TaskCompletionSource<IPAddress[]>().Task };
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, Diagnosing.With(new DiagnosisPace { Name = 0.002 }));
+        diagnosis.AssertFault(DiagnosisVerdict.HostNotFound, "name", "no name server answers");
+    }
+
+    [Fact]
+    public async Task A_port_inside_the_host_is_recognised()
+    {
+        var link = new LinkOptions("studio:7001", 7001) { Resolve = static host => throw new ArgumentException("No name.", nameof(host)) };
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, Diagnosing.With(Diagnosing.Patient));
+        diagnosis.AssertFault(DiagnosisVerdict.HostNotFound, "name", "the port has an option of its own");
+    }
+
+    [Fact]
+    public async Task A_short_address_is_shown_as_the_system_reads_it()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming();
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(
+            new NeuronReaderOptions { Host = "127.1", Port = server.Port }, Diagnosing.With(Diagnosing.Patient));
+
+        Assert.Equal(StepOutcome.Warning, diagnosis.Step("name").Outcome);
+        Assert.Contains("127.0.0.1", diagnosis.Step("name").Detail, StringComparison.Ordinal);
+        Assert.True(diagnosis.FramesArrive);
+    }
+
+    [Fact]
+    public async Task A_local_address_of_another_computer_is_the_fault()
+    {
+        var options = new NeuronReaderOptions { LocalAddress = IPAddress.Parse("192.0.2.77") };
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(options, Diagnosing.With(Diagnosing.Silent));
+        diagnosis.AssertFault(DiagnosisVerdict.LocalAddressUnavailable, "route", "192.0.2.77", "LocalAddress");
+    }
+
+    [Fact]
+    public async Task Nothing_listening_names_the_broadcasting_settings_of_both_programs()
+    {
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(_refusing.Number, Diagnosing.Silent);
+
+        diagnosis.AssertFault(
+            DiagnosisVerdict.Refused, "port", $"127.0.0.1:{_refusing.Number}", "File > Settings > Broadcasting", "Settings > BVH Broadcasting", "TCP", "is this computer");
+        Assert.Contains("inside this computer", diagnosis.Step("route").Detail, StringComparison.Ordinal);
+        Assert.Equal(diagnosis.Advice, diagnosis.Summary[^diagnosis.Advice!.Length..]);
+    }
+
+    [Fact]
+    public async Task A_black_hole_is_no_answer_and_names_the_firewall()
+    {
+        using var hole = new BlackHole();
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(hole.Port, Diagnosing.Silent with { Connecting = 0.003 });
+        diagnosis.AssertFault(DiagnosisVerdict.NoAnswer, "port", "Windows Defender Firewall", $"port {hole.Port}");
+    }
+
+    [Fact]
+    public async Task A_host_that_answers_on_another_port_is_not_switched_off()
+    {
+        using var hole = new BlackHole();
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Silent with { Connecting = 0.003, Elsewhere = 0.015 });
+        how.UsualTcpPorts = [_refusing.Number];
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = hole.Port }, how);
+        diagnosis.AssertFault(DiagnosisVerdict.NoAnswer, "port", "answers on other ports");
+    }
+
+    [Fact]
+    public async Task An_address_that_does_not_answer_does_not_hide_the_one_that_does()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming();
+        var link = new LinkOptions("studio", server.Port)
+        {
+            Resolve = static _ => Task.FromResult<IPAddress[]>([IPAddress.Parse("127.0.0.2"), IPAddress.Loopback]),
+        };
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, Diagnosing.With(Diagnosing.Patient));
+
+        Assert.True(diagnosis.FramesArrive);
+        Assert.Equal(StepOutcome.Warning, diagnosis.Step("port").Outcome);
+        Assert.Contains("127.0.0.2", diagnosis.Step("port").Detail, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_stream_on_another_usual_port_is_found_with_the_code_to_receive_it()
+    {
+        using var other = new RefusingPort();
+        using ScriptedServer server = ScriptedServer.Streaming();
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient);
+        how.UsualTcpPorts = [other.Number, server.Port];
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
+
+        diagnosis.AssertFault(DiagnosisVerdict.OtherPort, "port", $"Use port {server.Port} here");
+        Assert.Contains($"new NeuronReader(\"127.0.0.1\", {server.Port})", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Equal(StepOutcome.Warning, diagnosis.Step("other ports").Outcome);
+    }
+
+    [Fact]
+    public async Task Calculation_data_on_another_port_show_that_the_server_runs()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming(PacketKind.Calculation);
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Elsewhere = 0.01 });
+        how.UsualTcpPorts = [server.Port];
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
+
+        diagnosis.AssertFault(DiagnosisVerdict.Refused, "port", $"TCP port {server.Port} of 127.0.0.1 has calculation data");
+        Assert.Null(diagnosis.Code);
+    }
+
+    [Fact]
+    public async Task A_server_that_sends_over_UDP_is_found_behind_a_refused_connection()
+    {
+        using var sender = new DatagramSender();
+        int port = DatagramSender.FreePort();
+        Task<StreamDiagnosis> diagnosing = Diagnosing.RunAsync(port);
+        StreamDiagnosis diagnosis = await sender.SendUntilAsync(diagnosing, port, static i => [TestPackets.Motion(i)]);
+
+        diagnosis.AssertFault(DiagnosisVerdict.SentOverUdp, "port", $"UDP port {port} of this computer", $"{sender.EndPoint}", "choose TCP");
+        Assert.Contains("TransportKind.Udp", diagnosis.Code, StringComparison.Ordinal);
+    }
+
+    // The bound is the promise; the slack is for a machine that does other things.
+    [Theory]
+    [InlineData(true, false)]
+    [InlineData(false, true)]
+    [InlineData(false, false)]
+    public async Task The_whole_takes_no_longer_than_it_may(bool unknownName, bool blackHole)
+    {
+        using var hole = new BlackHole();
+        using var server = new ScriptedServer(static (_, stop) => Task.Delay(Timeout.Infinite, stop));
+        var link = new LinkOptions("studio", blackHole ? hole.Port : server.Port)
+        {
+            Resolve = unknownName ? static _ => new TaskCompletionSource<IPAddress[]>().Task : static _ => Task.FromResult<IPAddress[]>([IPAddress.Loopback]),
+        };
+        DiagnosisOptions how = Diagnosing.With(new DiagnosisPace());
+        how.Timeout = TimeSpan.FromSeconds(1);
+        how.UsualTcpPorts = [hole.Port, server.Port];
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, how);
+
+        Assert.False(diagnosis.FramesArrive);
+        Assert.InRange(diagnosis.Elapsed, TimeSpan.Zero, TimeSpan.FromSeconds(5));
+    }
+
+    [Fact]
+    public async Task Looking_elsewhere_can_be_switched_off()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming();
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient);
+        how.UsualTcpPorts = [server.Port];
+        how.LookElsewhere = false;
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
+
+        Assert.Equal(DiagnosisVerdict.Refused, diagnosis.Verdict);
+        Assert.Equal(["name", "route", "port"], diagnosis.Steps.Select(static step => step.Name));
+    }
+
+    [Theory]
+    [InlineData(TransportKind.Tcp)]
+    [InlineData(TransportKind.Udp)]
+    public async Task A_cancelled_diagnosis_ends_at_once(TransportKind transport)
+    {
+        using ScriptedServer server = new(static (_, stop) => Task.Delay(Timeout.Infinite, stop));
+        int port = transport == TransportKind.Tcp ? server.Port : 0;
+        using var cancellation = new CancellationTokenSource();
+        var portIsOpen = new CancelAt("port", cancellation);
+
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => NeuronDiagnostics.DiagnoseAsync(
+            new NeuronReaderOptions { Port = port, Transport = transport }, Diagnosing.With(Diagnosing.Patient), portIsOpen, cancellation.Token).Soon());
+    }
+
+    [Fact]
+    public async Task Options_out_of_range_are_named()
+    {
+        ArgumentException reader = await Assert.ThrowsAsync<ArgumentException>(() => NeuronDiagnostics.DiagnoseAsync(new NeuronReaderOptions { Port = 0 }));
+        Assert.Contains("Port is 0", reader.Message, StringComparison.Ordinal);
+        foreach (DiagnosisOptions wrong in (DiagnosisOptions[])[new() { Timeout = TimeSpan.Zero }, new() { Wanted = PacketKind.Command }])
+            await Assert.ThrowsAsync<ArgumentException>(() => NeuronDiagnostics.DiagnoseAsync(new NeuronReaderOptions(), wrong));
+    }
+
+    // A port of this test's own on which nothing listens: bound, so that nobody else gets it.
+    private sealed class RefusingPort : IDisposable
+    {
+        private readonly Socket _socket = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+
+        public RefusingPort() => _socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+
+        public int Number => ((IPEndPoint)_socket.LocalEndPoint!).Port;
+
+        public void Dispose() => _socket.Dispose();
+    }
+
+    private sealed class CancelAt(string step, CancellationTokenSource cancellation) : IProgress<DiagnosisStep>
+    {
+        public void Report(DiagnosisStep value)
+        {
+            if (value.Name.Equals(step, StringComparison.Ordinal))
+                cancellation.Cancel();
+        }
+    }
+}

@@ -1,0 +1,196 @@
+using System.Text;
+using NeuronMocap.Diagnostics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Tests.Diagnostics;
+
+// What comes over a connection that stands.
+public sealed class StreamDiagnosisTests
+{
+    [Fact]
+    public async Task A_healthy_stream_is_described_from_the_name_to_the_rate()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Join(TestPackets.Motion(i), TestPackets.Motion(i, avatar: 1, name: "Zoe")));
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Measuring = 0.01 });
+
+        // How fast it comes is this machine's business.
+        Assert.True(diagnosis.FramesArrive);
+        Assert.Equal(["name", "route", "port", "first bytes", "token", "version", "format", "rate"], diagnosis.Steps.Select(static step => step.Name));
+        Assert.StartsWith("FF DD 00 00 01 01", diagnosis.Step("first bytes").Detail, StringComparison.Ordinal);
+        foreach (string text in (string[])["version 1.1.0.0", "354 values, displacement on, reference off", "2 avatars: 0 Char00, 1 Zoe"])
+            Assert.Contains(text, diagnosis.Summary, StringComparison.Ordinal);
+
+        Assert.Contains($"new NeuronReader(\"127.0.0.1\", {server.Port})", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Equal([(0, "Char00"), (1, "Zoe")], diagnosis.Avatars.Select(static avatar => (avatar.Index, avatar.Name)));
+        Assert.All(diagnosis.Avatars, static avatar => Assert.True(avatar is { Kind: PacketKind.Motion, Lost: 0, Frames: > 0, ValueCount: 354, HasDisplacement: true }));
+    }
+
+    [Fact]
+    public async Task The_old_header_works_and_is_said()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Motion(i, layout: HeaderLayout.Old));
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
+
+        Assert.True(diagnosis.FramesArrive);
+        Assert.Contains(DiagnosisVerdict.OldHeader, diagnosis.Findings);
+        Assert.Equal(StepOutcome.Warning, diagnosis.Step("version").Outcome);
+        Assert.Contains("Use old header format", diagnosis.Summary, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Calculation_data_alone_are_a_fault_where_motion_is_wanted_and_none_where_they_are()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming(PacketKind.Calculation);
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Elsewhere = 0.002 });
+        StreamDiagnosis motion = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = server.Port }, how);
+        how.Wanted = PacketKind.Calculation;
+        StreamDiagnosis calculation = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = server.Port }, how);
+
+        motion.AssertFault(DiagnosisVerdict.CalculationOnly, "token", "calculation data", "tick Enable under BVH");
+        Assert.True(calculation.FramesArrive);
+        Assert.Contains("ReadCalculationAsync", calculation.Code, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Motion_data_on_the_next_port_are_pointed_at()
+    {
+        using ScriptedServer calculation = ScriptedServer.Streaming(PacketKind.Calculation);
+        using ScriptedServer motion = ScriptedServer.Streaming();
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient);
+        how.UsualTcpPorts = [motion.Port];
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = calculation.Port }, how);
+
+        diagnosis.AssertFault(DiagnosisVerdict.CalculationOnly, "token", $"Use port {motion.Port} over TCP here");
+        Assert.Equal([DiagnosisVerdict.CalculationOnly, DiagnosisVerdict.OtherPort], diagnosis.Findings);
+        Assert.Contains($"new NeuronReader(\"127.0.0.1\", {motion.Port})", diagnosis.Code, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Both_kinds_in_one_stream_are_no_fault()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Join(TestPackets.Motion(i), TestPackets.Calculation(i)));
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
+
+        Assert.True(diagnosis.FramesArrive);
+        Assert.Equal("0xDDFF and 0x88FF: motion (BVH) and calculation data", diagnosis.Step("token").Detail);
+    }
+
+    [Theory]
+    [InlineData("0 Char00 0.00 93.02 0.00 -1.5 || \r\n", DiagnosisVerdict.TextFormat, "token", "set Format to Binary")]
+    [InlineData("SSH-2.0-OpenSSH_9.6\r\n", DiagnosisVerdict.OtherProgram, "token", "SSH server (\"SSH-2.0-OpenSSH_9.6\")")]
+    [InlineData("HTTP/1.1 400 Bad Request\r\n\r\n", DiagnosisVerdict.OtherProgram, "token", "web server")]
+    [InlineData("\u0015\u0003\u0003\0\u0002\u0002\u0046", DiagnosisVerdict.OtherProgram, "token", "TLS")]
+    [InlineData("220 mail.example ESMTP\r\n", DiagnosisVerdict.OtherProgram, "token", "mail or FTP")]
+    [InlineData("\u00CF\u00DC\0\0\0\u0002", DiagnosisVerdict.StudioCalculation, "token", "BVH Broadcasting")]
+    [InlineData("\u0001\u0002\u0003\u0004", DiagnosisVerdict.UnknownFormat, "token", "01 02 03 04")]
+    public async Task Bytes_that_are_no_packets_are_named(string bytes, DiagnosisVerdict verdict, string step, string said)
+    {
+        using ScriptedServer server = ScriptedServer.Saying(Encoding.Latin1.GetBytes(bytes));
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        diagnosis.AssertFault(verdict, step, said);
+        Assert.Null(diagnosis.Code);
+    }
+
+    [Fact]
+    public async Task An_unknown_version_is_told_with_its_number()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming(static i =>
+        {
+            byte[] packet = TestPackets.Motion(i);
+            packet[5] = 2;
+            return packet;
+        });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        diagnosis.AssertFault(DiagnosisVerdict.UnknownVersion, "version", "2.1.0.0");
+    }
+
+    [Fact]
+    public async Task Counts_beyond_the_limit_are_told_with_the_option()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming();
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Elsewhere = 0.002 });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = server.Port, MaxValues = 100 }, how);
+        diagnosis.AssertFault(DiagnosisVerdict.TooManyValues, "format", "MaxValues");
+    }
+
+    [Fact]
+    public async Task A_frame_whose_rest_never_comes_is_incomplete()
+    {
+        using ScriptedServer server = new(async static (client, stop) =>
+        {
+            await client.SendAsync(TestPackets.Motion(1).AsMemory(0, 700));
+            client.Close();
+        });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        diagnosis.AssertFault(DiagnosisVerdict.IncompletePackets, "format", "in the middle of a frame");
+    }
+
+    [Fact]
+    public async Task Packets_of_no_values_mean_that_nothing_is_played()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Motion(i, count: 0));
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        diagnosis.AssertFault(DiagnosisVerdict.NoValues, "format", "open a take and press play");
+    }
+
+    [Fact]
+    public async Task Frames_between_garbage_are_said_to_be()
+    {
+        byte[] garbage = [.. Enumerable.Range(0, 5000).Select(static i => (byte)(i % 251))];
+        using ScriptedServer server = ScriptedServer.Streaming(i => TestPackets.Join(TestPackets.Motion(i), garbage));
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
+
+        Assert.True(diagnosis.FramesArrive);
+        Assert.Contains(DiagnosisVerdict.ForeignBytes, diagnosis.Findings);
+        Assert.Contains("% of the bytes", diagnosis.Summary, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_server_that_closes_at_once_is_named()
+    {
+        using ScriptedServer server = new(static (client, _) =>
+        {
+            client.Close();
+            return Task.CompletedTask;
+        });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        diagnosis.AssertFault(DiagnosisVerdict.ClosedAtOnce, "first bytes", "forwarded port");
+    }
+
+    [Fact]
+    public async Task Silence_is_a_suit_that_is_not_connected()
+    {
+        using ScriptedServer server = new(static (_, stop) => Task.Delay(Timeout.Infinite, stop));
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Silent);
+        diagnosis.AssertFault(DiagnosisVerdict.Silent, "first bytes", "no suit is connected", "BVH Broadcasting - Capture");
+        Assert.Equal(StepOutcome.Ok, diagnosis.Step("question").Outcome);
+    }
+
+    [Theory]
+    [InlineData((byte)'H', "HTTP/1.0 200 OK\r\n\r\n", DiagnosisVerdict.OtherProgram, "a web server's answer")]
+    [InlineData((byte)0xFF, "\u00FF\u00AA\0\0\u00EB\u0003\u0004\0\0\0\0\0\0\0\u00FF\u00BB\u0001\0\0\0", DiagnosisVerdict.CommandPort, "command port")]
+    [InlineData((byte)'H', "\u0001\u0002\u0003", DiagnosisVerdict.OtherProgram, "01 02 03")]
+    public async Task A_server_that_speaks_when_spoken_to_is_named(byte question, string answer, DiagnosisVerdict verdict, string said)
+    {
+        using ScriptedServer server = new(async (client, stop) =>
+        {
+            byte[] first = new byte[1];
+            int count = await client.Socket.ReceiveAsync(first, stop);
+            if (count > 0 && first[0] == question)
+                await client.SendAsync(Encoding.Latin1.GetBytes(answer));
+        });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Silent with { Asking = 0.3 });
+        diagnosis.AssertFault(verdict, "question", said);
+    }
+
+    [Fact]
+    public async Task An_old_command_packet_without_frames_is_no_data_port()
+    {
+        byte[] command = new byte[64];
+        new CommandHeader { CommandId = 5 }.Write(command);
+        using ScriptedServer server = ScriptedServer.Saying(command);
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        diagnosis.AssertFault(DiagnosisVerdict.CommandPort, "token", "sends commands");
+    }
+}

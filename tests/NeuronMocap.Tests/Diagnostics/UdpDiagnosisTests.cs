@@ -1,0 +1,103 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Diagnostics;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Diagnostics;
+
+public sealed class UdpDiagnosisTests
+{
+    private readonly int _port = DatagramSender.FreePort();
+
+    [Fact]
+    public async Task Frames_in_halves_are_joined_and_their_sender_is_named()
+    {
+        using var sender = new DatagramSender();
+        StreamDiagnosis diagnosis = await sender.SendUntilAsync(RunAsync(Diagnosing.Patient), _port, static i => Halves(TestPackets.Motion(i)));
+
+        Assert.True(diagnosis.FramesArrive);
+        Assert.Contains($"{sender.EndPoint}", diagnosis.Step("first bytes").Detail, StringComparison.Ordinal);
+        Assert.Contains("up to 1024 bytes", diagnosis.Step("first bytes").Detail, StringComparison.Ordinal);
+        Assert.Contains($"Transport = TransportKind.Udp, Port = {_port}", diagnosis.Code, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task First_halves_alone_are_cut_frames()
+    {
+        using var sender = new DatagramSender();
+        StreamDiagnosis diagnosis = await sender.SendUntilAsync(
+            RunAsync(Diagnosing.Patient with { Elsewhere = 0.002 }), _port, static i => Halves(TestPackets.Motion(i)).Take(1));
+        diagnosis.AssertFault(DiagnosisVerdict.IncompletePackets, "format", "choose TCP", "Displacement");
+    }
+
+    [Fact]
+    public async Task Two_senders_are_noticed()
+    {
+        using var sender = new DatagramSender();
+        using var other = new DatagramSender();
+        Task<StreamDiagnosis> diagnosing = RunAsync(Diagnosing.Patient);
+        Task<StreamDiagnosis> both = other.SendUntilAsync(diagnosing, _port, static i => [TestPackets.Motion(i)]);
+        StreamDiagnosis diagnosis = await sender.SendUntilAsync(both, _port, static i => [TestPackets.Motion(i)]);
+
+        Assert.True(diagnosis.FramesArrive);
+        Assert.Contains(DiagnosisVerdict.SeveralSenders, diagnosis.Findings);
+    }
+
+    [Fact]
+    public async Task Nothing_names_the_destination_and_the_firewall()
+    {
+        StreamDiagnosis diagnosis = await RunAsync(Diagnosing.Silent);
+        diagnosis.AssertFault(DiagnosisVerdict.Silent, "first bytes", "Destination Address", $":{_port}", "firewall", "choose UDP");
+    }
+
+    [Fact]
+    public async Task A_port_in_use_is_a_fault_of_this_computer()
+    {
+        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        socket.Bind(new IPEndPoint(IPAddress.Any, 0));
+        int port = ((IPEndPoint)socket.LocalEndPoint!).Port;
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(
+            new NeuronReaderOptions { Transport = TransportKind.Udp, Port = port }, Diagnosing.With(Diagnosing.Silent));
+        diagnosis.AssertFault(DiagnosisVerdict.PortInUse, "port", $"UDP port {port}", "Close that program");
+    }
+
+    [Fact]
+    public async Task A_local_address_of_another_computer_is_the_fault()
+    {
+        var options = new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port, LocalAddress = IPAddress.Parse("192.0.2.77") };
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(options, Diagnosing.With(Diagnosing.Silent));
+        diagnosis.AssertFault(DiagnosisVerdict.LocalAddressUnavailable, "port", "192.0.2.77");
+    }
+
+    [Fact]
+    public async Task A_server_that_is_set_to_TCP_is_found()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming();
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Silence = 0.002 });
+        how.UsualTcpPorts = [server.Port];
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port }, how);
+
+        diagnosis.AssertFault(DiagnosisVerdict.OfferedOverTcp, "first bytes", $"TCP port {server.Port}", "choose UDP on the server");
+        Assert.DoesNotContain("TransportKind.Udp", diagnosis.Code, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Datagrams_on_another_usual_port_are_found()
+    {
+        using var sender = new DatagramSender();
+        int other = DatagramSender.FreePort();
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Silence = 0.002 });
+        how.UsualUdpPorts = [other];
+        var options = new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port };
+        StreamDiagnosis diagnosis = await sender.SendUntilAsync(Diagnosing.RunAsync(options, how), other, static i => [TestPackets.Motion(i)]);
+
+        diagnosis.AssertFault(DiagnosisVerdict.OtherPort, "first bytes", $"Use port {other} here");
+        Assert.Contains($"Port = {other}", diagnosis.Code, StringComparison.Ordinal);
+    }
+
+    private static byte[][] Halves(byte[] packet) => [packet[..1024], packet[1024..]];
+
+    private Task<StreamDiagnosis> RunAsync(DiagnosisPace pace) =>
+        Diagnosing.RunAsync(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port }, Diagnosing.With(pace));
+}
