@@ -69,7 +69,7 @@ internal sealed class AvatarSample(PacketKind kind, int source, uint index)
         else
             Read(CalculationHeader.Read(packet.Bytes));
 
-        ReadOnlySpan<byte> values = packet.Bytes.AsSpan(ProtocolConstants.HeaderSize);
+        ReadOnlySpan<byte> values = packet.Bytes[ProtocolConstants.HeaderSize..];
         if (Frames == 0)
             _first = packet.Timestamp;
         else

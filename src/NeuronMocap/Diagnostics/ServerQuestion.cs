@@ -45,7 +45,7 @@ internal static class ServerQuestion
         using CancellationTokenRegistration closing = limit.Token.Register(socket.Dispose);
         try
         {
-            await TcpConnector.ConnectAsync(socket, server).ConfigureAwait(false);
+            await socket.ConnectAsync(server).ConfigureAwait(false);
             await socket.SendAsync(new ArraySegment<byte>(question), SocketFlags.None).ConfigureAwait(false);
             int count = 1;
             while (count > 0 && length < question.Length)

@@ -57,7 +57,7 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
     public void OnPacket(in ReceivedPacket packet)
     {
         Begin(packet.Bytes);
-        Bytes += packet.Bytes.Count;
+        Bytes += packet.Length;
         Packets++;
         if (packet.Kind == PacketKind.Command)
             Commands++;
