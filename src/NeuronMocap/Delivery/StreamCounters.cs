@@ -3,11 +3,12 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Delivery;
 
 // Counts everything that came off the wire. The receive thread writes, anyone reads.
-internal sealed class StreamCounters
+internal sealed class StreamCounters(IDurationRecorder? intervals = null)
 {
     // Anyone can make up senders and avatar numbers; past this many, frames are delivered and counted in total only.
     private const int MaxTrackers = 1024;
 
+    private readonly long[] _skippedByReason = new long[(int)SkipReason.Incomplete + 1];
     private readonly Dictionary<(PacketKind Kind, int Source, uint Avatar), AvatarTracker> _trackers = [];
     private volatile AvatarTracker[] _published = [];
     private AvatarTracker? _last;
@@ -21,11 +22,16 @@ internal sealed class StreamCounters
     private long _unknownVersions;
     private long _firstFrame;
     private long _lastFrame;
+    private long _links;
 
     public AvatarTracker[] Trackers => _published;
 
+    // Bytes of the skipped ones.
+    public long GetSkipped(SkipReason reason) => Volatile.Read(ref _skippedByReason[(int)reason]);
+
     public void Resume()
     {
+        Volatile.Write(ref _links, _links + 1);
         foreach (AvatarTracker tracker in _published)
             tracker.Resume();
     }
@@ -59,6 +65,7 @@ internal sealed class StreamCounters
     public void CountSkipped(int bytes, SkipReason reason)
     {
         Volatile.Write(ref _skippedBytes, _skippedBytes + bytes);
+        Volatile.Write(ref _skippedByReason[(int)reason], _skippedByReason[(int)reason] + bytes);
         Volatile.Write(ref _bytes, _bytes + bytes);
         if (reason == SkipReason.TooLarge)
             Volatile.Write(ref _oversizedPackets, _oversizedPackets + 1);
@@ -78,7 +85,10 @@ internal sealed class StreamCounters
         UnknownVersionPackets = Volatile.Read(ref _unknownVersions),
         FirstFrameTimestamp = Volatile.Read(ref _firstFrame),
         LastFrameTimestamp = Volatile.Read(ref _lastFrame),
-        Lost = _published.Sum(static tracker => tracker.Snapshot.Lost),
+        Lost = _published.Sum(static tracker => tracker.Index.Lost),
+        Gaps = _published.Sum(static tracker => tracker.Index.Gaps),
+        Restarts = _published.Sum(static tracker => tracker.Index.Restarts),
+        Reconnects = Math.Max(Volatile.Read(ref _links) - 1, 0),
     };
 
     private void CountBytes(in ReceivedPacket packet)
@@ -100,7 +110,7 @@ internal sealed class StreamCounters
             if (_trackers.Count >= MaxTrackers)
                 return null;
 
-            tracker = new AvatarTracker(kind, source, avatar);
+            tracker = new AvatarTracker(kind, source, avatar, intervals);
             _trackers.Add((kind, source, avatar), tracker);
             _published = [.. _published, tracker];
         }
