@@ -65,7 +65,8 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
     private void Report(long now, bool force)
     {
         ReaderStatistics statistics = figures.GetStatistics();
-        if (Take(ReaderEventId.FramesLost, null, statistics.Lost - figures.UnsettledLoss, now, force) is { Count: > 0 } lost)
+        long lostFrames = statistics.Lost - (force ? 0 : figures.UnsettledLoss);
+        if (Take(ReaderEventId.FramesLost, null, lostFrames, now, force) is { Count: > 0 } lost)
             report(lost with { Message = Text($"{lost.Count} frames that the server sent did not arrive; {lost.Total} in all, in {statistics.Gaps} gaps.") });
 
         foreach (ConsumerStatistics consumer in figures.GetConsumers())
