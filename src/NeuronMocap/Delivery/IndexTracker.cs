@@ -16,7 +16,7 @@ internal sealed class IndexTracker
     private const int RestartRun = 3;
 
     // So many steps in a row that share a divisor above the known step, most of them the divisor itself, are the server's and no loss. Half
-    // of all frames lost at random do that once in some weeks; every second frame lost as by clockwork cannot be told from frequency reducing.
+    // of all frames lost at random do that once in about two weeks; every second frame lost as by clockwork cannot be told from frequency reducing.
     private const int ReductionRun = 16;
 
     // With a larger step, two swapped frames would look like a restart.
