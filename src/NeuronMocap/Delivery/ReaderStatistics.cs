@@ -38,14 +38,14 @@ public readonly record struct ReaderStatistics
     /// <summary>How often the server began to count frames anew within a connection: the sum over all avatars.</summary>
     public long Restarts { get; init; }
 
-    /// <summary>How often a connection was made again, or a UDP port bound again, after the first.</summary>
-    public long Reconnects { get; init; }
-
     /// <summary>Frames that arrived and found a queue full: the sum over all queues, closed ones included.</summary>
     public long Dropped { get; init; }
 
     /// <summary>Exceptions that handlers threw on the receive thread or while a status was told.</summary>
     public long CallbackFailures { get; init; }
+
+    /// <summary>How often a connection stood again after the first one had ended; for UDP, how often the port was bound again.</summary>
+    public long Reconnects { get; init; }
 
     /// <summary>When the first frame was received: ticks of <see cref="Stopwatch"/>; 0 before.</summary>
     public long FirstFrameTimestamp { get; init; }

@@ -20,18 +20,19 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     private long _skippedBytes;
     private long _oversizedPackets;
     private long _unknownVersions;
+    private long _connections;
     private long _firstFrame;
     private long _lastFrame;
-    private long _links;
 
     public AvatarTracker[] Trackers => _published;
 
     // Bytes of the skipped ones.
     public long GetSkipped(SkipReason reason) => Volatile.Read(ref _skippedByReason[(int)reason]);
 
+    // A new connection stands.
     public void Resume()
     {
-        Volatile.Write(ref _links, _links + 1);
+        Volatile.Write(ref _connections, _connections + 1);
         foreach (AvatarTracker tracker in _published)
             tracker.Resume();
     }
@@ -83,12 +84,12 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
         SkippedBytes = Volatile.Read(ref _skippedBytes),
         OversizedPackets = Volatile.Read(ref _oversizedPackets),
         UnknownVersionPackets = Volatile.Read(ref _unknownVersions),
+        Reconnects = Math.Max(0, Volatile.Read(ref _connections) - 1),
         FirstFrameTimestamp = Volatile.Read(ref _firstFrame),
         LastFrameTimestamp = Volatile.Read(ref _lastFrame),
         Lost = _published.Sum(static tracker => tracker.Index.Lost),
         Gaps = _published.Sum(static tracker => tracker.Index.Gaps),
         Restarts = _published.Sum(static tracker => tracker.Index.Restarts),
-        Reconnects = Math.Max(Volatile.Read(ref _links) - 1, 0),
     };
 
     private void CountBytes(in ReceivedPacket packet)
