@@ -3,6 +3,7 @@ using System.Runtime.CompilerServices;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
+using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap;
@@ -30,7 +31,10 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     private readonly CancellationTokenSource _stop = new();
     private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private readonly TaskCompletionSource<bool> _connected = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly ReaderMetrics _metrics;
     private readonly ReceivePipeline _pipeline;
+    private readonly HandlerList<ReaderEvent> _eventHandlers;
+    private readonly EventReporter _reporter;
     private readonly HandlerList<ConnectionStatus> _statusHandlers;
     private readonly StatusBoard _status;
     private readonly LinkActivity _activity;
@@ -68,7 +72,11 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
         _statusHandlers = new HandlerList<ConnectionStatus>(OnCallbackFailed);
         _status = new StatusBoard(OnStatusChanged);
         _activity = new LinkActivity(_status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp);
-        _pipeline = new ReceivePipeline(_options.Format, _activity, OnCallbackFailed);
+        _eventHandlers = new HandlerList<ReaderEvent>(OnCallbackFailed);
+        _eventHandlers.Add(_options.CreateLog());
+        _metrics = new ReaderMetrics(_options.DisplayName);
+        _pipeline = new ReceivePipeline(_options.Format, _activity, _status, _metrics, OnCallbackFailed);
+        _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke);
     }
 
     /// <summary>
@@ -105,6 +113,20 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     /// </summary>
     public event Action<Exception>? CallbackFailed;
 
+    /// <summary>
+    /// Called with what deserves a line in a log: every change of the connection's state, on the thread that tells it, and lost and dropped
+    /// frames, skipped bytes and failed handlers: the first of each kind within half a second, what follows in one event every 10 s, on a pool thread.
+    /// On .NET the same goes to <c>NeuronReaderOptions.LoggerFactory</c>.
+    /// </summary>
+    public event Action<ReaderEvent>? EventReported
+    {
+        add => _eventHandlers.Add(value);
+        remove => _eventHandlers.Remove(value);
+    }
+
+    /// <summary>What metrics and logs call this reader: <see cref="NeuronReaderOptions.Name"/>, or the server's address or the UDP port.</summary>
+    public string Name => _metrics.Name;
+
     /// <summary>State of the connection, with the reason of its last change.</summary>
     public ConnectionStatus Status => _status.Current;
 
@@ -126,9 +148,17 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     /// Opens a queue of all frames that arrive from now on. To get the first one too, open it before the reader is started.
     /// </summary>
     /// <param name="capacity">Largest number of frames that can wait, 1 to 1,048,576; rounded up to a power of two.</param>
+    /// <param name="name">What metrics and logs call the queue; those of one name are counted together. Names shall be few and lasting.</param>
     /// <returns>A queue of its own; dispose of it when it is no longer pumped.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The capacity is out of range.</exception>
-    public FrameQueue OpenQueue(int capacity = FrameQueue.DefaultCapacity) => _pipeline.OpenQueue(capacity);
+    /// <exception cref="ArgumentException">The name is empty.</exception>
+    public FrameQueue OpenQueue(int capacity = FrameQueue.DefaultCapacity, string name = FrameQueue.DefaultName)
+    {
+        if (string.IsNullOrWhiteSpace(name))
+            throw new ArgumentException("A queue has a name, or is opened without one.", nameof(name));
+
+        return _pipeline.OpenQueue(capacity, name);
+    }
 
     /// <summary>Opens a view of the newest frame of each avatar, from now on.</summary>
     /// <returns>A view of its own, for one thread; dispose of it when it is no longer used.</returns>
@@ -159,7 +189,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
             return;
 
         TimeSpan period = TimeSpan.FromSeconds(Math.Min(0.5, _options.SilenceTimeout.TotalSeconds / 4));
-        _watchdog = new Timer(_ => _activity.Check(Stopwatch.GetTimestamp()), state: null, period, period);
+        _watchdog = new Timer(_ => Check(Stopwatch.GetTimestamp()), state: null, period, period);
         _ = Task.Run(RunAsync);
     }
 
@@ -212,6 +242,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
         if (Interlocked.Exchange(ref _disposed, 1) == 0)
         {
             _pipeline.Stop();
+            _metrics.Dispose();
             _watchdog?.Dispose();
             _stop.Cancel();
             if (Interlocked.Exchange(ref _started, 1) == 0)
@@ -237,7 +268,14 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
         }
 
         _watchdog?.Dispose();
+        _reporter.End(Stopwatch.GetTimestamp());
         _status.Set(last);
+    }
+
+    private void Check(long now)
+    {
+        _activity.Check(now);
+        _reporter.Check(now);
     }
 
     // When the handlers of Stopped, the last status, have run.
@@ -273,6 +311,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
             _connected.TrySetResult(true);
 
         _tellingThread = Environment.CurrentManagedThreadId;
+        _reporter.OnStatus(status);
         _statusHandlers.Invoke(status);
         _tellingThread = 0;
         if (status.State == ConnectionState.Stopped)
@@ -281,6 +320,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
 
     private void OnCallbackFailed(Exception exception)
     {
+        _reporter.OnFailure(exception);
         _pipeline.CountCallbackFailure();
         try
         {

@@ -8,8 +8,14 @@ namespace NeuronMocap;
 /// <summary>
 /// What a <see cref="NeuronReader"/> has to know. The reader takes a copy when it is made; later changes have no effect on it.
 /// </summary>
-public sealed class NeuronReaderOptions
+public sealed partial class NeuronReaderOptions
 {
+    /// <summary>
+    /// What metrics and logs call the reader, so that several can be told apart; null, the default, for the server's address or the UDP port.
+    /// Where two readers have one name, the second gets a number.
+    /// </summary>
+    public string? Name { get; set; }
+
     /// <summary>TCP or UDP, as the server is set. TCP unless set.</summary>
     public TransportKind Transport { get; set; } = TransportKind.Tcp;
 
@@ -55,6 +61,8 @@ public sealed class NeuronReaderOptions
     /// </summary>
     public int MaxValues { get; set; } = ProtocolConstants.DefaultMaxValues;
 
+    internal string DisplayName => Name ?? (Transport == TransportKind.Udp ? $"UDP port {Port}" : Link.Target);
+
     internal SkeletonFormat Format => new(RotationOrder, SkeletonVariant);
 
     internal LinkOptions Link => new(Host, Port)
@@ -76,6 +84,9 @@ public sealed class NeuronReaderOptions
     {
         if (!Enum.IsDefined(typeof(TransportKind), Transport))
             return $"Transport is {Transport}; it must be Tcp or Udp.";
+
+        if (Name is not null && string.IsNullOrWhiteSpace(Name))
+            return "Name is empty; give the reader one, or leave it out.";
 
         int lowestPort = Transport == TransportKind.Udp ? 0 : 1;
         if (string.IsNullOrWhiteSpace(Host))

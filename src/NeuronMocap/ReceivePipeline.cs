@@ -1,33 +1,47 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap;
 
 // What happens to a packet between the receive thread and the consumers, and who the consumers are.
-internal sealed class ReceivePipeline : IPacketReceiver
+internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
 {
+    private const string StreamName = "stream";
+
     private readonly SkeletonFormat _format;
     private readonly LinkActivity _activity;
-    private readonly StreamCounters _counters = new();
+    private readonly StatusBoard _status;
+    private readonly ReaderMetrics _metrics;
+    private readonly StreamCounters _counters;
     private readonly PacketDispatcher _dispatcher;
     private readonly object _lock = new();
     private readonly List<FrameQueue> _queues = [];
     private readonly List<FrameStream> _streams = [];
-    private long _droppedByClosedQueues;
+    private readonly Dictionary<string, long> _droppedByClosedQueues = new(StringComparer.Ordinal);
     private long _callbackFailures;
     private bool _ended;
     private volatile bool _stopped;
 
-    public ReceivePipeline(SkeletonFormat format, LinkActivity activity, Action<Exception> callbackFailed)
+    public ReceivePipeline(
+        SkeletonFormat format, LinkActivity activity, StatusBoard status, ReaderMetrics metrics, Action<Exception> callbackFailed)
     {
         _format = format;
         _activity = activity;
+        _status = status;
+        _metrics = metrics;
+        _counters = new StreamCounters(metrics.Intervals);
         _dispatcher = new PacketDispatcher(_counters);
         Callbacks = new FrameCallbacks(format, callbackFailed);
         _dispatcher.Add(Callbacks);
+        metrics.Observe(this);
     }
+
+    public ConnectionState State => _status.State;
+
+    public long UnsettledLoss => _counters.Trackers.Sum(static tracker => tracker.Index.Unsettled);
 
     public FrameCallbacks Callbacks { get; }
 
@@ -77,16 +91,16 @@ internal sealed class ReceivePipeline : IPacketReceiver
         }
     }
 
-    public FrameQueue OpenQueue(int capacity)
+    public FrameQueue OpenQueue(int capacity, string name)
     {
-        var queue = new FrameQueue(capacity, _format, closed => Close(closed, closed));
+        var queue = new FrameQueue(capacity, _format, closed => Close(closed, closed), name, _metrics.HandOver(name));
         Open(queue, queue);
         return queue;
     }
 
     public LatestFrames OpenLatest()
     {
-        var latest = new LatestFrames(_format, _dispatcher.Remove);
+        var latest = new LatestFrames(_format, _dispatcher.Remove, _metrics.HandOver("latest"));
         _dispatcher.Add(latest);
         return latest;
     }
@@ -94,7 +108,8 @@ internal sealed class ReceivePipeline : IPacketReceiver
     public FrameStream OpenStream(PacketKind kind, out FrameQueue queue)
     {
         FrameStream? stream = null;
-        queue = new FrameQueue(FrameQueue.DefaultCapacity, _format, closed => Close(closed, stream!));
+        queue = new FrameQueue(
+            FrameQueue.DefaultCapacity, _format, closed => Close(closed, stream!), StreamName, _metrics.HandOver(StreamName));
         stream = new FrameStream(queue, kind);
         Open(queue, stream);
         return stream;
@@ -106,13 +121,31 @@ internal sealed class ReceivePipeline : IPacketReceiver
         {
             return _counters.Snapshot() with
             {
-                Dropped = _droppedByClosedQueues + _queues.Sum(static queue => queue.Dropped),
+                Dropped = _droppedByClosedQueues.Values.Sum() + _queues.Sum(static queue => queue.Dropped),
                 CallbackFailures = Volatile.Read(ref _callbackFailures),
             };
         }
     }
 
     public IReadOnlyList<AvatarStatistics> GetAvatarStatistics() => [.. _counters.Trackers.Select(static tracker => tracker.Snapshot)];
+
+    public IReadOnlyList<ConsumerStatistics> GetConsumers()
+    {
+        lock (_lock)
+        {
+            ILookup<string, FrameQueue> open = _queues.ToLookup(static queue => queue.Name, StringComparer.Ordinal);
+            return
+            [
+                .. _droppedByClosedQueues.Keys.Union(open.Select(static group => group.Key), StringComparer.Ordinal)
+                    .Select(name => new ConsumerStatistics(
+                        name,
+                        _droppedByClosedQueues.GetValueOrDefault(name) + open[name].Sum(static queue => queue.Dropped),
+                        open[name].Sum(static queue => queue.Count))),
+            ];
+        }
+    }
+
+    public long GetSkipped(SkipReason reason) => _counters.GetSkipped(reason);
 
     public void CountCallbackFailure() => Interlocked.Increment(ref _callbackFailures);
 
@@ -138,7 +171,7 @@ internal sealed class ReceivePipeline : IPacketReceiver
         lock (_lock)
         {
             if (_queues.Remove(queue))
-                _droppedByClosedQueues += queue.Dropped;
+                _droppedByClosedQueues[queue.Name] = _droppedByClosedQueues.GetValueOrDefault(queue.Name) + queue.Dropped;
             if (consumer is FrameStream stream)
                 _streams.Remove(stream);
         }

@@ -59,6 +59,9 @@ internal sealed class JsonLines
         _json.WriteNumber("dropped"u8, statistics.Dropped);
         _json.WriteNumber("skippedBytes"u8, statistics.SkippedBytes);
         _json.WriteNumber("seconds"u8, statistics.Duration.TotalSeconds);
+        _json.WriteNumber("gaps"u8, statistics.Gaps);
+        _json.WriteNumber("restarts"u8, statistics.Restarts);
+        _json.WriteNumber("reconnects"u8, statistics.Reconnects);
         return End();
     }
 

@@ -45,7 +45,8 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : MonitorOu
         {
             string kind = avatar.Kind == PacketKind.Motion ? "motion" : "calculation";
             string name = TerminalText.Clean(avatar.AvatarName);
-            line.Append(CultureInfo.InvariantCulture, $"  {(uint)avatar.AvatarIndex} {name} {kind} {avatar.Rate:0.0} Hz {avatar.Frames} frames");
+            string reduction = avatar.FrequencyReduction > 1 ? $" (1 of {avatar.FrequencyReduction} frames)" : string.Empty;
+            line.Append(CultureInfo.InvariantCulture, $"  {(uint)avatar.AvatarIndex} {name} {kind} {avatar.Rate:0.0} Hz{reduction} {avatar.Frames} frames");
         }
 
         return line

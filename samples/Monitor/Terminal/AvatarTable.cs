@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
 using Spectre.Console;
@@ -14,6 +13,7 @@ internal static class AvatarTable
 
     private const int Gap = 1;
     private const int Wide = 95;
+    private const int Widest = 120;
     private const int WidestName = 40;
 
     // Their widths are fixed, so that the table stands still while its numbers change.
@@ -24,7 +24,9 @@ internal static class AvatarTable
         new("jitter", 8, 10, Justify.Right),
         new("frames", 10, 12, Justify.Right),
         new("lost", 6, 8, Justify.Right),
+        new("gaps", 6, 6, Justify.Right, IsExtra: true),
         new("disordered", 6, 11, Justify.Right),
+        new("restarts", 8, 8, Justify.Right, IsExtra: true),
         new("age", 7, 8, Justify.Right),
         new("feet", 4, 5, Justify.Left),
     ];
@@ -40,14 +42,15 @@ internal static class AvatarTable
         bool isWide = width >= Wide;
         IReadOnlyList<AvatarStatistics> avatars = state.Counters.Avatars;
         int shown = avatars.Count <= rows ? avatars.Count : Math.Max(rows - 1, 0);
+        Column[] columns = [.. Columns.Where(column => width >= Widest || !column.IsExtra)];
         Table table = new Table().Border(TableBorder.None);
-        int nameWidth = Math.Min(width - Gap - Columns.Sum(column => Gap + column.WidthWhen(isWide)), WidestName);
+        int nameWidth = Math.Min(width - Gap - columns.Sum(column => Gap + column.WidthWhen(isWide)), WidestName);
         table.AddColumn(MakeColumn("avatar", nameWidth, Justify.Left));
-        foreach (Column column in Columns)
+        foreach (Column column in columns)
             table.AddColumn(MakeColumn(column.TitleWhen(isWide), column.WidthWhen(isWide), column.Alignment));
 
         foreach (AvatarStatistics avatar in avatars.OrderBy(avatar => (uint)avatar.AvatarIndex).ThenBy(avatar => avatar.Kind).Take(shown))
-            table.AddRow(MakeRow(state, avatar, isWide));
+            table.AddRow(MakeRow(state, avatar, isWide, hasExtra: width >= Widest));
         if (shown < avatars.Count)
             table.AddRow(new Text(Quantity.Format($"  and {avatars.Count - shown} more"), Palette.DimStyle));
         else if (avatars.Count == 0)
@@ -66,11 +69,11 @@ internal static class AvatarTable
         Padding = new Padding(0, 0, Gap, 0),
     };
 
-    private static IRenderable[] MakeRow(LiveState state, AvatarStatistics avatar, bool isWide)
+    private static IRenderable[] MakeRow(LiveState state, AvatarStatistics avatar, bool isWide, bool hasExtra)
     {
         bool isMotion = avatar.Kind == PacketKind.Motion;
         bool isSelected = isMotion && avatar.AvatarIndex == state.Avatar;
-        TimeSpan age = Stopwatch.GetElapsedTime(avatar.LastTimestamp, Math.Max(state.TakenAt, avatar.LastTimestamp));
+        TimeSpan age = avatar.GetAge(state.TakenAt);
         bool isStale = age > Stale;
         string sender = avatar.Source > 0 ? Quantity.Format($" (sender {avatar.Source})") : string.Empty;
         string name = Quantity.Format($"{(isSelected ? '>' : ' ')} {(uint)avatar.AvatarIndex} {avatar.AvatarName}{sender}");
@@ -78,15 +81,21 @@ internal static class AvatarTable
         [
             new StyledLine().Add(name, isSelected ? Palette.StrongStyle : Style.Plain),
             new Text(isMotion ? "motion" : isWide ? "calculation" : "calc"),
-            isStale ? new Text("0", new Style(Palette.Bad)) : new Text(Quantity.Fixed(avatar.Rate, 1)),
+            isStale ? new Text("0", new Style(Palette.Bad)) : new Text(DescribeRate(avatar)),
             new Text(isStale ? "-" : Quantity.Format($"{avatar.Jitter.TotalMilliseconds:0.0} ms")),
             new Text(Quantity.Count(avatar.Frames)),
             Alarm(avatar.Lost),
+            .. hasExtra ? [Alarm(avatar.Gaps)] : Array.Empty<IRenderable>(),
             Alarm(avatar.Disordered),
+            .. hasExtra ? [new Text(Quantity.Count(avatar.Restarts))] : Array.Empty<IRenderable>(),
             new Text(Quantity.Age(age), isStale ? new Style(Palette.Bad) : Style.Plain),
             isMotion ? Text.Empty : Feet(state.GetContacts(avatar.AvatarIndex)),
         ];
     }
+
+    // "30.0/2": every second frame.
+    private static string DescribeRate(AvatarStatistics avatar) =>
+        Quantity.Fixed(avatar.Rate, 1) + (avatar.FrequencyReduction > 1 ? Quantity.Format($"/{avatar.FrequencyReduction}") : string.Empty);
 
     private static Text Alarm(long count) => new(Quantity.Count(count), count > 0 ? new Style(Palette.Warning) : Style.Plain);
 
@@ -114,7 +123,7 @@ internal static class AvatarTable
             .AddRight($"view {Quantity.Bytes(state.BytesAllocatedByView)}/s · {state.Collections} GC", Palette.DimStyle);
     }
 
-    private readonly record struct Column(string Title, int Narrow, int Wide, Justify Alignment)
+    private readonly record struct Column(string Title, int Narrow, int Wide, Justify Alignment, bool IsExtra = false)
     {
         public int WidthWhen(bool isWide) => isWide ? Wide : Narrow;
 

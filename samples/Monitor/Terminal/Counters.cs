@@ -20,6 +20,8 @@ internal sealed class Counters
             MotionFrames = total.MotionFrames - _totalAtReset.MotionFrames,
             CalculationFrames = total.CalculationFrames - _totalAtReset.CalculationFrames,
             Lost = total.Lost - _totalAtReset.Lost,
+            Gaps = total.Gaps - _totalAtReset.Gaps,
+            Restarts = total.Restarts - _totalAtReset.Restarts,
             Dropped = total.Dropped - _totalAtReset.Dropped,
             SkippedBytes = total.SkippedBytes - _totalAtReset.SkippedBytes,
         };
@@ -41,6 +43,13 @@ internal sealed class Counters
     private AvatarStatistics Since(AvatarStatistics now)
     {
         AvatarStatistics then = _atReset.GetValueOrDefault(KeyOf(now));
-        return now with { Frames = now.Frames - then.Frames, Lost = now.Lost - then.Lost, Disordered = now.Disordered - then.Disordered };
+        return now with
+        {
+            Frames = now.Frames - then.Frames,
+            Lost = now.Lost - then.Lost,
+            Gaps = now.Gaps - then.Gaps,
+            Disordered = now.Disordered - then.Disordered,
+            Restarts = now.Restarts - then.Restarts,
+        };
     }
 }

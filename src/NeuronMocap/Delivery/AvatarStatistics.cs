@@ -21,11 +21,28 @@ public readonly record struct AvatarStatistics
     /// <summary>Frames received.</summary>
     public long Frames { get; init; }
 
-    /// <summary>Frames that the server counted and that did not arrive; always 0 for headers without a frame index.</summary>
+    /// <summary>
+    /// Frames that the server sent and that did not arrive, as the frame index tells; always 0 for headers without one. In steps of
+    /// <see cref="FrequencyReduction"/>: what the server leaves out on purpose is not lost. Falls again when a lost frame comes late, and when
+    /// the first 16 steps of a reduced frequency turn out to be even.
+    /// </summary>
     public long Lost { get; init; }
+
+    /// <summary>Number of gaps: rows of one or more lost frames with frames before and after.</summary>
+    public long Gaps { get; init; }
 
     /// <summary>Frames that came twice or after a later one.</summary>
     public long Disordered { get; init; }
+
+    /// <summary>How often the server began to count anew within a connection: a jump back by more than 63, ahead by more than 10,000, or three even steps from further back.</summary>
+    public long Restarts { get; init; }
+
+    /// <summary>
+    /// By how much the frame index grows from frame to frame: 1 at the full rate, 2 when the server sends every second frame (Axis Neuron's
+    /// frequency reducing), at most 60. Known after 16 frames of even steps; a smaller one at once. Every second frame lost as by clockwork
+    /// looks the same.
+    /// </summary>
+    public int FrequencyReduction { get; init; }
 
     /// <summary>Frames per second, as a running mean over about the last 64 frames; 0 until there are two. It stays as it was when frames cease: see <see cref="LastTimestamp"/>.</summary>
     public double Rate { get; init; }
@@ -35,4 +52,10 @@ public readonly record struct AvatarStatistics
 
     /// <summary>When the newest frame was received: ticks of <see cref="Stopwatch"/>.</summary>
     public long LastTimestamp { get; init; }
+
+    /// <summary>How old the newest frame is: a stale avatar is one whose age grows beyond a few intervals.</summary>
+    /// <param name="timestamp">Now: ticks of <see cref="Stopwatch"/>.</param>
+    /// <returns>Time since the newest frame was received; zero when that was later than the given moment.</returns>
+    public TimeSpan GetAge(long timestamp) =>
+        TimeSpan.FromSeconds(Math.Max(timestamp - LastTimestamp, 0) / (double)Stopwatch.Frequency);
 }

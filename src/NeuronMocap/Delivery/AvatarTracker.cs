@@ -4,33 +4,17 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Delivery;
 
 // Counts one kind of frame of one avatar. The receive thread writes, anyone reads: each figure is whole by itself.
-internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
+internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar, IDurationRecorder? intervals = null)
 {
-    // A server that restarts, or is set to another take, starts counting elsewhere: a step beyond this is no gap.
-    private const uint LargestGap = 10_000;
-
-    // UDP may swap neighbours; a frame that comes this late is late, not a new start. One bit for each in the mask of those that came.
-    private const int LargestDelay = 63;
-
-    // So many frames in a row that are late and count up by one are no late frames: the server counts anew, as at the start of a take.
-    private const int RestartRun = 3;
-
     // Weight of a new interval in the running mean: about half a second at 120 Hz.
     private const double Weight = 1.0 / 64;
 
+    private readonly IndexTracker _index = new();
     private AvatarName _name;
     private string _text = string.Empty;
-    private uint? _lastIndex;
-    private ulong _came;
-    private uint _lateIndex;
-    private int _lateRun;
-    private long _lostBeforeRun;
-    private long _disorderedBeforeRun;
     private long _lastTimestamp;
     private bool _resumed = true;
     private long _frames;
-    private long _lost;
-    private long _disordered;
     private long _intervals;
     private double _interval;
     private double _variance;
@@ -41,6 +25,8 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
 
     public uint Avatar => avatar;
 
+    public IndexTracker Index => _index;
+
     public AvatarStatistics Snapshot => new()
     {
         Kind = kind,
@@ -48,8 +34,11 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
         AvatarIndex = (int)avatar,
         AvatarName = Volatile.Read(ref _text),
         Frames = Volatile.Read(ref _frames),
-        Lost = Volatile.Read(ref _lost),
-        Disordered = Volatile.Read(ref _disordered),
+        Lost = _index.Lost,
+        Gaps = _index.Gaps,
+        Disordered = _index.Disordered,
+        Restarts = _index.Restarts,
+        FrequencyReduction = _index.Step,
         Rate = Volatile.Read(ref _interval) is > 0 and var interval ? 1 / interval : 0,
         Jitter = TimeSpan.FromSeconds(Math.Sqrt(Math.Max(0, Volatile.Read(ref _variance)))),
         LastTimestamp = Volatile.Read(ref _lastTimestamp),
@@ -64,12 +53,15 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
             Rename(name);
         if (!_resumed)
         {
-            CountStep(index);
-            Average((timestamp - _lastTimestamp) / (double)Stopwatch.Frequency);
+            long interval = timestamp - _lastTimestamp;
+            _index.OnIndex(index);
+            Average(interval / (double)Stopwatch.Frequency);
+            if (intervals is { IsEnabled: true })
+                intervals.Record(kind, interval);
         }
         else
         {
-            StartAt(index);
+            _index.StartAt(index);
             _resumed = false;
         }
 
@@ -81,68 +73,6 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar)
     {
         _name = name;
         Volatile.Write(ref _text, Frames.AvatarNames.GetText(name));
-    }
-
-    // The index wraps at 2^32; unsigned differences do not care.
-    private void CountStep(uint? index)
-    {
-        if (index is not { } next || _lastIndex is not { } last)
-        {
-            StartAt(index);
-            return;
-        }
-
-        uint step = next - last;
-        uint back = last - next;
-        if (back <= LargestDelay)
-        {
-            CountLate(next, (int)back);
-            return;
-        }
-
-        _lateRun = 0;
-        if (step > LargestGap)
-        {
-            StartAt(next);
-            return;
-        }
-
-        Volatile.Write(ref _lost, _lost + step - 1);
-        _came = (step <= LargestDelay ? _came << (int)step : 0) | 1;
-        _lastIndex = next;
-    }
-
-    private void CountLate(uint index, int back)
-    {
-        if (_lateRun == 0 || index != _lateIndex + 1)
-        {
-            _lateRun = 0;
-            _lostBeforeRun = _lost;
-            _disorderedBeforeRun = _disordered;
-        }
-
-        _lateIndex = index;
-        if (++_lateRun == RestartRun)
-        {
-            Volatile.Write(ref _lost, _lostBeforeRun);
-            Volatile.Write(ref _disordered, _disorderedBeforeRun);
-            StartAt(index);
-            return;
-        }
-
-        Volatile.Write(ref _disordered, _disordered + 1);
-        ulong bit = 1UL << back;
-        if ((_came & bit) == 0 && _lost > 0)
-            Volatile.Write(ref _lost, _lost - 1);
-
-        _came |= bit;
-    }
-
-    private void StartAt(uint? index)
-    {
-        _lastIndex = index;
-        _came = 1;
-        _lateRun = 0;
     }
 
     private void Average(double seconds)

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
@@ -16,6 +17,8 @@ namespace NeuronMocap.Delivery;
 /// </summary>
 public sealed class FrameQueue : IPacketConsumer, IDisposable
 {
+    internal const string DefaultName = "queue";
+
     /// <summary>Capacity unless another is asked for: 4 s of one avatar at 120 Hz, about 0.8 MB.</summary>
     public const int DefaultCapacity = 512;
 
@@ -26,11 +29,13 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     private readonly MotionFrame _motion;
     private readonly CalculationFrame _calculation = new();
     private readonly Action<FrameQueue> _closed;
+    private readonly IDurationRecorder? _handOver;
     private long _dropped;
     private int _pumping;
     private volatile bool _disposed;
 
-    internal FrameQueue(int capacity, SkeletonFormat format, Action<FrameQueue> closed)
+    internal FrameQueue(
+        int capacity, SkeletonFormat format, Action<FrameQueue> closed, string name = DefaultName, IDurationRecorder? handOver = null)
     {
         if (capacity is < 1 or > 1 << 20)
             throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "A queue holds 1 to 1,048,576 frames.");
@@ -38,7 +43,12 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
         _ring = new PacketRing(capacity, SlotSize);
         _motion = new MotionFrame(format);
         _closed = closed;
+        _handOver = handOver;
+        Name = name;
     }
+
+    /// <summary>What metrics and logs call it: the name it was opened with, or "queue".</summary>
+    public string Name { get; }
 
     /// <summary>Largest number of frames that can wait: the asked-for number, rounded up to a power of two.</summary>
     public int Capacity => _ring.Capacity;
@@ -70,6 +80,9 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
             while (taken < maxFrames && !_disposed && _ring.TryPeek(out ReceivedPacket packet))
             {
                 taken++;
+                if (_handOver is { IsEnabled: true })
+                    _handOver.Record(packet.Kind, Stopwatch.GetTimestamp() - packet.Timestamp);
+
                 try
                 {
                     Handle(packet, onMotion, onCalculation);

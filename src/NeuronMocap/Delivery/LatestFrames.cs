@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
@@ -20,14 +21,16 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
 
     private readonly SkeletonFormat _format;
     private readonly Action<LatestFrames> _closed;
+    private readonly IDurationRecorder? _handOver;
     private readonly Slot<MotionFrame>?[] _motion = new Slot<MotionFrame>?[MaxAvatars];
     private readonly Slot<CalculationFrame>?[] _calculation = new Slot<CalculationFrame>?[MaxAvatars];
     private volatile bool _disposed;
 
-    internal LatestFrames(SkeletonFormat format, Action<LatestFrames> closed)
+    internal LatestFrames(SkeletonFormat format, Action<LatestFrames> closed, IDurationRecorder? handOver = null)
     {
         _format = format;
         _closed = closed;
+        _handOver = handOver;
     }
 
     /// <summary>Takes the newest motion frame of an avatar, when there is one that was not taken before.</summary>
@@ -82,13 +85,16 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
         slot.Newest.Publish(packet);
     }
 
-    private static bool TryTake<TFrame>(Slot<TFrame>?[] slots, int avatar, [NotNullWhen(true)] out TFrame? frame)
+    private bool TryTake<TFrame>(Slot<TFrame>?[] slots, int avatar, [NotNullWhen(true)] out TFrame? frame)
         where TFrame : AvatarFrame
     {
         Slot<TFrame>? slot = (uint)avatar < MaxAvatars ? Volatile.Read(ref slots[avatar]) : null;
         frame = slot?.Frame;
         if (slot is null || frame is null || !slot.Newest.TryTake(out ReceivedPacket packet))
             return false;
+
+        if (_handOver is { IsEnabled: true })
+            _handOver.Record(packet.Kind, Stopwatch.GetTimestamp() - packet.Timestamp);
 
         frame.Borrow(packet);
         return true;

@@ -29,14 +29,23 @@ public readonly record struct ReaderStatistics
     /// <summary>Packets of a data version other than 1.0 and 1.1; their bytes are among the skipped ones.</summary>
     public long UnknownVersionPackets { get; init; }
 
-    /// <summary>Frames that the server counted and that did not arrive: the sum over all avatars.</summary>
+    /// <summary>Frames that the server sent and that did not arrive: the sum over all avatars. See <see cref="AvatarStatistics.Lost"/>.</summary>
     public long Lost { get; init; }
+
+    /// <summary>Number of gaps that the lost frames left: the sum over all avatars.</summary>
+    public long Gaps { get; init; }
+
+    /// <summary>How often the server began to count frames anew within a connection: the sum over all avatars.</summary>
+    public long Restarts { get; init; }
 
     /// <summary>Frames that arrived and found a queue full: the sum over all queues, closed ones included.</summary>
     public long Dropped { get; init; }
 
     /// <summary>Exceptions that handlers threw on the receive thread or while a status was told.</summary>
     public long CallbackFailures { get; init; }
+
+    /// <summary>How often a connection stood again after the first one had ended; for UDP, how often the port was bound again.</summary>
+    public long Reconnects { get; init; }
 
     /// <summary>When the first frame was received: ticks of <see cref="Stopwatch"/>; 0 before.</summary>
     public long FirstFrameTimestamp { get; init; }

@@ -3,11 +3,12 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Delivery;
 
 // Counts everything that came off the wire. The receive thread writes, anyone reads.
-internal sealed class StreamCounters
+internal sealed class StreamCounters(IDurationRecorder? intervals = null)
 {
     // Anyone can make up senders and avatar numbers; past this many, frames are delivered and counted in total only.
     private const int MaxTrackers = 1024;
 
+    private readonly long[] _skippedByReason = new long[(int)SkipReason.Incomplete + 1];
     private readonly Dictionary<(PacketKind Kind, int Source, uint Avatar), AvatarTracker> _trackers = [];
     private volatile AvatarTracker[] _published = [];
     private AvatarTracker? _last;
@@ -19,13 +20,19 @@ internal sealed class StreamCounters
     private long _skippedBytes;
     private long _oversizedPackets;
     private long _unknownVersions;
+    private long _connections;
     private long _firstFrame;
     private long _lastFrame;
 
     public AvatarTracker[] Trackers => _published;
 
+    // Bytes of the skipped ones.
+    public long GetSkipped(SkipReason reason) => Volatile.Read(ref _skippedByReason[(int)reason]);
+
+    // A new connection stands.
     public void Resume()
     {
+        Volatile.Write(ref _connections, _connections + 1);
         foreach (AvatarTracker tracker in _published)
             tracker.Resume();
     }
@@ -63,6 +70,7 @@ internal sealed class StreamCounters
     public void CountSkipped(int bytes, SkipReason reason)
     {
         Volatile.Write(ref _skippedBytes, _skippedBytes + bytes);
+        Volatile.Write(ref _skippedByReason[(int)reason], _skippedByReason[(int)reason] + bytes);
         Volatile.Write(ref _bytes, _bytes + bytes);
         if (reason == SkipReason.TooLarge)
             Volatile.Write(ref _oversizedPackets, _oversizedPackets + 1);
@@ -80,9 +88,12 @@ internal sealed class StreamCounters
         SkippedBytes = Volatile.Read(ref _skippedBytes),
         OversizedPackets = Volatile.Read(ref _oversizedPackets),
         UnknownVersionPackets = Volatile.Read(ref _unknownVersions),
+        Reconnects = Math.Max(0, Volatile.Read(ref _connections) - 1),
         FirstFrameTimestamp = Volatile.Read(ref _firstFrame),
         LastFrameTimestamp = Volatile.Read(ref _lastFrame),
-        Lost = _published.Sum(static tracker => tracker.Snapshot.Lost),
+        Lost = _published.Sum(static tracker => tracker.Index.Lost),
+        Gaps = _published.Sum(static tracker => tracker.Index.Gaps),
+        Restarts = _published.Sum(static tracker => tracker.Index.Restarts),
     };
 
     private void CountBytes(in ReceivedPacket packet)
@@ -104,7 +115,7 @@ internal sealed class StreamCounters
             if (_trackers.Count >= MaxTrackers)
                 return null;
 
-            tracker = new AvatarTracker(kind, source, avatar);
+            tracker = new AvatarTracker(kind, source, avatar, intervals);
             _trackers.Add((kind, source, avatar), tracker);
             _published = [.. _published, tracker];
         }

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Samples.Tests.Infrastructure;
 
@@ -18,7 +19,7 @@ internal sealed class SampleProcess : IDisposable
             RedirectStandardOutput = true,
             RedirectStandardError = true,
         };
-        foreach (string argument in (string[])[Path.Combine(AppContext.BaseDirectory, program + ".dll"), .. args])
+        foreach (string argument in (string[])[PathOf(program), .. args])
             start.ArgumentList.Add(argument);
 
         _process = Process.Start(start)!;
@@ -27,6 +28,15 @@ internal sealed class SampleProcess : IDisposable
     public StreamReader Output => _process.StandardOutput;
 
     public int Id => _process.Id;
+
+    // As it was built, in its own folder: this one lacks what the tests' own frameworks bring and the program's does not.
+    public static string PathOf(string program)
+    {
+        var output = new DirectoryInfo(AppContext.BaseDirectory);
+        return Directory.GetDirectories(Repository.PathOf("samples"))
+            .Select(sample => Path.Combine(sample, "bin", output.Parent!.Name, output.Name, program + ".dll"))
+            .Single(File.Exists);
+    }
 
     public async Task<int> WaitForExitAsync()
     {

@@ -64,7 +64,7 @@ public sealed class MonitorProcessTests
         if (!File.Exists("/dev/full"))
             Assert.Skip("This system has no device that is always full.");
 
-        string command = $"exec dotnet {Path.Combine(AppContext.BaseDirectory, program)}.dll {string.Join(' ', args)} > /dev/full";
+        string command = $"exec dotnet {SampleProcess.PathOf(program)} {string.Join(' ', args)} > /dev/full";
         using Process shell = Process.Start(new ProcessStartInfo("sh", ["-c", command]) { RedirectStandardError = true, UseShellExecute = false })!;
         string error = await shell.StandardError.ReadToEndAsync(TestContext.Current.CancellationToken);
         await shell.WaitForExitAsync(TestContext.Current.CancellationToken);

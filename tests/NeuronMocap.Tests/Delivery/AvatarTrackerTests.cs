@@ -66,6 +66,30 @@ public sealed class AvatarTrackerTests
     }
 
     [Fact]
+    public void Frequency_reducing_is_told_apart_from_loss_and_outlives_the_connection()
+    {
+        for (uint i = 0; i < 40; i++)
+            _tracker.OnFrame(default, i * 3, timestamp: i);
+
+        Assert.Equal((0, 0, 3), (_tracker.Snapshot.Lost, _tracker.Snapshot.Gaps, _tracker.Snapshot.FrequencyReduction));
+        _tracker.Resume();
+        _tracker.OnFrame(default, 7000, timestamp: 50);
+        _tracker.OnFrame(default, 7009, timestamp: 51);
+        _tracker.OnFrame(default, 100_000, timestamp: 52);
+        Assert.Equal(
+            (2, 1, 3, 1),
+            (_tracker.Snapshot.Lost, _tracker.Snapshot.Gaps, _tracker.Snapshot.FrequencyReduction, _tracker.Snapshot.Restarts));
+    }
+
+    [Fact]
+    public void The_age_is_that_of_the_newest_frame_and_never_negative()
+    {
+        _tracker.OnFrame(default, 1, timestamp: Stopwatch.Frequency);
+        Assert.Equal(1.5, _tracker.Snapshot.GetAge(Stopwatch.Frequency * 5 / 2).TotalSeconds, tolerance: 1e-6);
+        Assert.Equal(TimeSpan.Zero, _tracker.Snapshot.GetAge(0));
+    }
+
+    [Fact]
     public void The_newest_name_is_kept()
     {
         _tracker.OnFrame(new AvatarName("First"), 1, 1);

@@ -14,7 +14,7 @@ namespace NeuronMocap.Tests.Reader;
 public sealed class Alone;
 
 [Collection(nameof(Alone))]
-public sealed class AllocationTests
+public sealed partial class AllocationTests
 {
     private const int Rounds = 20;
     private const int FramesPerRound = 500;

@@ -60,9 +60,19 @@ public sealed class JsonLinesTests
             """{"type":"status","state":"Silent","message":"Nothing."}""" + "\n",
             Encoding.UTF8.GetString(_lines.Status(new ConnectionStatus(ConnectionState.Silent, ConnectionReason.NoData, "Nothing."))));
         Assert.Equal(
-            """{"type":"summary","frames":1,"calculationFrames":2,"lost":3,"dropped":4,"skippedBytes":5,"seconds":0}""" + "\n",
+            """{"type":"summary","frames":1,"calculationFrames":2,"lost":3,"dropped":4,"skippedBytes":5,"seconds":0,"gaps":6,"restarts":7,"reconnects":8}""" + "\n",
             Encoding.UTF8.GetString(_lines.Summary(
-                new ReaderStatistics { MotionFrames = 1, CalculationFrames = 2, Lost = 3, Dropped = 4, SkippedBytes = 5 })));
+                new ReaderStatistics
+                {
+                    MotionFrames = 1,
+                    CalculationFrames = 2,
+                    Lost = 3,
+                    Dropped = 4,
+                    SkippedBytes = 5,
+                    Gaps = 6,
+                    Restarts = 7,
+                    Reconnects = 8,
+                })));
     }
 
     [Fact]

@@ -63,6 +63,21 @@ public sealed class DashboardTests
     }
 
     [Fact]
+    public void Frequency_reducing_gaps_and_restarts_are_shown_where_there_is_room()
+    {
+        LiveState state = State(Receiving);
+        state.Counters.Take(default, [new AvatarStatistics
+        {
+            AvatarName = "Char00", Rate = 30, FrequencyReduction = 2, Gaps = 41, Restarts = 43, LastTimestamp = state.Now,
+        }]);
+
+        Assert.Contains("30.0/2", string.Concat(Draw(state, 80, 24)), StringComparison.Ordinal);
+        string wide = string.Concat(Draw(state, 140, 40));
+        foreach (string part in (string[])["30.0/2", "gaps", "41", "restarts", "43"])
+            Assert.Contains(part, wide, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void A_name_from_the_network_cannot_command_the_terminal()
     {
         LiveState state = State(Receiving);

@@ -1,0 +1,26 @@
+using Microsoft.Extensions.Diagnostics.HealthChecks;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Hosting;
+
+// Healthy while frames arrive, degraded while the connection stands without, unhealthy without a connection.
+internal sealed class NeuronReaderHealthCheck(NeuronReader reader) : IHealthCheck
+{
+    public Task<HealthCheckResult> CheckHealthAsync(HealthCheckContext context, CancellationToken cancellationToken = default)
+    {
+        ConnectionStatus status = reader.Status;
+        HealthStatus health = status.State switch
+        {
+            ConnectionState.Receiving => HealthStatus.Healthy,
+            ConnectionState.Connected or ConnectionState.Silent => HealthStatus.Degraded,
+            _ => context.Registration.FailureStatus,
+        };
+        Dictionary<string, object> data = new(StringComparer.Ordinal)
+        {
+            ["reader"] = reader.Name,
+            ["state"] = status.State.ToString(),
+            ["reason"] = status.Reason.ToString(),
+        };
+        return Task.FromResult(new HealthCheckResult(health, status.Message, exception: null, data));
+    }
+}

@@ -1,0 +1,26 @@
+using Microsoft.Extensions.DependencyInjection;
+using Microsoft.Extensions.Diagnostics.HealthChecks;
+
+namespace NeuronMocap.Hosting;
+
+/// <summary>Adds readers to the host's health checks.</summary>
+public static class NeuronReaderHealthCheckExtensions
+{
+    /// <summary>
+    /// Adds a check of a reader: healthy while frames arrive, degraded while it is connected and none do, unhealthy without a connection.
+    /// The description is the message of <see cref="NeuronReader.Status"/>, which names the setting to look at.
+    /// </summary>
+    /// <param name="checks">The host's checks, from <c>AddHealthChecks</c>.</param>
+    /// <param name="name">Name of the reader as it was added; null, the default, for the one without a name.</param>
+    /// <returns>The checks.</returns>
+    public static IHealthChecksBuilder AddNeuronReader(this IHealthChecksBuilder checks, string? name = null)
+    {
+        ArgumentNullException.ThrowIfNull(checks);
+        return checks.Add(new HealthCheckRegistration(
+            name is null ? "neuron-reader" : $"neuron-reader-{name}",
+            provider => new NeuronReaderHealthCheck(
+                name is null ? provider.GetRequiredService<NeuronReader>() : provider.GetRequiredKeyedService<NeuronReader>(name)),
+            failureStatus: null,
+            tags: null));
+    }
+}

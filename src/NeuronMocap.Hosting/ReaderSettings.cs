@@ -1,0 +1,101 @@
+using System.Globalization;
+using System.Net;
+using Microsoft.Extensions.Configuration;
+using Microsoft.Extensions.Options;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Hosting;
+
+// Reads options from a section of the configuration. Not by the general binder: that passes over misspelt keys and over addresses in silence,
+// takes "5" for five days, and needs reflection.
+internal static class ReaderSettings
+{
+    private static readonly Dictionary<string, Action<NeuronReaderOptions, string>> Settings = new(StringComparer.OrdinalIgnoreCase)
+    {
+        ["Name"] = static (options, text) => options.Name = text,
+        ["Transport"] = static (options, text) => options.Transport = Word<TransportKind>(text),
+        ["Host"] = static (options, text) => options.Host = text,
+        ["Port"] = static (options, text) => options.Port = Number(text),
+        ["LocalAddress"] = static (options, text) => options.LocalAddress = Address(text),
+        ["SharePort"] = static (options, text) => options.SharePort = Switch(text),
+        ["ConnectTimeout"] = static (options, text) => options.ConnectTimeout = Time(text),
+        ["SilenceTimeout"] = static (options, text) => options.SilenceTimeout = Time(text),
+        ["Reconnect:Enabled"] = static (options, text) => options.Reconnect.Enabled = Switch(text),
+        ["Reconnect:InitialDelay"] = static (options, text) => options.Reconnect.InitialDelay = Time(text),
+        ["Reconnect:MaxDelay"] = static (options, text) => options.Reconnect.MaxDelay = Time(text),
+        ["RotationOrder"] = static (options, text) => options.RotationOrder = Word<RotationOrder>(text),
+        ["SkeletonVariant"] = static (options, text) => options.SkeletonVariant = Word<SkeletonVariant>(text),
+        ["MaxValues"] = static (options, text) => options.MaxValues = Number(text),
+    };
+
+    public static IEnumerable<string> Keys => Settings.Keys;
+
+    public static void Apply(IConfigurationSection section, string name, NeuronReaderOptions options)
+    {
+        List<string> faults = [];
+        foreach ((string key, string? text) in section.AsEnumerable(makePathsRelative: true))
+        {
+            if (text is null || key.Length == 0)
+                continue;
+
+            if (Find(key, text, options) is { } fault)
+                faults.Add(Prefix(name) + fault);
+        }
+
+        if (faults.Count > 0)
+            throw new OptionsValidationException(name, typeof(NeuronReaderOptions), faults);
+    }
+
+    public static string Prefix(string? name) => string.IsNullOrEmpty(name) ? string.Empty : $"{name}: ";
+
+    private static string? Find(string key, string text, NeuronReaderOptions options)
+    {
+        if (!Settings.TryGetValue(key, out Action<NeuronReaderOptions, string>? set))
+            return $"{key} is no setting of a reader; there are {string.Join(", ", Keys)}.";
+
+        try
+        {
+            set(options, text);
+            return null;
+        }
+        catch (FormatException exception)
+        {
+            return $"{key} is '{text}'; it must be {exception.Message}.";
+        }
+    }
+
+    private static T Word<T>(string text)
+        where T : struct, Enum =>
+        Enum.TryParse(text, ignoreCase: true, out T value) && Array.Exists(Enum.GetNames<T>(), name => name.Equals(text, StringComparison.OrdinalIgnoreCase))
+            ? value
+            : throw new FormatException($"one of {string.Join(", ", Enum.GetNames<T>())}");
+
+    private static int Number(string text) =>
+        int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int number) ? number : throw new FormatException("a whole number");
+
+    private static bool Switch(string text) => bool.TryParse(text, out bool on) ? on : throw new FormatException("true or false");
+
+    // Empty is what some versions make of a null in JSON.
+    private static IPAddress? Address(string text)
+    {
+        if (text.Length == 0)
+            return null;
+
+        return IPAddress.TryParse(text, out IPAddress? address) ? address : throw new FormatException("an IP address");
+    }
+
+    // "00:00:05" as TimeSpan writes it, or "5" for seconds: as a day is no time to wait for a frame, nobody means five of them.
+    private static TimeSpan Time(string text)
+    {
+        if (double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double seconds)
+            && Math.Abs(seconds) < TimeSpan.MaxValue.TotalSeconds)
+        {
+            return TimeSpan.FromSeconds(seconds);
+        }
+
+        return TimeSpan.TryParse(text, CultureInfo.InvariantCulture, out TimeSpan time)
+            ? time
+            : throw new FormatException("a time: hours:minutes:seconds, or a number of seconds");
+    }
+}

@@ -1,0 +1,228 @@
+namespace NeuronMocap.Delivery;
+
+// Follows the frame index of one avatar, and tells apart what a step of it can mean: the next frame, a gap, a late frame, a server that counts
+// anew, and a server that sends every second or third frame only (Axis Neuron's frequency reducing: the index then steps evenly by 2 or 3).
+// The receive thread writes, anyone reads: each figure is whole by itself. The index wraps at 2^32; unsigned differences do not care.
+internal sealed class IndexTracker
+{
+    // A server that restarts, or is set to another take, starts counting elsewhere: a step beyond this is no gap.
+    private const uint LargestGap = 10_000;
+
+    // UDP may swap neighbours; a frame that comes this late is late, not a new start. One bit for each in the mask of those that are missing.
+    private const int LargestDelay = 63;
+
+    // So many frames in a row that come late, fill no gap and count up evenly are no late frames: the server counts anew, as at the start of
+    // a take.
+    private const int RestartRun = 3;
+
+    // So many steps in a row that share a divisor above the known step, most of them the divisor itself, are the server's and no loss. Half
+    // of all frames lost at random do that once in about two weeks; every second frame lost as by clockwork cannot be told from frequency reducing.
+    private const int ReductionRun = 16;
+
+    // With a larger step, two swapped frames would look like a restart.
+    private const uint LargestReduction = 60;
+
+    private uint? _newest;
+    private ulong _missing; // bit n: the frame n before the newest counts as lost
+    private int _step = 1;
+    private EvenSteps _even;
+    private uint _lateIndex;
+    private uint _lateStep;
+    private int _lateRun;
+    private long _lost;
+    private long _unsettled;
+    private long _gaps;
+    private long _disordered;
+    private long _restarts;
+
+    public long Lost => Volatile.Read(ref _lost);
+
+    // The part of the lost frames that turns out to be none if the steps go on as evenly as they just did.
+    public long Unsettled => Volatile.Read(ref _unsettled);
+
+    public long Gaps => Volatile.Read(ref _gaps);
+
+    public long Disordered => Volatile.Read(ref _disordered);
+
+    public long Restarts => Volatile.Read(ref _restarts);
+
+    // By how much the index grows from frame to frame.
+    public int Step => Volatile.Read(ref _step);
+
+    // Forgets where the index stood, but not its step, which is a setting of the server: a smaller one shows with the next frame.
+    public void StartAt(uint? index)
+    {
+        _newest = index;
+        _missing = 0;
+        _lateRun = 0;
+        EndRun();
+    }
+
+    public void OnIndex(uint? index)
+    {
+        if (index is not { } next || _newest is not { } newest)
+        {
+            StartAt(index);
+            return;
+        }
+
+        uint step = next - newest;
+        uint back = newest - next;
+        if (step == (uint)_step)
+        {
+            Advance(next, step);
+            EndRun();
+        }
+        else if (back <= LargestDelay)
+        {
+            OnLate(next, (int)back);
+        }
+        else if (step > LargestGap)
+        {
+            Restart(next);
+        }
+        else
+        {
+            OnOtherStep(next, step);
+        }
+    }
+
+    private void OnOtherStep(uint next, uint step)
+    {
+        Advance(next, step);
+        if (step < (uint)_step)
+        {
+            Volatile.Write(ref _step, (int)step);
+            EndRun();
+            return;
+        }
+
+        uint known = (uint)_step;
+        uint lost = (step - 1) / known;
+        for (uint back = step - (lost * known); back < step && back <= LargestDelay; back += known)
+            _missing |= 1UL << (int)back;
+
+        Volatile.Write(ref _lost, _lost + lost);
+        Volatile.Write(ref _gaps, _gaps + 1);
+        _even.Add(step, lost, known);
+        Volatile.Write(ref _unsettled, _even.Excess);
+        if (_even.Count >= ReductionRun && _even.IsMostlyDivisor && _even.Divisor <= LargestReduction)
+            Reduce();
+    }
+
+    // What the steps of the run passed over was never sent.
+    private void Reduce()
+    {
+        ulong sent = _even.Sum <= LargestDelay ? ulong.MaxValue << (int)_even.Sum : 0;
+        for (uint back = 0; back <= LargestDelay; back += _even.Divisor)
+            sent |= 1UL << (int)back;
+
+        _missing &= sent;
+        Volatile.Write(ref _step, (int)_even.Divisor);
+        Volatile.Write(ref _lost, Math.Max(_lost - _even.Excess, 0));
+        Volatile.Write(ref _gaps, Math.Max(_gaps - _even.AtDivisor, 0));
+        EndRun();
+    }
+
+    private void OnLate(uint index, int back)
+    {
+        ulong bit = 1UL << back;
+        if ((_missing & bit) != 0)
+        {
+            _missing &= ~bit;
+            _lateRun = 0;
+            Volatile.Write(ref _disordered, _disordered + 1);
+            Volatile.Write(ref _lost, Math.Max(_lost - 1, 0));
+
+            // It closes a gap of one, shortens a gap at its edge, or parts one in two.
+            int neighbours = MissingAt(back - _step) + MissingAt(back + _step);
+            Volatile.Write(ref _gaps, Math.Max(_gaps + neighbours - 1, 0));
+            return;
+        }
+
+        uint step = index - _lateIndex;
+        bool continues = _lateRun > 0 && step is > 0 and <= LargestReduction && (_lateRun == 1 || step == _lateStep);
+        _lateRun = continues ? _lateRun + 1 : 1;
+        _lateIndex = index;
+        _lateStep = step;
+        if (_lateRun < RestartRun)
+        {
+            Volatile.Write(ref _disordered, _disordered + 1);
+            return;
+        }
+
+        Volatile.Write(ref _disordered, Math.Max(_disordered - (RestartRun - 1), 0));
+        Restart(index);
+    }
+
+    private void Restart(uint index)
+    {
+        Volatile.Write(ref _restarts, _restarts + 1);
+        StartAt(index);
+    }
+
+    private int MissingAt(int back) => back is >= 0 and <= LargestDelay ? (int)((_missing >> back) & 1) : 0;
+
+    private void Advance(uint next, uint step)
+    {
+        _newest = next;
+        _missing = step <= LargestDelay ? _missing << (int)step : 0;
+        _lateRun = 0;
+    }
+
+    private void EndRun()
+    {
+        if (_even.Count == 0)
+            return;
+
+        _even = default;
+        Volatile.Write(ref _unsettled, 0);
+    }
+
+    // Steps in a row, all above the known one, and the largest number that divides them all.
+    private struct EvenSteps
+    {
+        private long _lost;
+
+        public int Count { get; private set; }
+
+        public uint Divisor { get; private set; }
+
+        public long Sum { get; private set; }
+
+        // How many of them are the divisor itself: steps from one frame to the next, if the divisor is what the server sends by.
+        public int AtDivisor { get; private set; }
+
+        public readonly bool IsMostlyDivisor => AtDivisor * 2 > Count;
+
+        // Frames counted as lost that are none, if the divisor is what the server sends by.
+        public readonly long Excess => Count == 0 ? 0 : _lost - ((Sum / Divisor) - Count);
+
+        public void Add(uint step, uint lost, uint known)
+        {
+            uint divisor = Count == 0 ? step : GreatestCommonDivisor(Divisor, step);
+            if (divisor <= known)
+            {
+                this = default;
+                divisor = step;
+            }
+
+            if (divisor != Divisor)
+                AtDivisor = 0;
+
+            Divisor = divisor;
+            AtDivisor += step == divisor ? 1 : 0;
+            Count++;
+            Sum += step;
+            _lost += lost;
+        }
+
+        private static uint GreatestCommonDivisor(uint a, uint b)
+        {
+            while (b != 0)
+                (a, b) = (b, a % b);
+
+            return a;
+        }
+    }
+}

@@ -1,0 +1,27 @@
+using System.Diagnostics;
+using System.Diagnostics.Metrics;
+using NeuronMocap.Delivery;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Telemetry;
+
+// One reader's, or one consumer's, share of a histogram. Its tags are made once, so that recording allocates nothing.
+internal sealed class DurationRecorder(Histogram<double> histogram, params KeyValuePair<string, object?>[] tags) : IDurationRecorder
+{
+    private readonly KeyValuePair<string, object?>[] _motion = [.. tags, MeterTags.Motion];
+    private readonly KeyValuePair<string, object?>[] _calculation = [.. tags, MeterTags.Calculation];
+
+    public bool IsEnabled => histogram.Enabled;
+
+    public void Record(PacketKind kind, long ticks)
+    {
+        try
+        {
+            histogram.Record(ticks / (double)Stopwatch.Frequency, kind == PacketKind.Motion ? _motion : _calculation);
+        }
+        catch (Exception)
+        {
+            // A listener of the application's threw. The meter has no place for that, and the receive loop goes on.
+        }
+    }
+}

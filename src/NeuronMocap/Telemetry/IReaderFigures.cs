@@ -1,0 +1,20 @@
+using NeuronMocap.Delivery;
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Telemetry;
+
+// What a reader counts. Any thread.
+internal interface IReaderFigures
+{
+    ConnectionState State { get; }
+
+    // Lost frames that the next few frames may still show to be a change of the server's frequency.
+    long UnsettledLoss { get; }
+
+    ReaderStatistics GetStatistics();
+
+    IReadOnlyList<ConsumerStatistics> GetConsumers();
+
+    long GetSkipped(SkipReason reason);
+}

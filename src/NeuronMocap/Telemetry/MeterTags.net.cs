@@ -1,0 +1,14 @@
+namespace NeuronMocap.Telemetry;
+
+// The names of the tags, and the tags that never change. All have few values: no avatar, whose names and numbers come from the network.
+internal static class MeterTags
+{
+    public const string Reader = "neuron.reader.name";
+    public const string Kind = "neuron.frame.kind";
+    public const string Consumer = "neuron.consumer.name";
+    public const string Reason = "neuron.skip.reason";
+    public const string State = "neuron.connection.state";
+
+    public static readonly KeyValuePair<string, object?> Motion = new(Kind, "motion");
+    public static readonly KeyValuePair<string, object?> Calculation = new(Kind, "calculation");
+}

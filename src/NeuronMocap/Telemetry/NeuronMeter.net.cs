@@ -1,0 +1,142 @@
+using System.Diagnostics;
+using System.Diagnostics.Metrics;
+using System.Reflection;
+using NeuronMocap.Delivery;
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Telemetry;
+
+// The meter of all readers of the process. Its counters are observable: they read what the receive thread counts anyway, when a listener
+// asks, and cost the receive thread nothing. Readers are held weakly, so that one that was forgotten can be collected.
+internal static class NeuronMeter
+{
+    private const string Prefix = "neuron.reader.";
+
+    private static readonly object Lock = new();
+    private static readonly List<(string Name, WeakReference<ReaderMetrics> Reader)> Readers = [];
+
+    private static readonly (SkipReason Reason, string Tag)[] SkipReasons =
+    [
+        (SkipReason.NoTokens, "no_tokens"),
+        (SkipReason.UnknownVersion, "unknown_version"),
+        (SkipReason.TooLarge, "too_large"),
+        (SkipReason.Incomplete, "incomplete"),
+    ];
+
+    private static readonly (ConnectionState State, string Tag)[] States =
+        [.. Enum.GetValues<ConnectionState>().Select(static state => (state, state.ToString().ToLowerInvariant()))];
+
+    private static readonly Meter Meter = CreateMeter();
+
+    // 120 and 60 Hz, half and a third of them, and what an outage of the network looks like.
+    public static Histogram<double> FrameInterval { get; } = CreateHistogram(
+        "frame.interval",
+        "Time between two frames of the same avatar.",
+        [0.001, 0.002, 0.004, 0.006, 0.008, 0.009, 0.012, 0.016, 0.018, 0.025, 0.034, 0.05, 0.1, 0.25, 0.5, 1, 5]);
+
+    public static Histogram<double> HandOver { get; } = CreateHistogram(
+        "handover.duration",
+        "Time from the reception of a frame until the application took it.",
+        [0.00001, 0.00005, 0.0001, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.25, 0.5, 1, 5]);
+
+    // Gives the name under which the reader reports. Two readers of one name get numbers, for their figures would replace each other.
+    public static string Add(string name, ReaderMetrics reader)
+    {
+        lock (Lock)
+        {
+            Readers.RemoveAll(static entry => !entry.Reader.TryGetTarget(out _));
+            string free = name;
+            for (int number = 2; Readers.Exists(entry => string.Equals(entry.Name, free, StringComparison.Ordinal)); number++)
+                free = $"{name} ({number})";
+
+            Readers.Add((free, new WeakReference<ReaderMetrics>(reader)));
+            return free;
+        }
+    }
+
+    public static void Remove(ReaderMetrics reader)
+    {
+        lock (Lock)
+            Readers.RemoveAll(entry => !entry.Reader.TryGetTarget(out ReaderMetrics? other) || ReferenceEquals(other, reader));
+    }
+
+    private static Meter CreateMeter()
+    {
+        string? version = typeof(NeuronMeter).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion;
+        var meter = new Meter("NeuronMocap", version?.Split('+')[0]);
+
+        AddCounter("frames", "{frame}", "Frames received.", static (reader, figures) =>
+        {
+            ReaderStatistics statistics = figures.GetStatistics();
+            return [reader.Measure(statistics.MotionFrames, MeterTags.Motion), reader.Measure(statistics.CalculationFrames, MeterTags.Calculation)];
+        });
+        AddCounter("io", "By", "Bytes of the stream, delivered or skipped.", Total(static total => total.BytesReceived));
+        AddCounter("skipped", "By", "Bytes that belong to no packet.", static (reader, figures) => SkipReasons.Select(
+            entry => reader.Measure(figures.GetSkipped(entry.Reason), new KeyValuePair<string, object?>(MeterTags.Reason, entry.Tag))));
+        AddCounter("dropped", "{frame}", "Frames that found a queue full.", PerConsumer(static consumer => consumer.Dropped));
+        AddCounter("restarts", "{restart}", "Times that the server began to count frames anew.", Total(static total => total.Restarts));
+        AddCounter("reconnects", "{connection}", "Connections made after the first.", Total(static total => total.Reconnects));
+        AddCounter("failures", "{exception}", "Exceptions of the application's handlers.", Total(static total => total.CallbackFailures));
+
+        // No counters that only grow: a frame that comes late is lost no more.
+        AddUpDown("lost", "{frame}", "Frames that the server sent and that did not arrive.", Total(static total => total.Lost));
+        AddUpDown("gaps", "{gap}", "Rows of lost frames.", Total(static total => total.Gaps));
+        AddUpDown("queue.length", "{frame}", "Frames that wait in queues.", PerConsumer(static consumer => consumer.Waiting));
+        AddUpDown("state", "{reader}", "1 for the state of the connection, 0 for every other.", static (reader, figures) => States.Select(
+            entry => reader.Measure(figures.State == entry.State ? 1L : 0L, new KeyValuePair<string, object?>(MeterTags.State, entry.Tag))));
+        meter.CreateObservableGauge(Prefix + "frame.age", () => Observe(MeasureAge), "s", "Age of the newest frame.");
+        return meter;
+
+        void AddCounter(string name, string unit, string description, Func<ReaderMetrics, IReaderFigures, IEnumerable<Measurement<long>>> measure) =>
+            meter.CreateObservableCounter(Prefix + name, () => Observe(measure), unit, description);
+
+        void AddUpDown(string name, string unit, string description, Func<ReaderMetrics, IReaderFigures, IEnumerable<Measurement<long>>> measure) =>
+            meter.CreateObservableUpDownCounter(Prefix + name, () => Observe(measure), unit, description);
+    }
+
+    private static Histogram<double> CreateHistogram(string name, string description, double[] boundaries) => Meter.CreateHistogram(
+        Prefix + name, "s", description, tags: null, new InstrumentAdvice<double> { HistogramBucketBoundaries = boundaries });
+
+    private static Func<ReaderMetrics, IReaderFigures, IEnumerable<Measurement<long>>> Total(Func<ReaderStatistics, long> figure) =>
+        (reader, figures) => [reader.Measure(figure(figures.GetStatistics()))];
+
+    private static Func<ReaderMetrics, IReaderFigures, IEnumerable<Measurement<long>>> PerConsumer(Func<ConsumerStatistics, long> figure) =>
+        (reader, figures) => figures.GetConsumers().Select(
+            consumer => reader.Measure(figure(consumer), new KeyValuePair<string, object?>(MeterTags.Consumer, consumer.Name)));
+
+    // Nothing before the first frame: there is no age.
+    private static IEnumerable<Measurement<double>> MeasureAge(ReaderMetrics reader, IReaderFigures figures)
+    {
+        long newest = figures.GetStatistics().LastFrameTimestamp;
+        return newest == 0 ? [] : [reader.Measure(Math.Max(Stopwatch.GetElapsedTime(newest).TotalSeconds, 0))];
+    }
+
+    private static List<Measurement<T>> Observe<T>(Func<ReaderMetrics, IReaderFigures, IEnumerable<Measurement<T>>> measure)
+        where T : struct
+    {
+        List<Measurement<T>> measurements = [];
+        foreach (ReaderMetrics reader in Live())
+        {
+            if (reader.Figures is { } figures)
+                measurements.AddRange(measure(reader, figures));
+        }
+
+        return measurements;
+    }
+
+    private static List<ReaderMetrics> Live()
+    {
+        List<ReaderMetrics> live = [];
+        lock (Lock)
+        {
+            foreach ((_, WeakReference<ReaderMetrics> reference) in Readers)
+            {
+                if (reference.TryGetTarget(out ReaderMetrics? reader))
+                    live.Add(reader);
+            }
+        }
+
+        return live;
+    }
+}

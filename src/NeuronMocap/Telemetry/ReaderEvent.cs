@@ -1,0 +1,81 @@
+using NeuronMocap.Delivery;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Telemetry;
+
+/// <summary>What an event is about. The numbers are stable; on .NET they are the event ids of the log.</summary>
+public enum ReaderEventId
+{
+    /// <summary>The reader looks for the server.</summary>
+    Connecting = 1,
+
+    /// <summary>The connection stands, or the UDP port is bound; no frame has arrived yet.</summary>
+    Connected = 2,
+
+    /// <summary>Frames arrive.</summary>
+    Receiving = 3,
+
+    /// <summary>The connection stands, but no frames arrive.</summary>
+    Silent = 4,
+
+    /// <summary>The connection failed or ended; another attempt follows.</summary>
+    Waiting = 5,
+
+    /// <summary>The reader ended for good.</summary>
+    Stopped = 6,
+
+    /// <summary>Frames did not arrive that the server had sent.</summary>
+    FramesLost = 10,
+
+    /// <summary>A queue was full.</summary>
+    FramesDropped = 11,
+
+    /// <summary>Bytes arrived that belong to no packet.</summary>
+    BytesSkipped = 12,
+
+    /// <summary>A handler of the application threw.</summary>
+    HandlerFailed = 13,
+}
+
+/// <summary>How much an event matters; as the levels of the same names in Microsoft.Extensions.Logging.</summary>
+public enum ReaderEventLevel
+{
+    /// <summary>For whoever looks for a fault: attempts to connect, and the same problem once more.</summary>
+    Debug,
+
+    /// <summary>The ordinary course.</summary>
+    Information,
+
+    /// <summary>Something is missing or was lost; the reader goes on.</summary>
+    Warning,
+
+    /// <summary>The reader ended without being asked to, or a handler threw.</summary>
+    Error,
+}
+
+/// <summary>Something that deserves a line in a log: a change of the connection's state, or what was lost since the last such line.</summary>
+/// <param name="Id">What it is about.</param>
+/// <param name="Level">How much it matters.</param>
+/// <param name="Reader">Name of the reader: <see cref="NeuronReaderOptions.Name"/>.</param>
+/// <param name="Message">One or two English sentences for people.</param>
+public readonly record struct ReaderEvent(ReaderEventId Id, ReaderEventLevel Level, string Reader, string Message)
+{
+    /// <summary>The new state of the connection, for a change of it.</summary>
+    public ConnectionStatus? Status { get; init; }
+
+    /// <summary>How many frames, bytes or exceptions came since the last event of this kind; 0 for a change of the state.</summary>
+    public long Count { get; init; }
+
+    /// <summary>How many came since the reader was made; 0 for a change of the state.</summary>
+    public long Total { get; init; }
+
+    /// <summary>The queue that dropped frames (<see cref="FrameQueue.Name"/>), or the <see cref="Protocol.SkipReason"/> of bytes; otherwise null.</summary>
+    public string? Subject { get; init; }
+
+    /// <summary>The newest exception of a handler; otherwise null.</summary>
+    public Exception? Exception { get; init; }
+
+    /// <summary>Level, reader and message.</summary>
+    /// <returns>A line for a log.</returns>
+    public override string ToString() => $"{Level}: {Reader}: {Message}";
+}

@@ -1,0 +1,71 @@
+using System.Net;
+using Microsoft.Extensions.Configuration;
+using Microsoft.Extensions.Options;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Hosting.Tests;
+
+public sealed class ReaderSettingsTests
+{
+    [Fact]
+    public void Every_setting_is_read()
+    {
+        NeuronReaderOptions options = Read(
+            ("Name", "stage"), ("Transport", "udp"), ("Host", "studio"), ("Port", "7012"), ("LocalAddress", "::1"), ("SharePort", "true"),
+            ("ConnectTimeout", "00:00:02"), ("SilenceTimeout", "1.5"), ("Reconnect:Enabled", "False"), ("Reconnect:InitialDelay", "0.25"),
+            ("Reconnect:MaxDelay", "10"), ("RotationOrder", "XYZ"), ("SkeletonVariant", "Spine3"), ("MaxValues", "500"));
+
+        Assert.Equal(
+            ("stage", TransportKind.Udp, "studio", 7012, IPAddress.IPv6Loopback, true),
+            (options.Name, options.Transport, options.Host, options.Port, options.LocalAddress, options.SharePort));
+        Assert.Equal((2, 1.5), (options.ConnectTimeout.TotalSeconds, options.SilenceTimeout.TotalSeconds));
+        Assert.Equal(
+            (false, 0.25, 10),
+            (options.Reconnect.Enabled, options.Reconnect.InitialDelay.TotalSeconds, options.Reconnect.MaxDelay.TotalSeconds));
+        Assert.Equal((RotationOrder.XYZ, SkeletonVariant.Spine3, 500), (options.RotationOrder, options.SkeletonVariant, options.MaxValues));
+    }
+
+    [Fact]
+    public void Every_option_has_a_setting()
+    {
+        IEnumerable<string> expected = typeof(NeuronReaderOptions).GetProperties()
+            .Where(property => property.Name is not (nameof(NeuronReaderOptions.LoggerFactory) or nameof(NeuronReaderOptions.Reconnect)))
+            .Select(property => property.Name)
+            .Concat(typeof(ReconnectPolicy).GetProperties().Select(property => $"Reconnect:{property.Name}"));
+        Assert.Equal(expected.Order(StringComparer.Ordinal), ReaderSettings.Keys.Order(StringComparer.Ordinal));
+    }
+
+    [Theory]
+    [InlineData("Prot", "7001", "Prot is no setting of a reader; there are Name, Transport, Host, Port")]
+    [InlineData("Reconnect:Delay", "1", "Reconnect:Delay is no setting")]
+    [InlineData("Port", "seven", "Port is 'seven'; it must be a whole number.")]
+    [InlineData("Transport", "1", "Transport is '1'; it must be one of Tcp, Udp.")]
+    [InlineData("RotationOrder", "", "RotationOrder is ''; it must be one of X")]
+    [InlineData("LocalAddress", "studio", "LocalAddress is 'studio'; it must be an IP address.")]
+    [InlineData("SharePort", "yes", "SharePort is 'yes'; it must be true or false.")]
+    [InlineData("ConnectTimeout", "soon", "ConnectTimeout is 'soon'; it must be a time")]
+    [InlineData("SilenceTimeout", "1e400", "SilenceTimeout is '1e400'; it must be a time")]
+    public void What_cannot_be_read_is_named(string key, string text, string expected)
+    {
+        OptionsValidationException exception = Assert.Throws<OptionsValidationException>(() => Read((key, text)));
+        Assert.StartsWith(expected, Assert.Single(exception.Failures), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void All_faults_are_told_at_once()
+    {
+        OptionsValidationException exception = Assert.Throws<OptionsValidationException>(() => Read(("Port", "x"), ("MaxValues", "y")));
+        Assert.Equal(2, exception.Failures.Count());
+    }
+
+    private static NeuronReaderOptions Read(params (string Key, string Value)[] settings)
+    {
+        IConfiguration configuration = new ConfigurationBuilder()
+            .AddInMemoryCollection(settings.Select(setting => KeyValuePair.Create($"NeuronReader:{setting.Key}", (string?)setting.Value)))
+            .Build();
+        var options = new NeuronReaderOptions();
+        ReaderSettings.Apply(configuration.GetSection("NeuronReader"), string.Empty, options);
+        return options;
+    }
+}

@@ -1,0 +1,211 @@
+using NeuronMocap.Delivery;
+
+namespace NeuronMocap.Tests.Delivery;
+
+public sealed class IndexTrackerTests
+{
+    private readonly IndexTracker _tracker = new();
+
+    [Theory]
+    [InlineData(new uint[] { 5, 6, 7 }, 0)]
+    [InlineData(new uint[] { 5, 8 }, 1)]
+    [InlineData(new uint[] { 5, 8, 9, 11 }, 2)]
+    [InlineData(new uint[] { 5, 7, 6 }, 0)]
+    [InlineData(new uint[] { 5, 9, 8 }, 1)]
+    [InlineData(new uint[] { 5, 9, 7 }, 2)]
+    [InlineData(new uint[] { 5, 9, 7, 6, 8 }, 0)]
+    [InlineData(new uint[] { uint.MaxValue, 1, 3, 2 }, 1)]
+    public void A_gap_is_a_row_of_missing_frames(uint[] indices, long gaps)
+    {
+        Feed(indices);
+        Assert.Equal(gaps, _tracker.Gaps);
+    }
+
+    [Theory]
+    [InlineData(new uint[] { 1000, 1, 2 }, 1)]
+    [InlineData(new uint[] { 48, 49, 0, 1, 2, 3 }, 1)]
+    [InlineData(new uint[] { 1, 1_000_000, 1_000_001 }, 1)]
+    [InlineData(new uint[] { 40, 42, 44, 0, 2, 4, 6 }, 1)]
+    [InlineData(new uint[] { 1000, 1, 2, 100_000, 100_001 }, 2)]
+    [InlineData(new uint[] { 5, 4, 6, 5, 7 }, 0)]
+    [InlineData(new uint[] { uint.MaxValue - 1, uint.MaxValue, 0, 1, 2 }, 0)]
+    [InlineData(new uint[] { uint.MaxValue - 1, 2 }, 0)]
+    public void A_restart_is_neither_a_gap_nor_a_wrap_nor_a_late_frame(uint[] indices, long restarts)
+    {
+        Feed(indices);
+        Assert.Equal(restarts, _tracker.Restarts);
+    }
+
+    // A burst overtaken by one datagram: three that come late, in order, each into its gap. It once was taken for a restart.
+    [Fact]
+    public void Late_frames_in_order_that_fill_a_gap_are_no_restart()
+    {
+        Feed([5, 9, 6, 7, 8, 10]);
+        Assert.Equal((0, 0, 3, 0), (_tracker.Lost, _tracker.Gaps, _tracker.Disordered, _tracker.Restarts));
+    }
+
+    [Theory]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(5)]
+    [InlineData(60)]
+    public void A_reduced_frequency_loses_nothing(int step)
+    {
+        Feed(Steps(uint.MaxValue - 100, 100, step));
+        Assert.Equal((0, 0, 0, 0, step), (_tracker.Lost, _tracker.Gaps, _tracker.Restarts, _tracker.Unsettled, _tracker.Step));
+    }
+
+    [Fact]
+    public void While_the_steps_are_not_yet_known_to_be_even_their_loss_is_unsettled()
+    {
+        Feed(Steps(0, 10, 3));
+        Assert.Equal((18, 18), (_tracker.Lost, _tracker.Unsettled));
+        Feed([28]);
+        Assert.Equal((18, 0, 1), (_tracker.Lost, _tracker.Unsettled, _tracker.Step));
+    }
+
+    [Fact]
+    public void Loss_at_a_reduced_frequency_is_counted_in_frames_that_were_sent()
+    {
+        Feed([.. Steps(0, 50, 2), 104, 106, 108]);
+        Assert.Equal((2, 1, 2), (_tracker.Lost, _tracker.Gaps, _tracker.Step));
+    }
+
+    [Fact]
+    public void A_reduced_frequency_is_found_in_spite_of_loss_and_of_swapped_frames()
+    {
+        uint[] sent = Steps(1000, 198, 2);
+        List<uint> received = [.. sent.Where((_, i) => i % 7 != 3)];
+        (received[4], received[5]) = (received[5], received[4]);
+        Feed(received);
+        Assert.Equal((sent.Length - received.Count, 2), (_tracker.Lost, _tracker.Step));
+    }
+
+    [Fact]
+    public void Changes_of_the_frequency_in_mid_stream_lose_nothing()
+    {
+        var indices = new List<uint>();
+        uint next = 7;
+        foreach (int step in (int[])[1, 2, 1, 3, 2, 4, 1])
+        {
+            for (int i = 0; i < 40; i++)
+                indices.Add(next += (uint)step);
+        }
+
+        Feed(indices);
+        Assert.Equal((0, 0, 0, 1), (_tracker.Lost, _tracker.Gaps, _tracker.Restarts, _tracker.Step));
+    }
+
+    // Each n-th frame lost, two of three, bursts of up to five: none of it is even for long.
+    [Theory]
+    [InlineData(10, 1)]
+    [InlineData(3, 1)]
+    [InlineData(7, 5)]
+    [InlineData(40, 39)]
+    public void Periodic_loss_at_full_rate_is_not_hidden(int period, int lost)
+    {
+        uint[] received = [.. Enumerable.Range(0, 2000).Where(i => i % period >= lost || (period - lost == 1 && i % 15 == 0)).Select(i => (uint)i)];
+        Feed(received);
+        Assert.Equal((received[^1] - received[0] + 1 - received.Length, 1), (_tracker.Lost, _tracker.Step));
+    }
+
+    [Fact]
+    public void Fifteen_even_steps_are_loss_and_the_sixteenth_shows_that_they_are_not()
+    {
+        Feed(Steps(0, 16, 2));
+        Assert.Equal((15, 15, 1), (_tracker.Lost, _tracker.Gaps, _tracker.Step));
+        Feed([32]);
+        Assert.Equal((0, 0, 2), (_tracker.Lost, _tracker.Gaps, _tracker.Step));
+    }
+
+    // Against the plainest account there is: what was sent, and which of it arrived. Random steps, starts, losses, bursts, swaps, copies.
+    [Fact]
+    public void Random_streams_give_what_a_plain_account_gives()
+    {
+        for (int seed = 0; seed < 400; seed++)
+        {
+            var random = new Random(seed);
+            int step = random.Next(1, 7);
+            uint first = random.Next(3) == 0 ? uint.MaxValue - (uint)random.Next(2000) : (uint)random.Next();
+            bool[] arrives = Arrivals(random, 600);
+            int[] order = Swapped(random, [.. Enumerable.Range(0, arrives.Length).Where(i => arrives[i])]);
+
+            var tracker = new IndexTracker();
+            tracker.StartAt(first);
+            for (int i = 1; i < order.Length; i++)
+                tracker.OnIndex(first + (uint)(order[i] * step));
+
+            int newest = order.Max();
+            int lost = arrives.Take(newest).Count(arrived => !arrived);
+            int gaps = Enumerable.Range(1, newest).Count(i => arrives[i] && !arrives[i - 1]);
+            Assert.True(
+                (lost, gaps, 0L, step) == (tracker.Lost, tracker.Gaps, tracker.Restarts, tracker.Step),
+                $"seed {seed}: {lost} lost in {gaps} gaps by {step}, counted {tracker.Lost} in {tracker.Gaps} by {tracker.Step}, {tracker.Restarts} restarts");
+        }
+    }
+
+    // Random loss up to every other frame never looks like a reduced frequency.
+    [Theory]
+    [InlineData(0.01)]
+    [InlineData(0.2)]
+    [InlineData(0.5)]
+    public void Random_loss_at_full_rate_is_counted_to_the_frame(double probability)
+    {
+        var random = new Random(7001);
+        uint[] received = [0, .. Enumerable.Range(1, 200_000).Where(_ => random.NextDouble() >= probability).Select(i => (uint)i)];
+        Feed(received);
+        Assert.Equal((received[^1] + 1 - received.Length, 1), (_tracker.Lost, _tracker.Step));
+    }
+
+    [Fact]
+    public void Counting_allocates_nothing()
+    {
+        uint index = 0;
+        Allocations.AssertNone(() => _tracker.OnIndex(index += index % 50 == 0 ? 3u : 1u));
+    }
+
+    private void Feed(IEnumerable<uint> indices)
+    {
+        bool started = _tracker.Step != 1 || _tracker.Lost > 0;
+        foreach (uint index in indices)
+        {
+            if (!started)
+                _tracker.StartAt(index);
+            else
+                _tracker.OnIndex(index);
+
+            started = true;
+        }
+    }
+
+    private static uint[] Steps(uint first, int count, int step) => [.. Enumerable.Range(0, count).Select(i => first + (uint)(i * step))];
+
+    // The first 40 arrive, so that the step is known; then single losses and bursts. The last arrives.
+    private static bool[] Arrivals(Random random, int count)
+    {
+        bool[] arrives = [.. Enumerable.Repeat(element: true, count)];
+        for (int i = 40; i < count - 1; i++)
+        {
+            int burst = random.Next(20) == 0 ? random.Next(1, 6) : 0;
+            for (int end = Math.Min(i + burst, count - 1); i < end; i++)
+                arrives[i] = false;
+        }
+
+        return arrives;
+    }
+
+    // Neighbours change places here and there, none by more than one place.
+    private static int[] Swapped(Random random, int[] order)
+    {
+        for (int i = 40; i + 1 < order.Length; i++)
+        {
+            if (random.Next(10) == 0)
+            {
+                (order[i], order[i + 1]) = (order[i + 1], order[i]);
+                i++;
+            }
+        }
+
+        return order;
+    }
+}

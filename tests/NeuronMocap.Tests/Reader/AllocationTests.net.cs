@@ -1,0 +1,33 @@
+using System.Diagnostics.Metrics;
+using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
+
+namespace NeuronMocap.Tests.Reader;
+
+public sealed partial class AllocationTests
+{
+    [Fact]
+    public async Task Metrics_that_are_listened_to_cost_no_allocation_per_frame()
+    {
+        using var listener = new MeterListener();
+        long recorded = 0;
+        listener.InstrumentPublished = (instrument, self) =>
+        {
+            if (instrument.Meter.Name == "NeuronMocap")
+                self.EnableMeasurementEvents(instrument);
+        };
+        listener.SetMeasurementEventCallback<double>((_, _, tags, _) => Interlocked.Add(ref recorded, tags.Length > 1 ? 1 : 0));
+        listener.Start();
+
+        await MeasureTcpAsync(reader =>
+        {
+            FrameQueue queue = reader.OpenQueue(FramesPerRound);
+            float sum = 0;
+            Action<MotionFrame> handler = frame => sum += frame.Values[^1];
+            return () => queue.Pump(handler);
+        });
+
+        // The interval and the hand-over of each frame.
+        Assert.InRange(recorded, 2 * Rounds * FramesPerRound, long.MaxValue);
+    }
+}
