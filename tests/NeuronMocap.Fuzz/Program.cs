@@ -1,0 +1,1 @@
+return NeuronMocap.Fuzz.FuzzCommand.Invoke(args);
