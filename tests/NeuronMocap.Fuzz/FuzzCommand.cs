@@ -2,8 +2,6 @@ using System.CommandLine;
 using System.Runtime.InteropServices;
 using NeuronMocap.Fuzz.Inputs;
 using NeuronMocap.Fuzz.Running;
-using NeuronMocap.Fuzz.Targets;
-using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Fuzz;
 
@@ -36,7 +34,7 @@ internal sealed class FuzzCommand : RootCommand
     private readonly Option<DirectoryInfo> _data = new("--data")
     {
         HelpName = "DIR",
-        Description = "Recorded streams (*.bin) and takes (*.bvh) to make inputs from. Default: ../shared/data beside the repository, where it is.",
+        Description = "Recorded streams (*.bin) and takes (*.bvh) to make inputs from. Default: shared/data beside the repository, where it is.",
     };
 
     private readonly Option<string> _output = new("--output")
@@ -48,15 +46,18 @@ internal sealed class FuzzCommand : RootCommand
 
     private readonly Option<FileInfo> _replay = new("--replay") { HelpName = "FILE", Description = "Run this input only, through each target." };
 
-    public FuzzCommand()
+    private readonly IReadOnlyList<FuzzTarget> _targets;
+
+    public FuzzCommand(IReadOnlyList<FuzzTarget> targets)
         : base("Feeds changed packets and files to the parsers: they may not throw, hang, allocate past their caps or read out of bounds.")
     {
+        _targets = targets;
         _bytes.Validators.Add(result =>
         {
             if (result.GetValue(_bytes) < 1)
                 result.AddError("--bytes: a number from 1 on.");
         });
-        _target.AcceptOnlyFromAmong([.. TargetList.All.Select(target => target.Name)]);
+        _target.AcceptOnlyFromAmong([.. targets.Select(target => target.Name)]);
         _data.AcceptExistingOnly();
         _replay.AcceptExistingOnly();
         foreach (Option option in (Option[])[_bytes, _seed, _target, _list, _data, _output, _replay])
@@ -65,9 +66,9 @@ internal sealed class FuzzCommand : RootCommand
         SetAction(Run);
     }
 
-    public static int Invoke(string[] args)
+    public int Invoke(string[] args)
     {
-        ParseResult result = new FuzzCommand().Parse(args);
+        ParseResult result = Parse(args);
         if (result.Errors.Count == 0)
             return result.Invoke(new InvocationConfiguration { ProcessTerminationTimeout = null });
 
@@ -80,7 +81,7 @@ internal sealed class FuzzCommand : RootCommand
     private int Run(ParseResult options)
     {
         string[] names = options.GetValue(_target) ?? [];
-        FuzzTarget[] targets = [.. TargetList.All.Where(target => names.Length == 0 || names.Contains(target.Name))];
+        FuzzTarget[] targets = [.. _targets.Where(target => names.Length == 0 || names.Contains(target.Name))];
         if (options.GetValue(_list))
         {
             foreach (FuzzTarget target in targets)
@@ -148,7 +149,10 @@ internal sealed class FuzzCommand : RootCommand
         if (options.GetValue(_data) is { } given)
             return given.FullName;
 
-        string beside = Path.GetFullPath(Repository.PathOf("..", "shared", "data"));
-        return Directory.Exists(beside) ? beside : null;
+        DirectoryInfo? folder = new(AppContext.BaseDirectory);
+        while (folder is not null && !Directory.Exists(Path.Combine(folder.FullName, "shared", "data")))
+            folder = folder.Parent;
+
+        return folder is null ? null : Path.Combine(folder.FullName, "shared", "data");
     }
 }

@@ -1,1 +1,4 @@
-return NeuronMocap.Fuzz.FuzzCommand.Invoke(args);
+using NeuronMocap.Fuzz;
+using NeuronMocap.Fuzz.Targets;
+
+return new FuzzCommand(TargetList.All).Invoke(args);

@@ -26,10 +26,10 @@ internal sealed class Mutator(Corpus corpus, ulong seed)
             return _bytes.AsSpan(0, _length);
         }
 
-        for (int parts = _random.Below(4); parts >= 0; parts--)
+        for (int parts = _random.Below(3); parts >= 0; parts--)
             Insert(_length, _random.Choose(corpus.Fixtures));
-        if (_random.Below(4) > 0)
-            Keep(_random.Below(3) > 0 ? 0 : _random.Below(_length), 1 + _random.Below(1 << _random.Between(4, 14)));
+        if (_random.Below(5) > 0)
+            Keep(_random.Below(3) > 0 ? 0 : _random.Below(_length), 1 + _random.Below(1 << _random.Between(4, 13)));
 
         for (int changes = _random.Small(MostMutations); changes >= 0; changes--)
             Change();

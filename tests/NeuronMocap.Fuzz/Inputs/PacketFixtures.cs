@@ -36,8 +36,16 @@ internal static class PacketFixtures
         ];
         byte[] noise = [.. "GET / HTTP/1.1\r\n"u8, 0xFF, 0xDD, 0xFF];
         byte[] mixed = [.. packets[1], .. noise, .. packets[8], .. packets[14], .. packets[11], .. packets[4], .. packets[3]];
-        return [.. packets, mixed, noise];
+        return [.. packets, mixed, noise, .. Promises()];
     }
+
+    // Headers that announce as much as is allowed, and nothing behind them.
+    private static IEnumerable<byte[]> Promises() =>
+    [
+        Motion(DataVersion.Old, ProtocolConstants.DefaultMaxValues)[..ProtocolConstants.HeaderSize],
+        Calculation(ProtocolConstants.DefaultMaxValues)[..ProtocolConstants.HeaderSize],
+        Command(id: 4, count: ProtocolConstants.MaxCommandPayload)[..ProtocolConstants.HeaderSize],
+    ];
 
     private static byte[] Motion(DataVersion version, int count)
     {

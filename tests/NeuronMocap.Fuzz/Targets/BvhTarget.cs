@@ -30,17 +30,23 @@ internal static class BvhTarget
 
     private static void CheckJoints(BvhDocument document, FuzzInput input)
     {
+        Span<bool> isTaken = stackalloc bool[document.ChannelCount];
+        isTaken.Clear();
         int channels = 0;
         for (int i = 0; i < document.Joints.Count; i++)
         {
             BvhJoint joint = document.Joints[i];
             WrongResultException.ThrowUnless(joint.Index == i && (joint.Parent?.Index ?? -1) < i, "A joint stands before its parent.");
-            WrongResultException.ThrowUnless(joint.Channels.Count == 0 || joint.FirstChannel == channels, "A joint's values are another's.");
             channels += joint.Channels.Count;
             input.Digest.Add(joint.Name);
             input.Digest.Add(joint.Offset.X + joint.Offset.Y + joint.Offset.Z + (joint.EndSite?.Y ?? 0));
             for (int channel = 0; channel < joint.Channels.Count; channel++)
+            {
+                ref bool isAnothers = ref isTaken[joint.FirstChannel + channel];
+                WrongResultException.ThrowUnless(!isAnothers, "A joint's values are another's.");
+                isAnothers = true;
                 input.Digest.Add((long)joint.Channels[channel]);
+            }
         }
 
         WrongResultException.ThrowUnless(
