@@ -18,7 +18,7 @@ internal sealed record FuzzTarget(string Name, CorpusKind Corpus, Func<FuzzTest>
     public long AllocatedPerByte { get; init; }
 
     /// <summary>An input that takes longer is a hang. Ten thousand times what one takes, so that a busy machine is none.</summary>
-    public TimeSpan TimeLimit { get; init; } = TimeSpan.FromSeconds(20);
+    public TimeSpan TimeLimit { get; init; } = TimeSpan.FromSeconds(60);
 }
 
 /// <summary>

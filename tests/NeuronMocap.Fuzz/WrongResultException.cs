@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Fuzz;
 
@@ -12,28 +11,14 @@ internal sealed class WrongResultException(string message) : Exception(message)
             throw new WrongResultException(message);
     }
 
-    public static void ThrowUnless(bool condition, [InterpolatedStringHandlerArgument(nameof(condition))] ref FailureText message)
+    // The text is put together only when it is needed: what a target allocates is measured.
+    public static void ThrowUnless<T>(bool condition, string format, T value) => ThrowUnless(condition, format, value, 0, 0);
+
+    public static void ThrowUnless<T1, T2>(bool condition, string format, T1 first, T2 second) => ThrowUnless(condition, format, first, second, 0);
+
+    public static void ThrowUnless<T1, T2, T3>(bool condition, string format, T1 first, T2 second, T3 third)
     {
         if (!condition)
-            throw new WrongResultException(message.ToString());
-    }
-
-    /// <summary>Text that is put together only when it is needed: what a target allocates is measured.</summary>
-    [InterpolatedStringHandler]
-    internal ref struct FailureText
-    {
-        private DefaultInterpolatedStringHandler _text;
-
-        public FailureText(int literalLength, int formattedCount, bool condition, out bool isNeeded)
-        {
-            isNeeded = !condition;
-            _text = isNeeded ? new DefaultInterpolatedStringHandler(literalLength, formattedCount, CultureInfo.InvariantCulture) : default;
-        }
-
-        public void AppendLiteral(string text) => _text.AppendLiteral(text);
-
-        public void AppendFormatted<T>(T value) => _text.AppendFormatted(value);
-
-        public override string ToString() => _text.ToStringAndClear();
+            throw new WrongResultException(string.Format(CultureInfo.InvariantCulture, format, first, second, third));
     }
 }

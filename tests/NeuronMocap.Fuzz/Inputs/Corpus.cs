@@ -7,7 +7,7 @@ namespace NeuronMocap.Fuzz.Inputs;
 internal sealed record Corpus(IReadOnlyList<byte[]> Fixtures, int OwnCount, IReadOnlyList<byte[]> Words)
 {
     // Of a recording of megabytes its start has all there is to it.
-    private const int LongestFixture = 24 * 1024;
+    private const int LongestFixture = 12 * 1024;
 
     /// <summary>Makes a corpus.</summary>
     /// <param name="kind">Which one.</param>

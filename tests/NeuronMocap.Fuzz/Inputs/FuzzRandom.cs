@@ -1,3 +1,5 @@
+using System.Numerics;
+
 namespace NeuronMocap.Fuzz.Inputs;
 
 /// <summary>SplitMix64: the same numbers on every machine, from a seed that costs nothing to set for each input.</summary>
@@ -20,7 +22,7 @@ internal struct FuzzRandom(ulong seed)
     public int Between(int least, int most) => least + Below(most - least + 1);
 
     /// <summary>Mostly small numbers: each doubling up to the limit is as likely as the one before.</summary>
-    public int Small(int limit) => Below(Math.Min(limit, 1 << Between(1, 16)));
+    public int Small(int limit) => Below(Math.Min(limit, 1 << Between(1, BitOperations.Log2((uint)limit) + 1)));
 
     public T Choose<T>(IReadOnlyList<T> list) => list[Below(list.Count)];
 }

@@ -8,6 +8,8 @@ internal sealed class Mutator(Corpus corpus, ulong seed)
     // Where the fields of packet headers begin; of use at such a distance from a token only.
     private static readonly int[] FieldOffsets = [2, 4, 5, 6, 8, 9, 10, 14, 18, 22, 46, 50, 54, 62];
 
+    private static ReadOnlySpan<byte> Spaces => " \r\n\t"u8;
+
     private readonly byte[] _bytes = new byte[FuzzInput.MaxLength];
     private readonly byte[] _other = new byte[FuzzInput.MaxLength];
     private FuzzRandom _random;
@@ -28,7 +30,7 @@ internal sealed class Mutator(Corpus corpus, ulong seed)
 
         for (int parts = _random.Below(3); parts >= 0; parts--)
             Insert(_length, _random.Choose(corpus.Fixtures));
-        if (_random.Below(5) > 0)
+        if (_random.Below(8) > 0)
             Keep(_random.Below(3) > 0 ? 0 : _random.Below(_length), 1 + _random.Below(1 << _random.Between(4, 13)));
 
         for (int changes = _random.Small(MostMutations); changes >= 0; changes--)
@@ -86,11 +88,21 @@ internal sealed class Mutator(Corpus corpus, ulong seed)
         }
     }
 
-    // A number at a field of the next header, where there is one.
+    // A number at a field of the next header; where there is none, as in text, in place of the next word.
     private void OverwriteField(int at)
     {
-        int token = _bytes.AsSpan(at, _length - at).IndexOf((byte)0xFF);
-        Overwrite(token < 0 ? at : at + token + _random.Choose(FieldOffsets), _random.Choose(corpus.Words));
+        ReadOnlySpan<byte> rest = _bytes.AsSpan(at, _length - at);
+        int token = rest.IndexOf((byte)0xFF);
+        if (token >= 0)
+        {
+            Overwrite(at + token + _random.Choose(FieldOffsets), _random.Choose(corpus.Words));
+            return;
+        }
+
+        int start = Math.Max(0, rest.IndexOfAny(Spaces) + 1);
+        int length = rest[start..].IndexOfAny(Spaces);
+        Remove(at + start, Math.Max(0, length));
+        Insert(at + start, _random.Choose(corpus.Words));
     }
 
     private void Repeat(int at, int size, int times)

@@ -11,6 +11,7 @@ internal sealed class AssemblerTarget
     private readonly PacketScanner _scanner = new(ProtocolConstants.DefaultMaxValues);
     private readonly StreamReading _whole = new();
     private readonly StreamReading _pieces = new();
+    private readonly byte[] _received = new byte[FuzzInput.MaxLength];
 
     public void Run(FuzzInput input)
     {
@@ -23,20 +24,34 @@ internal sealed class AssemblerTarget
             while (rest.Count > 0)
             {
                 int size = Math.Min(rest.Count, largest == 1 ? 1 : input.Random.Below(largest + 1));
-                assembler.Push(rest.Slice(0, size), timestamp: 0);
+                assembler.Push(Receive(rest.Slice(0, size)), timestamp: 0);
+                _received.AsSpan(0, size).Fill(0xFF);
                 rest = rest.Slice(size);
             }
 
             WrongResultException.ThrowUnless(
                 _pieces.Position + assembler.PendingBytes == input.Segment.Count,
-                $"In pieces of up to {largest}, {_pieces.Position} bytes are done and {assembler.PendingBytes} pending, of {input.Segment.Count}.");
+                "In pieces of up to {0}, {1} bytes are done and {2} pending: not all of them.",
+                largest,
+                _pieces.Position,
+                assembler.PendingBytes);
             WrongResultException.ThrowUnless(
                 (_pieces.Digest, _pieces.Position, _pieces.Packets) == (_whole.Digest, _whole.Position, _whole.Packets),
-                $"In pieces of up to {largest}, packets and end are {_pieces.Packets} and {_pieces.Position}, not {_whole.Packets} and {_whole.Position}.");
+                "In pieces of up to {0}, {1} packets come out, and not what the whole gives, {2}.",
+                largest,
+                _pieces.Packets,
+                _whole.Packets);
         }
 
         input.Digest.Add(_whole.Digest);
         input.Found += _whole.Packets;
+    }
+
+    // Into memory that the next piece takes over, as a socket's does.
+    private ArraySegment<byte> Receive(ArraySegment<byte> piece)
+    {
+        piece.CopyTo(_received);
+        return new ArraySegment<byte>(_received, 0, piece.Count);
     }
 
     private void ReadWhole(ArraySegment<byte> stream)

@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.InteropServices;
 using NeuronMocap.Frames;
 using NeuronMocap.Fuzz.Inputs;
 using NeuronMocap.Protocol;
@@ -57,8 +58,10 @@ internal sealed class FramesTarget
     private static void ReadShared(AvatarFrame frame, in ReceivedPacket packet, FuzzInput input)
     {
         WrongResultException.ThrowUnless(
-            frame.Values.Length == (packet.Bytes.Count - ProtocolConstants.HeaderSize) / sizeof(float),
-            $"A packet of {packet.Bytes.Count} bytes has {frame.Values.Length} values.");
+            MemoryMarshal.AsBytes(frame.Values).SequenceEqual(packet.Bytes.AsSpan(ProtocolConstants.HeaderSize)),
+            "The {0} values are not those of the packet of {1} bytes.",
+            frame.Values.Length,
+            packet.Bytes.Count);
         WrongResultException.ThrowUnless((frame.Timestamp, frame.Source) == (1, 2) && frame.Age > TimeSpan.Zero, "Time or source is another's.");
         input.Digest.Add(frame.Values);
         input.Digest.Add((long)frame.AvatarIndex);

@@ -83,7 +83,7 @@ internal static class HeadersTarget
 
     public static void AddFields(ref Digest digest, in CommandHeader header)
     {
-        WrongResultException.ThrowUnless(header.PayloadSize >= 0, $"A payload of {header.PayloadSize} bytes cannot be.");
+        WrongResultException.ThrowUnless(header.PayloadSize >= 0, "A payload of {0} bytes cannot be.", header.PayloadSize);
         AddVersion(ref digest, header.Version);
         digest.Add((long)header.CommandId);
         digest.Add((long)header.DataCount);
@@ -104,7 +104,7 @@ internal static class HeadersTarget
     }
 
     private static void CheckSize(int size, int count) => WrongResultException.ThrowUnless(
-        count >= 0 && size == ProtocolConstants.HeaderSize + ((long)count * sizeof(float)), $"{count} values are no packet of {size} bytes.");
+        count >= 0 && size == ProtocolConstants.HeaderSize + ((long)count * sizeof(float)), "{0} values are no packet of {1} bytes.", count, size);
 
     private static void Same<T>(bool isSame, T header)
     {

@@ -34,10 +34,11 @@ internal sealed class ScannerTarget
         WrongResultException.ThrowUnless(result.Length > 0, "An answer of length zero makes no progress.");
         WrongResultException.ThrowUnless(
             result.Status == ScanStatus.NeedMore ? result.Length > bytes.Length : result.Length <= bytes.Length,
-            $"{result} is no answer to {bytes.Length} bytes.");
+            "{0} is no answer to {1} bytes.", result, bytes.Length);
         WrongResultException.ThrowUnless(
-            result.Status == ScanStatus.Skipped || result.Length <= longest, $"{result} is longer than the limits allow.");
-        WrongResultException.ThrowUnless((result.Status == ScanStatus.Packet) == (result.Kind != PacketKind.None), $"{result} contradicts itself.");
+            result.Status == ScanStatus.Skipped || result.Length <= longest, "{0} is longer than the limits allow.", result);
+        WrongResultException.ThrowUnless(
+            (result.Status == ScanStatus.Packet) == (result.Kind != PacketKind.None), "{0} contradicts itself.", result);
         input.Digest.Add((long)result.Status);
         input.Digest.Add((long)result.Length);
         input.Digest.Add((long)result.Kind);

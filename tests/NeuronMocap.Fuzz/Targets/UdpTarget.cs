@@ -41,7 +41,7 @@ internal sealed class UdpTarget
             joiner.Push(Addresses[MostSenders + i], _noise, timestamp: 0);
 
         WrongResultException.ThrowUnless(
-            counts.Bytes == input.Segment.Count + Flushers, $"{counts.Bytes - Flushers} bytes came out of {input.Segment.Count}.");
+            counts.Bytes == input.Segment.Count + Flushers, "{0} bytes came out of {1}.", counts.Bytes - Flushers, input.Segment.Count);
     }
 
     private sealed class Counts : IPacketReceiver

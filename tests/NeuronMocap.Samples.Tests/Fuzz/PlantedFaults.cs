@@ -14,7 +14,7 @@ internal static class PlantedFaults
         "refusal" => Create(fault, _ => throw new FormatException()) with { Refusal = typeof(FormatException) },
         "exception" => Create(fault, input => _ = input.Bytes.ToArray()[input.Bytes.Length]),
         "another exception than the refusal" => Create(fault, _ => throw new InvalidDataException()) with { Refusal = typeof(FormatException) },
-        "wrong result" => Create(fault, input => WrongResultException.ThrowUnless(input.Found < 0, $"{input.Found}")),
+        "wrong result" => Create(fault, input => WrongResultException.ThrowUnless(input.Found < 0, "{0}", input.Found)),
         "allocation" => Create(fault, input => input.Digest.Add((long)new byte[1 << 20].Length)),
         "a read behind the end" => Create(fault, input => input.Digest.Add((long)input.Segment.Array![input.Segment.Offset + input.Segment.Count])),
         "a read before the start" => Create(fault, input => input.Digest.Add((long)input.Segment.Array![input.Segment.Offset - 1])),
