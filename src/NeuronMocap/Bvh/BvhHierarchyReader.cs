@@ -37,7 +37,7 @@ internal ref struct BvhHierarchyReader
         if (_joints.Count == 0)
             throw Refuse("The hierarchy has no joints.");
         if (_open is not null)
-            Repair($"The hierarchy ends inside {Describe(_open)}; what is open is closed here.");
+            _repairs.Add(_line, $"The hierarchy ends inside {Describe(_open)}; what is open is closed here.");
 
         while (_open is not null)
             CloseJoint();
@@ -49,7 +49,8 @@ internal ref struct BvhHierarchyReader
     private static bool IsMotion(ReadOnlySpan<byte> word) =>
         word.IsEmpty || BvhText.AreEqual(word, "MOTION"u8) || BvhText.StartsWith(word, "Frame"u8);
 
-    private static string Describe(BvhJoint joint) => joint.Name.Length == 0 ? "a joint without a name" : $"joint '{joint.Name}'";
+    private static string Describe(BvhJoint joint) =>
+        joint.Name.Length == 0 ? "a joint without a name" : $"joint {BvhText.Quote(joint.Name)}";
 
     private void FindHierarchy()
     {
@@ -69,7 +70,7 @@ internal ref struct BvhHierarchyReader
         }
 
         if (!BvhText.AreEqual(first, "HIERARCHY"u8))
-            Repair($"The file begins with {BvhText.Quote(first)}; what comes before HIERARCHY is ignored.");
+            _repairs.Add(_line, $"The file begins with {BvhText.Quote(first)}; what comes before HIERARCHY is ignored.");
     }
 
     private void ReadStatement()
@@ -101,13 +102,13 @@ internal ref struct BvhHierarchyReader
         _text.ReadWord();
         LeaveEndSite();
         if (isRoot != (_open is null))
-            Repair(isRoot ? $"A ROOT inside {Describe(_open!)} is read as a JOINT." : "A JOINT outside of any other is read as a ROOT.");
+            _repairs.Add(_line, $"{(isRoot ? $"A ROOT inside {Describe(_open!)} is read as a JOINT." : "A JOINT outside of any other is read as a ROOT.")}");
 
         _open = new BvhJoint(ReadName(), _joints.Count, _open) { FirstChannel = _channelCount };
         _joints.Add(_open);
         _depth++;
         if (_open.Name.Length == 0)
-            Repair($"Joint number {_joints.Count} has no name.");
+            _repairs.Add(_line, $"Joint number {_joints.Count} has no name.");
 
         ReadOpeningBrace();
     }
@@ -128,7 +129,7 @@ internal ref struct BvhHierarchyReader
         _text.ReadToBrace();
         LeaveEndSite();
         if (_open!.EndSite is not null)
-            Repair($"A further End Site of {Describe(_open)} takes the place of the one before.");
+            _repairs.Add(_line, $"A further End Site of {Describe(_open)} takes the place of the one before.");
 
         _inEndSite = true;
         _open.EndSite = Vector3.Zero;
@@ -138,7 +139,7 @@ internal ref struct BvhHierarchyReader
     private void LeaveEndSite()
     {
         if (_inEndSite)
-            Repair($"The End Site of {Describe(_open!)} is not closed; it is closed here.");
+            _repairs.Add(_line, $"The End Site of {Describe(_open!)} is not closed; it is closed here.");
 
         _inEndSite = false;
     }
@@ -146,7 +147,7 @@ internal ref struct BvhHierarchyReader
     private void ReadOpeningBrace()
     {
         if (!_text.TryReadWord("{"u8))
-            Repair($"There is no {{ after {(_inEndSite ? "End Site" : Describe(_open!))}; it is read as if there were.");
+            _repairs.Add(_line, $"There is no {{ after {(_inEndSite ? "End Site" : Describe(_open!))}; it is read as if there were.");
     }
 
     private void Close()
@@ -157,13 +158,13 @@ internal ref struct BvhHierarchyReader
         else if (_open is not null)
             CloseJoint();
         else
-            Repair("A } that closes nothing is ignored.");
+            _repairs.Add(_line, "A } that closes nothing is ignored.");
     }
 
     private void CloseJoint()
     {
         if (!_open!.HasOffset)
-            Repair($"There is no OFFSET in {Describe(_open)}; it is taken as zero.");
+            _repairs.Add(_line, $"There is no OFFSET in {Describe(_open)}; it is taken as zero.");
 
         _inEndSite = false;
         _open = _open.Parent;
@@ -180,7 +181,7 @@ internal ref struct BvhHierarchyReader
         }
 
         if (_open!.HasOffset)
-            Repair($"A further OFFSET of {Describe(_open)} takes the place of the one before.");
+            _repairs.Add(_line, $"A further OFFSET of {Describe(_open)} takes the place of the one before.");
 
         _open.Offset = offset;
         _open.HasOffset = true;
@@ -191,13 +192,13 @@ internal ref struct BvhHierarchyReader
         ReadOnlySpan<byte> word = _text.PeekWord();
         if (!BvhNumber.TryParse(word, out float value))
         {
-            Repair($"The OFFSET in {Describe(_open!)} lacks a number; it is taken as zero.");
+            _repairs.Add(_line, $"The OFFSET in {Describe(_open!)} lacks a number; it is taken as zero.");
             return 0;
         }
 
         _text.ReadWord();
         if (!float.IsFinite(value))
-            Repair($"The OFFSET in {Describe(_open!)} holds {BvhText.Quote(word)}; it is kept as that.");
+            _repairs.Add(_line, $"The OFFSET in {Describe(_open!)} holds {BvhText.Quote(word)}; it is kept as that.");
 
         return value;
     }
@@ -231,8 +232,9 @@ internal ref struct BvhHierarchyReader
         if (hasCount && read == count)
             return;
 
-        string announced = hasCount ? BvhText.Quote(word) : "no number";
-        Repair($"CHANNELS of {Describe(_open)} announces {announced} and names {read}; the names are followed.");
+        _repairs.Add(
+            _line,
+            $"CHANNELS of {Describe(_open)} announces {(hasCount ? BvhText.Quote(word) : "no number")} and names {read}; the names are followed.");
     }
 
     private bool TryReadChannel(bool isKnownOnly, out BvhChannel channel)
@@ -242,7 +244,7 @@ internal ref struct BvhHierarchyReader
         if (channel == BvhChannel.Unknown && (isKnownOnly || IsStatement(word)))
             return false;
         if (channel == BvhChannel.Unknown)
-            Repair($"The channel {BvhText.Quote(word)} of {Describe(_open!)} is unknown; it keeps its place in the row.");
+            _repairs.Add(_line, $"The channel {BvhText.Quote(word)} of {Describe(_open!)} is unknown; it keeps its place in the row.");
 
         _text.ReadWord();
         return true;
@@ -275,10 +277,8 @@ internal ref struct BvhHierarchyReader
         if (word[0] != '{')
             _text.ReadToBrace();
 
-        Repair($"{BvhText.Quote(word)} has no place here; it is ignored, and so is the rest of its line.");
+        _repairs.Add(_line, $"{BvhText.Quote(word)} has no place here; it is ignored, and so is the rest of its line.");
     }
-
-    private readonly void Repair(string description) => _repairs.Add(_line, description);
 
     private readonly BvhFormatException Refuse(string message)
     {

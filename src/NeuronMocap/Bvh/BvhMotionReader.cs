@@ -52,7 +52,7 @@ internal ref struct BvhMotionReader
         _line = _text.Line;
         int start = _line;
         if (!_text.TryReadWord("MOTION"u8))
-            Repair("The word MOTION is missing; it is read as if it stood here.");
+            _repairs.Add(_line, "The word MOTION is missing; it is read as if it stood here.");
 
         BeginBlock();
         while (_text.Remaining > 0 && TryReadLine())
@@ -71,7 +71,7 @@ internal ref struct BvhMotionReader
         ReadOnlySpan<byte> line = _text.ReadLine();
         if (BvhText.StartsWith(line, "HIERARCHY"u8))
         {
-            Repair("A second HIERARCHY begins here; neither it nor anything after it is read.");
+            _repairs.Add(_line, "A second HIERARCHY begins here; neither it nor anything after it is read.");
             return false;
         }
 
@@ -90,7 +90,7 @@ internal ref struct BvhMotionReader
         {
             EndBlock();
             BeginBlock();
-            Repair("A further MOTION begins here; its rows follow those before it.");
+            _repairs.Add(_line, "A further MOTION begins here; its rows follow those before it.");
             return true;
         }
 
@@ -145,7 +145,7 @@ internal ref struct BvhMotionReader
         LeaveOutOpenLines();
         if (_framesLine != 0)
         {
-            Repair("A further number of frames is ignored.");
+            _repairs.Add(_line, "A further number of frames is ignored.");
             return;
         }
 
@@ -159,7 +159,7 @@ internal ref struct BvhMotionReader
         LeaveOutOpenLines();
         if (!BvhNumber.TryParse(word, out double time, out int lastDigit) || !BvhFrameRate.IsUsable(time))
         {
-            Repair($"{BvhText.Quote(word)} is not a frame time; it is ignored.");
+            _repairs.Add(_line, $"{BvhText.Quote(word)} is not a frame time; it is ignored.");
         }
         else if (FrameTime == 0)
         {
@@ -168,7 +168,7 @@ internal ref struct BvhMotionReader
         }
         else if (time != FrameTime)
         {
-            Repair($"A further frame time, {BvhText.Quote(word)}, is ignored.");
+            _repairs.Add(_line, $"A further frame time, {BvhText.Quote(word)}, is ignored.");
         }
     }
 
@@ -176,7 +176,7 @@ internal ref struct BvhMotionReader
     {
         if (_channelCount == 0)
         {
-            Repair("The joints have no channels; the line is left out.");
+            _repairs.Add(_line, "The joints have no channels; the line is left out.");
             return;
         }
 
@@ -189,7 +189,7 @@ internal ref struct BvhMotionReader
             {
                 _valueEnd = start;
                 LeaveOutOpenLines();
-                Repair($"{BvhText.Quote(word)} is not a number; the line is left out.");
+                _repairs.Add(_line, $"{BvhText.Quote(word)} is not a number; the line is left out.");
                 return;
             }
 
@@ -198,7 +198,7 @@ internal ref struct BvhMotionReader
         }
 
         if (!isFinite)
-            Repair("Some values are not finite; they are read as they stand.");
+            _repairs.Add(_line, "Some values are not finite; they are read as they stand.");
 
         EndLine(start);
     }
@@ -229,7 +229,7 @@ internal ref struct BvhMotionReader
         }
         else
         {
-            Repair($"A row has {count} values instead of {_channelCount}; the first {_channelCount} are read.");
+            _repairs.Add(_line, $"A row has {count} values instead of {_channelCount}; the first {_channelCount} are read.");
             _rowEnd += _channelCount;
             _valueEnd = _rowEnd;
         }
@@ -258,6 +258,4 @@ internal ref struct BvhMotionReader
         double wanted = Math.Max(_frames * _channelCount, Math.Max(256, 2.0 * _values.Length));
         Array.Resize(ref _values, (int)Math.Min(wanted, _mostValues));
     }
-
-    private readonly void Repair(string description) => _repairs.Add(_line, description);
 }

@@ -126,14 +126,19 @@ internal ref struct BvhText
     }
 
     /// <summary>The start of some text, for a message.</summary>
-    public static string Quote(ReadOnlySpan<byte> text)
+    public static string Quote(ReadOnlySpan<byte> text) =>
+        Quote(Encoding.UTF8.GetString(text[..Math.Min(text.Length, LongestQuote)]), isCut: text.Length > LongestQuote);
+
+    /// <summary>The start of some text, for a message.</summary>
+    public static string Quote(string text) => Quote(text.AsSpan(0, Math.Min(text.Length, LongestQuote)), isCut: text.Length > LongestQuote);
+
+    private static string Quote(ReadOnlySpan<char> start, bool isCut)
     {
-        string start = Encoding.UTF8.GetString(text[..Math.Min(text.Length, LongestQuote)]);
         var quote = new StringBuilder(LongestQuote + 5).Append('\'');
         foreach (char letter in start)
             quote.Append(char.IsControl(letter) ? '?' : letter);
 
-        return quote.Append(text.Length > LongestQuote ? "...'" : "'").ToString();
+        return quote.Append(isCut ? "...'" : "'").ToString();
     }
 
     private static byte ToLower(byte letter) => letter is >= (byte)'A' and <= (byte)'Z' ? (byte)(letter | 0x20) : letter;

@@ -72,9 +72,8 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
     {
         if (rest.Count > 0)
         {
-            byte[] target = RoomFor(_needed);
-            Buffer.BlockCopy(rest.Array!, rest.Offset, target, 0, rest.Count);
-            _tail = target;
+            Reserve(rest.Count);
+            Buffer.BlockCopy(rest.Array!, rest.Offset, _tail, 0, rest.Count);
         }
 
         _tailLength = rest.Count;
@@ -82,11 +81,15 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
 
     private void Append(ArraySegment<byte> bytes)
     {
+        Reserve(_tailLength + bytes.Count);
         Buffer.BlockCopy(bytes.Array!, bytes.Offset, _tail, _tailLength, bytes.Count);
         _tailLength += bytes.Count;
     }
 
-    // The scanner has checked the length against the caps before it asked for it.
-    private byte[] RoomFor(int length) =>
-        _tail.Length >= length ? _tail : new byte[Math.Max(length, InitialCapacity)];
+    // For what has arrived, not for what a header announces: else 64 bytes of anybody's would take 100 KB here.
+    private void Reserve(int length)
+    {
+        if (_tail.Length < length)
+            Array.Resize(ref _tail, Math.Max(Math.Max(length, InitialCapacity), 2 * _tail.Length));
+    }
 }

@@ -38,6 +38,15 @@ internal sealed class SampleProcess : IDisposable
             .Single(File.Exists);
     }
 
+    // A shell that runs the tests in the background switches SIGINT off. Bit 1 of the mask of ignored signals is SIGINT, number 2.
+    public static bool IgnoresInterrupt()
+    {
+        string? line = File.Exists("/proc/self/status")
+            ? File.ReadLines("/proc/self/status").FirstOrDefault(static entry => entry.StartsWith("SigIgn:", StringComparison.Ordinal))
+            : null;
+        return line is not null && (Convert.ToUInt64(line["SigIgn:".Length..].Trim(), 16) & 2) != 0;
+    }
+
     public async Task<int> WaitForExitAsync()
     {
         await _process.WaitForExitAsync(TestContext.Current.CancellationToken).WaitAsync(Limit, TestContext.Current.CancellationToken);

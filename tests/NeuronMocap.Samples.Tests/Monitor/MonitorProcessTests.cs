@@ -37,7 +37,7 @@ public sealed class MonitorProcessTests
     {
         if (OperatingSystem.IsWindows())
             Assert.Skip("There are no signals to send.");
-        if (signal is "INT" && IgnoresInterrupt())
+        if (signal is "INT" && SampleProcess.IgnoresInterrupt())
             Assert.Skip("The shell that runs the tests in the background has switched SIGINT off, and programs inherit that.");
 
         using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, 1), FrameServer.Motion(2, 2));
@@ -71,14 +71,5 @@ public sealed class MonitorProcessTests
 
         Assert.Equal(1, shell.ExitCode);
         Assert.Contains("standard output", Assert.Single(error.Split('\n', StringSplitOptions.RemoveEmptyEntries)), StringComparison.Ordinal);
-    }
-
-    // Bit 1 of the mask of ignored signals is SIGINT, number 2.
-    private static bool IgnoresInterrupt()
-    {
-        string? line = File.Exists("/proc/self/status")
-            ? File.ReadLines("/proc/self/status").FirstOrDefault(static entry => entry.StartsWith("SigIgn:", StringComparison.Ordinal))
-            : null;
-        return line is not null && (Convert.ToUInt64(line["SigIgn:".Length..].Trim(), 16) & 2) != 0;
     }
 }

@@ -67,6 +67,28 @@ public class BvhRobustnessTests
         Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 1, 16_384);
     }
 
+    // Found by fuzzing: each fault cost the text that describes it, also where no more of them are listed, with the joint's whole name in it.
+    [Theory]
+    [InlineData("", "{")]
+    [InlineData("ROOT short {", "OFFSET ")]
+    [InlineData("ROOT {0} {", "OFFSET ")]
+    public void A_file_of_nothing_but_faults_is_described_briefly(string start, string fault)
+    {
+        string name = string.Concat(Enumerable.Repeat("a_joint_with_a_long_name", 400));
+        string faults = string.Concat(Enumerable.Repeat(fault, 5_000));
+        byte[] text = Encoding.UTF8.GetBytes("HIERARCHY " + start.Replace("{0}", name, StringComparison.Ordinal) + faults + "\nROOT b {}");
+        BvhDocument.Parse(text);
+
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        BvhDocument document = BvhDocument.Parse(text);
+        long allocated = GC.GetAllocatedBytesForCurrentThread() - before;
+
+        Assert.InRange(document.RepairCount, 5_000, 20_100);
+        Assert.Equal(BvhDocument.MaxListedRepairs, document.Repairs.Count);
+        Assert.All(document.Repairs, repair => Assert.InRange(repair.Description.Length, 1, 200));
+        Assert.InRange(allocated, 1, 200_000);
+    }
+
     [Fact]
     public void An_honest_file_is_read_into_little_more_than_its_values()
     {

@@ -2,21 +2,32 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Infrastructure;
 
+/// <summary>What <see cref="ReferenceScanner"/> found.</summary>
+/// <param name="Packets">The packets, in order.</param>
+/// <param name="Trace">The same lines as those of a <see cref="StreamTrace"/>.</param>
+/// <param name="Skipped">Bytes of no packet.</param>
+/// <param name="Pending">Bytes at the end that may still become a packet.</param>
+internal sealed record ReferenceReading(List<FoundPacket> Packets, List<string> Trace, long Skipped, int Pending);
+
 /// <summary>
 /// The rules of the stream, told slowly and over the whole of the bytes at once: what <see cref="PacketScanner"/> is compared with.
 /// </summary>
 internal static class ReferenceScanner
 {
-    public static (List<FoundPacket> Packets, long Skipped, int Pending) Read(byte[] bytes, int maxValues = 10_224)
+    public static ReferenceReading Read(byte[] bytes, int maxValues = 10_224)
     {
         List<FoundPacket> packets = [];
+        List<string> trace = [];
         long skipped = 0;
         int at = 0;
         while (at < bytes.Length)
         {
-            long? size = PacketSizeAt(bytes, at, maxValues);
+            (long? size, SkipReason reason) = PacketSizeAt(bytes, at, maxValues);
             if (size is null)
             {
+                if (reason != SkipReason.NoTokens)
+                    trace.Add($"{reason} at {at}");
+
                 at++;
                 skipped++;
             }
@@ -27,44 +38,44 @@ internal static class ReferenceScanner
             else
             {
                 packets.Add(new FoundPacket(KindOf(bytes[at + 1]), bytes[at..(at + (int)size)]));
+                trace.Add($"{KindOf(bytes[at + 1])} at {at}, {size} bytes");
                 at += (int)size;
             }
         }
 
-        return (packets, skipped, bytes.Length - at);
+        trace.Add($"the rest at {at}");
+        return new ReferenceReading(packets, trace, skipped, bytes.Length - at);
     }
 
-    // The size of the packet that starts or may start here; null where none can.
-    private static long? PacketSizeAt(byte[] bytes, int at, int maxValues)
+    /// <summary>Whether the bytes begin with a whole header that is not refused.</summary>
+    public static bool StartsWithHeader(byte[] bytes, int maxValues) =>
+        bytes.Length >= 64 && PacketSizeAt(bytes, 0, maxValues).Size is not null;
+
+    // The size of the packet that starts or may start here; null where none can, with the reason.
+    private static (long? Size, SkipReason Reason) PacketSizeAt(byte[] bytes, int at, int maxValues)
     {
         int left = bytes.Length - at;
         if (bytes[at] != 0xFF)
-            return null;
+            return (null, SkipReason.NoTokens);
         if (left >= 2 && KindOf(bytes[at + 1]) == PacketKind.None)
-            return null;
+            return (null, SkipReason.NoTokens);
         if (left < 64)
-            return 64;
+            return (64, default);
 
         byte closing = bytes[at + 1] switch { 0xDD => 0xEE, 0x88 => 0x99, _ => 0xBB };
         if (bytes[at + 62] != 0xFF || bytes[at + 63] != closing)
-            return null;
+            return (null, SkipReason.NoTokens);
+
+        bool isMotion = bytes[at + 1] == 0xDD;
+        if (isMotion && (bytes[at + 5] != 1 || bytes[at + 4] > 1))
+            return (null, SkipReason.UnknownVersion);
 
         long count16 = bytes[at + 6] + (256L * bytes[at + 7]);
         long count32 = count16 + (65536L * bytes[at + 8]) + (16777216L * bytes[at + 9]);
-        switch (bytes[at + 1])
-        {
-            case 0x88:
-                return Floats(count32, maxValues);
-            case 0xAA:
-                return CommandSize(bytes.AsSpan(at, 64));
-            default:
-                return (bytes[at + 5], bytes[at + 4]) switch
-                {
-                    (1, 0) => Floats(count32, maxValues),
-                    (1, 1) => Floats(count16, maxValues),
-                    _ => null,
-                };
-        }
+        long? size = bytes[at + 1] == 0xAA ? CommandSize(bytes.AsSpan(at, 64))
+            : isMotion && bytes[at + 4] == 1 ? Floats(count16, maxValues)
+            : Floats(count32, maxValues);
+        return (size, SkipReason.TooLarge);
     }
 
     private static long? Floats(long count, int maxValues) => count <= maxValues ? 64 + (4 * count) : null;

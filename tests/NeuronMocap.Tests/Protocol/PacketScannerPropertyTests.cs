@@ -2,65 +2,47 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Protocol;
 
-/// <summary>Random streams against <see cref="ReferenceScanner"/>; a failure names the seed that repeats it.</summary>
+/// <summary>Generated streams through <see cref="PacketAssembler"/> and through <see cref="ReferenceScanner"/>.</summary>
 public sealed class PacketScannerPropertyTests
 {
-    private const int MaxValues = 50;
-
     private static readonly byte[] TokenBytes = [0xFF, 0xFF, 0xFF, 0xDD, 0xEE, 0x88, 0x99, 0xAA, 0xBB, 0x00, 0x01, 0x02];
 
+    private readonly PacketScanner _scanner = new(WireStream.MaxValues);
+
     [Fact]
-    public void Any_splitting_of_any_stream_gives_what_the_slow_reader_gives()
+    public void Any_stream_in_any_pieces_gives_what_the_slow_reader_gives()
     {
-        var scanner = new PacketScanner(MaxValues);
         int packets = 0;
-        for (int seed = 0; seed < 1500; seed++)
-        {
-            var random = new Random(seed);
-            byte[] stream = RandomStream(random);
-            (List<FoundPacket> expected, long skipped, int pending) = ReferenceScanner.Read(stream, MaxValues);
-            packets += expected.Count;
-
-            IEnumerable<IEnumerable<ArraySegment<byte>>> deliveries =
-            [
-                .. Splits.Of(stream, Splitting.Whole),
-                .. Splits.Of(stream, Splitting.ByteByByte),
-                Splits.Random(stream, random),
-                Splits.Random(stream, random),
-            ];
-            foreach (IEnumerable<ArraySegment<byte>> pieces in deliveries)
-            {
-                var scan = ScanAll.Of(pieces, scanner);
-                Assert.Equal(
-                    $"seed {seed}: {Describe(expected, skipped, pending)}",
-                    $"seed {seed}: {Describe(scan.Packets, scan.Skipped, scan.Pending)}");
-                Assert.All(scan.Packets.Zip(expected), pair => Assert.Equal(pair.Second.Bytes, pair.First.Bytes));
-            }
-        }
-
-        Assert.True(packets > 3000, $"Only {packets} packets: the streams are too poor to prove anything.");
-    }
-
-    [Fact]
-    public void The_number_of_headers_refused_does_not_depend_on_the_splitting()
-    {
-        var scanner = new PacketScanner(MaxValues);
         int refused = 0;
-        for (int seed = 0; seed < 1000; seed++)
+        int pending = 0;
+        Properties.Hold(WireStream.Any, stream => stream.Simpler(), count: 6_000, stream =>
         {
-            var random = new Random(seed);
-            byte[] stream = RandomStream(random);
-            var whole = ScanAll.Of(stream, scanner);
-            var pieces = ScanAll.Of(Splits.Random(stream, random), scanner);
-            refused += whole.UnknownVersions + whole.TooLarge;
+            byte[] bytes = stream.ToBytes();
+            ReferenceReading expected = ReferenceScanner.Read(bytes, WireStream.MaxValues);
+            packets += expected.Packets.Count;
+            refused += expected.Trace.Count - expected.Packets.Count - 1;
+            pending += expected.Pending > 0 ? 1 : 0;
 
-            Assert.True(
-                (whole.UnknownVersions, whole.TooLarge) == (pieces.UnknownVersions, pieces.TooLarge),
-                $"Seed {seed}: {whole.UnknownVersions} and {whole.TooLarge}, in pieces {pieces.UnknownVersions} and {pieces.TooLarge}.");
-        }
+            Assert.Equal(expected.Trace, StreamTrace.OfAssembler(bytes, [bytes], _scanner));
+            Assert.Equal(expected.Trace, StreamTrace.OfAssembler(bytes, stream.Cut(bytes), _scanner));
+            if (bytes.Length < 10_000)
+                Assert.Equal(expected.Trace, StreamTrace.OfAssembler(bytes, Splits.Of(bytes, Splitting.ByteByByte).Single(), _scanner));
+        });
 
-        Assert.True(refused > 400, $"Only {refused} refused headers: the streams are too poor to prove anything.");
+        Assert.True(
+            packets > 15_000 && refused > 5_000 && pending > 1_000,
+            $"{packets} packets, {refused} refused headers, {pending} open ends: the streams are too poor to prove anything.");
     }
+
+    // Nothing but whole packets: no skips to hide behind.
+    [Fact]
+    public void Every_whole_packet_that_arrives_is_delivered() =>
+        Properties.Hold(WireStream.OfWholePackets, stream => stream.Simpler(), count: 1_000, stream =>
+        {
+            var delivered = ScanAll.Of(stream.Cut(stream.ToBytes()), _scanner);
+            Assert.Equal(stream.Parts.Select(part => part.ToBytes()), delivered.Packets.Select(packet => packet.Bytes));
+            Assert.Equal(0, delivered.Pending);
+        });
 
     [Theory]
     [InlineData(1, false)]
@@ -82,58 +64,4 @@ public sealed class PacketScannerPropertyTests
 
         Assert.Equal(garbage.Length, scan.Packets.Sum(packet => (long)packet.Bytes.Length) + scan.Skipped + scan.Pending);
     }
-
-    private static byte[] RandomStream(Random random)
-    {
-        List<byte> stream = [];
-        for (int parts = random.Next(1, 12); parts > 0; parts--)
-            stream.AddRange(RandomPart(random));
-
-        return [.. stream];
-    }
-
-    private static byte[] RandomPart(Random random)
-    {
-        byte[] packet = RandomPacket(random);
-        switch (random.Next(10))
-        {
-            case 0:
-                return [.. Enumerable.Range(0, random.Next(1, 200)).Select(_ => TokenBytes[random.Next(TokenBytes.Length)])];
-            case 1:
-                byte[] noise = new byte[random.Next(1, 200)];
-                random.NextBytes(noise);
-                return noise;
-            case 2: // cut off at the end
-                return packet[..random.Next(packet.Length)];
-            case 3: // cut off at the start
-                return packet[random.Next(packet.Length)..];
-            case 4: // one byte of the header changed
-                packet[random.Next(64)] = TokenBytes[random.Next(TokenBytes.Length)];
-                return packet;
-            case 5: // another version
-                packet[4 + random.Next(2)] = (byte)random.Next(3);
-                return packet;
-            case 6: // a huge count, where the layout counts in 32 bits
-                packet[9] = 0xFF;
-                return packet;
-            default:
-                return packet;
-        }
-    }
-
-    private static byte[] RandomPacket(Random random)
-    {
-        float[] values = [.. Enumerable.Range(0, random.Next(MaxValues + 4)).Select(_ => random.NextSingle())];
-        return random.Next(6) switch
-        {
-            0 or 1 => GoldenPackets.NewMotion(values),
-            2 => GoldenPackets.OldMotion(values),
-            3 => GoldenPackets.CalculationData(values),
-            4 => GoldenPackets.OldCommand(command: 4, (uint)values.Length, values.Length),
-            _ => GoldenPackets.OldCommand(command: 0, (uint)values.Length % 3, 64 * (values.Length % 3)),
-        };
-    }
-
-    private static string Describe(List<FoundPacket> packets, long skipped, int pending) =>
-        $"[{string.Join(' ', packets.Select(packet => $"{packet.Kind}:{packet.Bytes.Length}"))}] skipped {skipped} pending {pending}";
 }

@@ -87,6 +87,23 @@ public sealed class PacketAssemblerTests
         Assert.Equal(0, assembler.PendingBytes);
     }
 
+    // Found by fuzzing: anybody's 64 bytes took 100 KB here, for as many senders as are kept.
+    [Fact]
+    public void Memory_follows_what_has_arrived_and_not_what_a_header_announces()
+    {
+        byte[] header = new byte[64];
+        new CommandHeader { CommandId = 4, DataCount = ProtocolConstants.MaxCommandPayload }.Write(header);
+        byte[] payload = new byte[ProtocolConstants.MaxCommandPayload];
+        var assembler = new PacketAssembler(new PacketScanner(), new PacketLog());
+        new PacketAssembler(new PacketScanner(), new PacketLog()).Push(header, 0);
+
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        assembler.Push(header, 0);
+        assembler.Push(payload.AsMemory(0, 1000).ToArray(), 0);
+        Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 1, 16_384);
+        Assert.Equal(1064, assembler.PendingBytes);
+    }
+
     private static void AssertDelivered(IEnumerable<byte[]> pieces)
     {
         var log = new PacketLog();

@@ -1,0 +1,158 @@
+using System.CommandLine;
+using System.Runtime.InteropServices;
+using NeuronMocap.Fuzz.Inputs;
+using NeuronMocap.Fuzz.Running;
+
+namespace NeuronMocap.Fuzz;
+
+/// <summary>The command line. Ends with 0 when nothing was found, 1 when something was, 2 on bad usage, 128 and the signal when stopped.</summary>
+internal sealed class FuzzCommand : RootCommand
+{
+    private const int Clean = 0;
+    private const int Failed = 1;
+    private const int BadUsage = 2;
+    private const int Interrupted = 130;
+    private const int Terminated = 143;
+
+    private readonly Option<long> _bytes = new("--bytes")
+    {
+        HelpName = "N",
+        Description = "Bytes of all inputs together.",
+        DefaultValueFactory = _ => 50_000_000,
+    };
+
+    private readonly Option<ulong> _seed = new("--seed") { HelpName = "S", Description = "Chooses the inputs.", DefaultValueFactory = _ => 1 };
+
+    private readonly Option<string[]> _target = new("--target")
+    {
+        HelpName = "NAME",
+        Description = "Only this target; may be repeated. Gets the same inputs as among others.",
+    };
+
+    private readonly Option<bool> _list = new("--list") { Description = "List the targets and end." };
+
+    private readonly Option<DirectoryInfo> _data = new("--data")
+    {
+        HelpName = "DIR",
+        Description = "Recorded streams (*.bin) and takes (*.bvh) to make inputs from. Default: shared/data beside the repository, where it is.",
+    };
+
+    private readonly Option<string> _output = new("--output")
+    {
+        HelpName = "DIR",
+        Description = "Where failing inputs are written.",
+        DefaultValueFactory = _ => "fuzz-failures",
+    };
+
+    private readonly Option<FileInfo> _replay = new("--replay") { HelpName = "FILE", Description = "Run this input only, through each target." };
+
+    private readonly IReadOnlyList<FuzzTarget> _targets;
+
+    public FuzzCommand(IReadOnlyList<FuzzTarget> targets)
+        : base("Feeds changed packets and files to the parsers: they may not throw, hang, allocate past their caps or read out of bounds.")
+    {
+        _targets = targets;
+        _bytes.Validators.Add(result =>
+        {
+            if (result.GetValue(_bytes) < 1)
+                result.AddError("--bytes: a number from 1 on.");
+        });
+        _target.AcceptOnlyFromAmong([.. targets.Select(target => target.Name)]);
+        _data.AcceptExistingOnly();
+        _replay.AcceptExistingOnly();
+        foreach (Option option in (Option[])[_bytes, _seed, _target, _list, _data, _output, _replay])
+            Options.Add(option);
+
+        SetAction(Run);
+    }
+
+    public int Invoke(string[] args)
+    {
+        ParseResult result = Parse(args);
+        if (result.Errors.Count == 0)
+            return result.Invoke(new InvocationConfiguration { ProcessTerminationTimeout = null });
+
+        foreach (string message in result.Errors.Select(error => error.Message))
+            Console.Error.WriteLine(message);
+
+        return BadUsage;
+    }
+
+    private int Run(ParseResult options)
+    {
+        string[] names = options.GetValue(_target) ?? [];
+        FuzzTarget[] targets = [.. _targets.Where(target => names.Length == 0 || names.Contains(target.Name))];
+        if (options.GetValue(_list))
+        {
+            foreach (FuzzTarget target in targets)
+                Console.WriteLine($"{target.Name,-12}{target.Corpus}");
+
+            return Clean;
+        }
+
+        return options.GetValue(_replay) is { } file
+            ? Replay(targets, File.ReadAllBytes(file.FullName))
+            : Fuzz(targets, options.GetValue(_bytes), options.GetValue(_seed), DataFolder(options), options.GetValue(_output)!);
+    }
+
+    private static int Fuzz(FuzzTarget[] targets, long bytes, ulong seed, string? data, string output)
+    {
+        using var stop = new CancellationTokenSource();
+        int signal = 0;
+        using PosixSignalRegistration interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, context => Stop(context, Interrupted));
+        using PosixSignalRegistration terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, context => Stop(context, Terminated));
+
+        var run = new FuzzRun(targets, bytes, seed, data, stop.Token);
+        Console.WriteLine(FuzzReport.DescribeCorpora(run, seed, data));
+        var report = new FuzzReport(run, bytes);
+        run.Run(report.Tick);
+        report.Summarize();
+        FuzzFinding[] findings = [.. run.Progress.Select(target => target.Finding).OfType<FuzzFinding>()];
+        foreach (FuzzFinding finding in findings)
+        {
+            string path = FindingFiles.Write(finding, seed, output);
+            Console.Error.WriteLine($"{finding.Target}: {finding.Failure.Kind}, {finding.Smallest.Length} bytes in {path}");
+            Console.Error.WriteLine(finding.Failure.Description);
+        }
+
+        return signal != 0 ? signal : findings.Length == 0 ? Clean : Failed;
+
+        void Stop(PosixSignalContext context, int code)
+        {
+            context.Cancel = true;
+            signal = code;
+            stop.Cancel();
+        }
+    }
+
+    private static int Replay(FuzzTarget[] targets, byte[] input)
+    {
+        if (input.Length > FuzzInput.MaxLength)
+        {
+            Console.Error.WriteLine($"--replay: an input has at most {FuzzInput.MaxLength} bytes.");
+            return BadUsage;
+        }
+
+        int failures = 0;
+        foreach (FuzzTarget target in targets)
+        {
+            FuzzFailure? failure = new InputRunner(target).Run(input, isThorough: true);
+            failures += failure is null ? 0 : 1;
+            Console.WriteLine($"{target.Name,-12}{(failure is null ? "nothing wrong" : $"{failure.Kind}: {failure.Description}")}");
+        }
+
+        return failures == 0 ? Clean : Failed;
+    }
+
+    private string? DataFolder(ParseResult options)
+    {
+        if (options.GetValue(_data) is { } given)
+            return given.FullName;
+
+        DirectoryInfo? folder = new(AppContext.BaseDirectory);
+        while (folder is not null && !Directory.Exists(Path.Combine(folder.FullName, "shared", "data")))
+            folder = folder.Parent;
+
+        return folder is null ? null : Path.Combine(folder.FullName, "shared", "data");
+    }
+}

@@ -1,0 +1,11 @@
+namespace NeuronMocap.Fuzz.Inputs;
+
+/// <summary>What the inputs of a target are made of.</summary>
+internal enum CorpusKind
+{
+    /// <summary>Packets of the stream.</summary>
+    Packets,
+
+    /// <summary>BVH text.</summary>
+    Bvh,
+}

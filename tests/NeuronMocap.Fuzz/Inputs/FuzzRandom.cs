@@ -1,0 +1,28 @@
+using System.Numerics;
+
+namespace NeuronMocap.Fuzz.Inputs;
+
+/// <summary>SplitMix64: the same numbers on every machine, from a seed that costs nothing to set for each input.</summary>
+internal struct FuzzRandom(ulong seed)
+{
+    private ulong _state = seed;
+
+    public ulong Next()
+    {
+        _state += 0x9E3779B97F4A7C15;
+        ulong mixed = (_state ^ (_state >> 30)) * 0xBF58476D1CE4E5B9;
+        mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EB;
+        return mixed ^ (mixed >> 31);
+    }
+
+    /// <summary>A number from 0 to below the limit, which is at least 1.</summary>
+    public int Below(int limit) => (int)(((Next() >> 32) * (ulong)limit) >> 32);
+
+    /// <summary>A number between two, both included.</summary>
+    public int Between(int least, int most) => least + Below(most - least + 1);
+
+    /// <summary>Mostly small numbers: each doubling up to the limit is as likely as the one before.</summary>
+    public int Small(int limit) => Below(Math.Min(limit, 1 << Between(1, BitOperations.Log2((uint)limit) + 1)));
+
+    public T Choose<T>(IReadOnlyList<T> list) => list[Below(list.Count)];
+}

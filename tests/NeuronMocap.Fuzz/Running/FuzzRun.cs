@@ -1,0 +1,75 @@
+using System.Diagnostics;
+using NeuronMocap.Fuzz.Inputs;
+
+namespace NeuronMocap.Fuzz.Running;
+
+/// <summary>Feeds inputs to targets, a slice to each in turn, until so many bytes are through. A target that fails gets no more.</summary>
+internal sealed class FuzzRun
+{
+    private const long Slice = 256 * 1024;
+
+    private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(50);
+
+    private readonly CancellationToken _cancellation;
+    private volatile TargetProgress? _running;
+
+    /// <summary>Makes a run.</summary>
+    /// <param name="targets">What is fuzzed.</param>
+    /// <param name="bytes">Bytes of all inputs together; an empty input counts for none.</param>
+    /// <param name="seed">The same seed and the same recordings give the same inputs.</param>
+    /// <param name="data">A folder of recordings; null without.</param>
+    /// <param name="cancellation">Ends the run after the input at hand.</param>
+    public FuzzRun(IReadOnlyList<FuzzTarget> targets, long bytes, ulong seed, string? data, CancellationToken cancellation = default)
+    {
+        _cancellation = cancellation;
+        Corpora = targets.Select(target => target.Corpus).Distinct().ToDictionary(kind => kind, kind => Corpus.Load(kind, data));
+        Progress = [.. targets.Select(target => new TargetProgress(target, Corpora[target.Corpus], seed, bytes / targets.Count))];
+    }
+
+    public IReadOnlyDictionary<CorpusKind, Corpus> Corpora { get; }
+
+    public IReadOnlyList<TargetProgress> Progress { get; }
+
+    /// <summary>Runs to the end, to the cancellation, or to the first input that does not come back.</summary>
+    /// <param name="report">Called now and then, on this thread.</param>
+    public void Run(Action report)
+    {
+        // A thread that hangs cannot be ended; as a background thread it does not keep the program from ending.
+        var worker = new Thread(RunTargets, maxStackSize: 1 << 20) { IsBackground = true, Name = "Fuzzing" };
+        worker.Start();
+        while (!worker.Join(Look))
+        {
+            report();
+            if (_running is { } running && running.Runner.Hanging is { } input)
+            {
+                var failure = new FuzzFailure("hang", $"An input of {input.Length} bytes takes longer than {running.Target.TimeLimit.TotalSeconds} s.");
+                running.Finding = new FuzzFinding(running.Target.Name, failure, running.Inputs, input, input);
+                return;
+            }
+        }
+    }
+
+    private void RunTargets()
+    {
+        while (Progress.Any(target => !target.IsDone))
+        {
+            foreach (TargetProgress target in Progress)
+            {
+                RunSlice(target);
+                if (_cancellation.IsCancellationRequested)
+                    return;
+            }
+        }
+    }
+
+    private void RunSlice(TargetProgress target)
+    {
+        _running = target;
+        long start = Stopwatch.GetTimestamp();
+        long end = target.Bytes + Slice;
+        while (!target.IsDone && target.Bytes < end && !_cancellation.IsCancellationRequested)
+            target.Step();
+
+        target.Time += Stopwatch.GetElapsedTime(start);
+    }
+}

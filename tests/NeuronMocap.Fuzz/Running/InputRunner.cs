@@ -1,0 +1,104 @@
+using System.Diagnostics;
+using NeuronMocap.Fuzz.Inputs;
+
+namespace NeuronMocap.Fuzz.Running;
+
+/// <summary>Runs inputs through one target and looks at what it did. Used by one thread; another may ask for how long an input runs.</summary>
+internal sealed class InputRunner(FuzzTarget target)
+{
+    // One input in so many is read twice, amid different bytes, and has to give the same.
+    private const int Sample = 8;
+
+    private readonly FuzzTest _test = target.CreateTest();
+    private readonly FuzzInput _input = new();
+    private byte[] _current = [];
+    private long _started;
+
+    /// <summary>Longest time that an input took.</summary>
+    public TimeSpan Slowest { get; private set; }
+
+    /// <summary>Things that were recognised in all inputs.</summary>
+    public long Found { get; private set; }
+
+    /// <summary>The input that exceeds the time limit right now; null when there is none. Any thread.</summary>
+    public byte[]? Hanging
+    {
+        get
+        {
+            long started = Volatile.Read(ref _started);
+            return started != 0 && Stopwatch.GetElapsedTime(started) > target.TimeLimit ? Volatile.Read(ref _current) : null;
+        }
+    }
+
+    /// <summary>Runs one input.</summary>
+    /// <param name="input">Any bytes.</param>
+    /// <param name="isThorough">Whether it is read amid different bytes in any case.</param>
+    /// <returns>What went wrong; null when nothing did.</returns>
+    public FuzzFailure? Run(ReadOnlySpan<byte> input, bool isThorough = false)
+    {
+        Remember(input);
+        long start = Stopwatch.GetTimestamp();
+        Volatile.Write(ref _started, start);
+        FuzzFailure? failure = Check(input, isThorough);
+        Volatile.Write(ref _started, 0);
+        TimeSpan time = Stopwatch.GetElapsedTime(start);
+        Slowest = time > Slowest ? time : Slowest;
+        return failure;
+    }
+
+    // The monitor shows the input of a thread that does not come back, so it has to be in nobody's way.
+    private void Remember(ReadOnlySpan<byte> input)
+    {
+        if (_current.Length != input.Length)
+            Volatile.Write(ref _current, new byte[input.Length]);
+
+        input.CopyTo(_current);
+    }
+
+    private FuzzFailure? Check(ReadOnlySpan<byte> input, bool isThorough)
+    {
+        FuzzFailure? failure = CheckOnce(input, Surroundings.Tokens, out long allocated);
+        Found += _input.Found;
+
+        // What is made once, such as a cache of types, is not the input's.
+        long allowed = target.AllocatedPerInput + (target.AllocatedPerByte * input.Length);
+        if (failure is null && allocated > allowed)
+            failure = CheckOnce(input, Surroundings.Tokens, out allocated);
+        if (failure is null && allocated > allowed)
+            return new FuzzFailure("allocation", $"{allocated} bytes are allocated for an input of {input.Length}; {allowed} are allowed.");
+        if (failure is not null || !(isThorough || Digest.Of(input) % Sample == 0))
+            return failure;
+
+        ulong digest = _input.Digest.Value;
+        failure = CheckOnce(input, Surroundings.Digits, out _);
+        return failure is null && _input.Digest.Value != digest
+            ? new FuzzFailure("surroundings", "The result depends on bytes outside of the input.")
+            : failure;
+    }
+
+    private FuzzFailure? CheckOnce(ReadOnlySpan<byte> input, Surroundings surroundings, out long allocated)
+    {
+        _input.Set(input, surroundings);
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        allocated = 0;
+        try
+        {
+            _test(_input);
+        }
+        catch (WrongResultException exception)
+        {
+            return new FuzzFailure("wrong result", exception.Message);
+        }
+        catch (Exception exception) when (exception.GetType() != target.Refusal)
+        {
+            return new FuzzFailure(exception.GetType().Name, exception.ToString());
+        }
+        catch (Exception)
+        {
+            // The documented refusal.
+        }
+
+        allocated = GC.GetAllocatedBytesForCurrentThread() - before;
+        return _input.IsTouched(input, surroundings) ? new FuzzFailure("written", "The input or bytes beside it were written to.") : null;
+    }
+}

@@ -1,0 +1,60 @@
+using NeuronMocap.Fuzz.Inputs;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Fuzz.Targets;
+
+/// <summary>
+/// What came out of a stream: packets, refused headers and their places. Equal for the same stream however it arrives. How skipped bytes are
+/// reported in portions is left out: that may depend on the pieces.
+/// </summary>
+internal sealed class StreamReading : IPacketReceiver
+{
+    private ArraySegment<byte> _stream;
+    private Digest _digest;
+
+    /// <summary>Bytes that were delivered or skipped.</summary>
+    public int Position { get; private set; }
+
+    public int Packets { get; private set; }
+
+    public ulong Digest => _digest.Value;
+
+    public void Begin(ArraySegment<byte> stream)
+    {
+        _stream = stream;
+        _digest = default;
+        Position = 0;
+        Packets = 0;
+    }
+
+    public void OnLinkOpened()
+    {
+    }
+
+    public void OnPacket(in ReceivedPacket packet)
+    {
+        int length = packet.Bytes.Count;
+        WrongResultException.ThrowUnless(length <= _stream.Count - Position, "A packet is longer than what has arrived.");
+        WrongResultException.ThrowUnless(
+            packet.Bytes.AsSpan().SequenceEqual(_stream.AsSpan(Position, length)), "A packet is not what the stream has at its place.");
+        _digest.Add((long)packet.Kind);
+        _digest.Add((long)Position);
+        _digest.Add((long)length);
+        Position += length;
+        Packets++;
+    }
+
+    public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
+    {
+        WrongResultException.ThrowUnless(
+            bytes.Length > 0 && bytes.Length <= _stream.Count - Position && bytes.SequenceEqual(_stream.AsSpan(Position, bytes.Length)),
+            "Skipped bytes are not what the stream has at their place.");
+        if (reason != SkipReason.NoTokens)
+        {
+            _digest.Add((long)reason);
+            _digest.Add((long)Position);
+        }
+
+        Position += bytes.Length;
+    }
+}

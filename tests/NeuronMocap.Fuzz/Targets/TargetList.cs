@@ -1,0 +1,18 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Fuzz.Inputs;
+
+namespace NeuronMocap.Fuzz.Targets;
+
+/// <summary>All parsers. A new one is a line here.</summary>
+internal static class TargetList
+{
+    public static IReadOnlyList<FuzzTarget> All { get; } =
+    [
+        new("scanner", CorpusKind.Packets, () => new ScannerTarget().Run),
+        new("assembler", CorpusKind.Packets, () => new AssemblerTarget().Run) { AllocatedPerInput = 32 * 1024, AllocatedPerByte = 16 },
+        new("udp", CorpusKind.Packets, () => new UdpTarget().Run) { AllocatedPerInput = UdpTarget.AllocatedForSenders, AllocatedPerByte = 16 },
+        new("headers", CorpusKind.Packets, () => HeadersTarget.Run),
+        new("frames", CorpusKind.Packets, () => new FramesTarget().Run) { AllocatedPerByte = 16 },
+        new("bvh", CorpusKind.Bvh, () => BvhTarget.Run) { Refusal = typeof(BvhFormatException), AllocatedPerInput = 96 * 1024, AllocatedPerByte = 64 },
+    ];
+}

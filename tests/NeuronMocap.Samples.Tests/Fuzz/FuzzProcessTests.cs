@@ -1,0 +1,77 @@
+using System.Diagnostics;
+using NeuronMocap.Fuzz;
+using NeuronMocap.Samples.Tests.Infrastructure;
+
+namespace NeuronMocap.Samples.Tests.Fuzz;
+
+public sealed class FuzzProcessTests
+{
+    private const string Program = "NeuronMocap.Fuzz";
+
+    [Fact]
+    public async Task A_run_without_findings_ends_with_0_and_a_line_for_each_target()
+    {
+        using var fuzz = new SampleProcess(Program, "--bytes", "600000", "--seed", "3");
+        string output = await fuzz.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.Equal(0, await fuzz.WaitForExitAsync());
+        Assert.StartsWith("seed 3; ", output, StringComparison.Ordinal);
+        foreach (string target in (string[])["scanner", "assembler", "udp", "headers", "frames", "bvh"])
+            Assert.Contains($"\n{target} ", output, StringComparison.Ordinal);
+
+        Assert.Contains("0 of 6 targets failed", output, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--target", "nothing")]
+    [InlineData("--bytes", "0")]
+    [InlineData("--seed", "x")]
+    [InlineData("--data", "/no/such/folder")]
+    public async Task Bad_usage_ends_with_2(params string[] args)
+    {
+        using var fuzz = new SampleProcess(Program, args);
+        Assert.Equal(2, await fuzz.WaitForExitAsync());
+        Assert.NotEmpty(await fuzz.ReadErrorAsync());
+    }
+
+    [Theory]
+    [InlineData("INT", 130)]
+    [InlineData("TERM", 143)]
+    public async Task A_signal_ends_a_long_run_with_its_number_and_the_summary(string signal, int code)
+    {
+        if (OperatingSystem.IsWindows())
+            Assert.Skip("There are no signals to send.");
+        if (signal is "INT" && SampleProcess.IgnoresInterrupt())
+            Assert.Skip("The shell that runs the tests in the background has switched SIGINT off, and programs inherit that.");
+
+        using var fuzz = new SampleProcess(Program, "--bytes", "1000000000000");
+        await fuzz.Output.ReadLineAsync(TestContext.Current.CancellationToken);
+        using Process kill = Process.Start("kill", [$"-{signal}", $"{fuzz.Id}"]);
+        string rest = await fuzz.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.Equal(code, await fuzz.WaitForExitAsync());
+        Assert.Contains("0 of 6 targets failed", rest, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_finding_ends_with_1_and_leaves_an_input_that_repeats_it()
+    {
+        string folder = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName());
+        try
+        {
+            FuzzTarget[] targets = [PlantedFaults.Get("exception")];
+            Assert.Equal(1, new FuzzCommand(targets).Invoke(["--bytes", "1000000", "--seed", "7", "--output", folder]));
+
+            string input = Assert.Single(Directory.GetFiles(folder, "exception-7-*.bin"));
+            Assert.Equal(PlantedFaults.Trigger, File.ReadAllBytes(input));
+            string text = File.ReadAllText(Path.ChangeExtension(input, ".txt"));
+            Assert.Contains("IndexOutOfRangeException", text, StringComparison.Ordinal);
+            Assert.Equal(1, new FuzzCommand(targets).Invoke(["--replay", input]));
+            Assert.Equal(0, new FuzzCommand([PlantedFaults.Get("none")]).Invoke(["--replay", input]));
+        }
+        finally
+        {
+            Directory.Delete(folder, recursive: true);
+        }
+    }
+}

@@ -1,0 +1,66 @@
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Tests.Infrastructure;
+
+/// <summary>
+/// What came out of a stream, line by line: each packet and each refused header with its place, and where the unfinished rest begins. The
+/// places say what was skipped. How skipped bytes are reported in portions is left out: that may depend on the pieces.
+/// </summary>
+internal sealed class StreamTrace(byte[] stream) : IPacketReceiver
+{
+    private int _position;
+
+    public List<string> Lines { get; } = [];
+
+    /// <summary>Pushes pieces through an assembler, each in memory that is not the next one's and is overwritten afterwards.</summary>
+    public static List<string> OfAssembler(byte[] stream, IEnumerable<ArraySegment<byte>> pieces, PacketScanner scanner)
+    {
+        const int margin = 5;
+        var trace = new StreamTrace(stream);
+        var assembler = new PacketAssembler(scanner, trace);
+        foreach (ArraySegment<byte> piece in pieces)
+        {
+            byte[] buffer = new byte[piece.Count + (2 * margin)];
+            buffer.AsSpan().Fill(0xFF);
+            piece.CopyTo(buffer, margin);
+            assembler.Push(new ArraySegment<byte>(buffer, margin, piece.Count), timestamp: 0);
+            buffer.AsSpan().Fill(0xDD);
+        }
+
+        Assert.Equal(stream.Length - trace._position, assembler.PendingBytes);
+        trace.End();
+        return trace.Lines;
+    }
+
+    public void OnLinkOpened()
+    {
+    }
+
+    public void OnPacket(in ReceivedPacket packet)
+    {
+        if (!packet.Bytes.AsSpan().SequenceEqual(stream.AsSpan(_position, packet.Bytes.Count)))
+            Assert.Fail($"The {packet.Kind} packet at {_position} is not what the stream has there.");
+
+        AddPacket(packet.Kind, packet.Bytes.Count);
+    }
+
+    public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
+    {
+        if (reason != SkipReason.NoTokens)
+            AddRefused(reason);
+
+        _position += bytes.Length;
+    }
+
+    public void AddPacket(PacketKind kind, int length)
+    {
+        Lines.Add($"{kind} at {_position}, {length} bytes");
+        _position += length;
+    }
+
+    public void AddRefused(SkipReason reason) => Lines.Add($"{reason} at {_position}");
+
+    public void Skip(int count) => _position += count;
+
+    public void End() => Lines.Add($"the rest at {_position}");
+}

@@ -1,0 +1,172 @@
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Tests.Infrastructure;
+
+/// <summary>The headers that exist, and those of commands by what gives their length.</summary>
+internal enum WireShape
+{
+    NewMotion,
+    OldMotion,
+    Calculation,
+    CommandWithoutPayload,
+    CommandWithBoneSizes,
+    CommandWithText,
+}
+
+/// <summary>What payloads and noise are made of.</summary>
+internal enum Filling
+{
+    Zeros,
+    Numbers,
+
+    /// <summary>First and second tokens of every kind, so that some stand 62 bytes apart.</summary>
+    Tokens,
+
+    /// <summary>Whole small packets, one after the other.</summary>
+    Packets,
+}
+
+/// <summary>A part of a generated stream. Printed, it says how to make the same bytes again.</summary>
+internal abstract record WirePart
+{
+    public abstract byte[] ToBytes();
+
+    /// <summary>Parts that are nearer to nothing, for shrinking.</summary>
+    public virtual IEnumerable<WirePart> Simpler() => [];
+
+    protected static byte[] Header(WireShape shape, uint count, uint avatar = 0, string version = "00 00 01 01") => shape switch
+    {
+        WireShape.NewMotion => new WireBytes().Hex("FF DD").Hex(version).U16((int)(count & 0xFFFF)).U8(1).U8(0)
+            .U32(avatar).Ascii("Char00", 32).U32(7).Zeros(12).Hex("FF EE").ToArray(),
+        WireShape.OldMotion => new WireBytes().Hex("FF DD 02 00 00 01").U32(count).U32(0).U32(1)
+            .U32(avatar).Ascii("Char00", 32).Zeros(8).Hex("FF EE").ToArray(),
+        WireShape.Calculation => new WireBytes().Hex("FF 88 03 00 00 01").U32(count)
+            .U32(avatar).Ascii("Char00", 32).U32(7).Zeros(12).Hex("FF 99").ToArray(),
+        _ => new WireBytes().Hex("FF AA 02 00 00 01").U32(64).U32(count).U32(CommandOf(shape)).Zeros(40).U32(0).Hex("FF BB").ToArray(),
+    };
+
+    protected static byte[] Fill(Filling filling, int length)
+    {
+        byte[] pattern = filling switch
+        {
+            Filling.Numbers => [.. Enumerable.Range(1, 251).Select(number => (byte)number)],
+            Filling.Tokens => Convert.FromHexString("FFDDFFEEFF88FF99FFAAFFBBFFFFDD00FF"),
+            Filling.Packets => [.. Header(WireShape.NewMotion, 1), 1, 2, 3, 4, .. Header(WireShape.Calculation, 0)],
+            _ => [0],
+        };
+        byte[] bytes = new byte[length];
+        for (int i = 0; i < length; i++)
+            bytes[i] = pattern[i % pattern.Length];
+
+        return bytes;
+    }
+
+    private static uint CommandOf(WireShape shape) => shape switch
+    {
+        WireShape.CommandWithBoneSizes => 0,
+        WireShape.CommandWithText => 4,
+        _ => 3,
+    };
+}
+
+/// <summary>A packet with as much payload as its header announces.</summary>
+internal sealed record Packet(WireShape Shape, int Count, Filling Filling, uint Avatar) : WirePart
+{
+    public override byte[] ToBytes() => [.. Header(Shape, (uint)Count, Avatar), .. Fill(Filling, PayloadSize)];
+
+    public override IEnumerable<WirePart> Simpler() =>
+    [
+        .. Properties.SimplerNumbers(Count).Select(count => this with { Count = count }),
+        .. Filling == Filling.Zeros ? (IEnumerable<WirePart>)[] : [this with { Filling = Filling.Zeros }],
+        .. Avatar == 0 ? (IEnumerable<WirePart>)[] : [this with { Avatar = 0 }],
+    ];
+
+    // Not a property: it would be printed with each case.
+    public bool IsAllowed() => Shape >= WireShape.CommandWithoutPayload || Count <= WireStream.MaxValues;
+
+    private int PayloadSize => Shape switch
+    {
+        WireShape.CommandWithoutPayload => 0,
+        WireShape.CommandWithBoneSizes => 64 * Count,
+        WireShape.CommandWithText => Count,
+        _ => 4 * Count,
+    };
+}
+
+/// <summary>A header that announces one thing, and payload that is another.</summary>
+internal sealed record Promise(WireShape Shape, uint Count, int Payload, Filling Filling) : WirePart
+{
+    public override byte[] ToBytes() => [.. Header(Shape, Count), .. Fill(Filling, Payload)];
+
+    public override IEnumerable<WirePart> Simpler() =>
+    [
+        .. Properties.SimplerNumbers(Payload).Select(payload => this with { Payload = payload }),
+        .. Filling == Filling.Zeros ? (IEnumerable<WirePart>)[] : [this with { Filling = Filling.Zeros }],
+    ];
+}
+
+/// <summary>A motion packet of any version.</summary>
+internal sealed record OfVersion(byte Major, byte Minor, byte Revision, byte Build, int Count) : WirePart
+{
+    public override byte[] ToBytes() =>
+        [.. Header(WireShape.NewMotion, (uint)Count, version: $"{Build:X2} {Revision:X2} {Minor:X2} {Major:X2}"), .. Fill(Filling.Numbers, 4 * Count)];
+
+    public override IEnumerable<WirePart> Simpler() => Properties.SimplerNumbers(Count).Select(count => this with { Count = count });
+}
+
+/// <summary>The first token of one kind and the second of the same or another, at any distance; 62 is that of a header.</summary>
+internal sealed record TokenPair(PacketKind First, PacketKind Second, int Distance, int Behind) : WirePart
+{
+    public override byte[] ToBytes()
+    {
+        byte[] second = [0xFF, Second switch { PacketKind.Motion => 0xEE, PacketKind.Calculation => 0x99, _ => 0xBB }];
+        byte[] first = [0xFF, First switch { PacketKind.Motion => 0xDD, PacketKind.Calculation => 0x88, _ => 0xAA }];
+        byte[] bytes = new byte[Distance + 2 + Behind];
+        second.CopyTo(bytes, Distance);
+        first.CopyTo(bytes, 0);
+        return bytes;
+    }
+
+    public override IEnumerable<WirePart> Simpler() => Properties.SimplerNumbers(Behind).Select(behind => this with { Behind = behind });
+}
+
+/// <summary>A stretch of another part: a packet whose start was missed, or whose end never came.</summary>
+internal sealed record Stretch(WirePart Of, int Skipped, int Length) : WirePart
+{
+    public override byte[] ToBytes()
+    {
+        byte[] bytes = Of.ToBytes();
+        int start = Math.Min(Skipped, bytes.Length);
+        return bytes[start..Math.Min(start + Length, bytes.Length)];
+    }
+
+    public override IEnumerable<WirePart> Simpler() =>
+    [
+        Of,
+        .. Properties.SimplerNumbers(Length).Select(length => this with { Length = length }),
+        .. Properties.SimplerNumbers(Skipped).Select(skipped => this with { Skipped = skipped }),
+    ];
+}
+
+/// <summary>A part of which one byte is another.</summary>
+internal sealed record Damaged(WirePart Of, int At, byte Byte) : WirePart
+{
+    public override byte[] ToBytes()
+    {
+        byte[] bytes = Of.ToBytes();
+        if (At < bytes.Length)
+            bytes[At] = Byte;
+
+        return bytes;
+    }
+
+    public override IEnumerable<WirePart> Simpler() => [Of, .. Of.Simpler().Select(simpler => this with { Of = simpler })];
+}
+
+/// <summary>Bytes that are no packet, or look like several.</summary>
+internal sealed record Noise(Filling Filling, int Length) : WirePart
+{
+    public override byte[] ToBytes() => Fill(Filling, Length);
+
+    public override IEnumerable<WirePart> Simpler() => Properties.SimplerNumbers(Length).Select(length => this with { Length = length });
+}

@@ -1,0 +1,123 @@
+using FsCheck;
+using FsCheck.Fluent;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Tests.Infrastructure;
+
+/// <summary>A generated stream, and the sizes of the pieces in which it arrives: over and over until the end. A size may be zero.</summary>
+internal sealed record WireStream(WirePart[] Parts, int[] PieceSizes)
+{
+    /// <summary>What the scanner under test is told to be its limit, so that the edges are cheap.</summary>
+    public const int MaxValues = 50;
+
+    // Announced counts at every edge: none, around the limit, where times four wraps around 32 bits, where a signed reading is negative.
+    private static readonly uint[] CountEdges =
+    [
+        0, 1, MaxValues - 1, MaxValues, MaxValues + 1, 0xFFFF, 0x1_0000, 0x0400_0001, 0x3FFF_FFFF, 0x4000_0000, 0x4000_0001,
+        0x7FFF_FFFF, 0x8000_0000, 0xFFFF_FFFF,
+    ];
+
+    private static readonly uint[] CommandEdges = [1_562, 1_563, 99_999, 100_000, 100_001, 0x0400_0001, 0x8000_0000, 0xFFFF_FFFF];
+
+    private static readonly byte[] TokenBytes = [0xFF, 0xDD, 0xEE, 0x88, 0x99, 0xAA, 0xBB, 0x00, 0x01, 0x02];
+
+    private static readonly Gen<WireShape> AnyShape = Gen.Elements(Enum.GetValues<WireShape>());
+
+    private static readonly Gen<WireShape> DataShape = Gen.Elements(WireShape.NewMotion, WireShape.OldMotion, WireShape.Calculation);
+
+    private static readonly Gen<Filling> AnyFilling = Gen.Elements(Enum.GetValues<Filling>());
+
+    private static readonly Gen<PacketKind> AnyKind = Gen.Elements(PacketKind.Motion, PacketKind.Calculation, PacketKind.Command);
+
+    private static readonly Gen<int> AnyCount = Gen.Frequency(
+        (3, Gen.Choose(0, 6)),
+        (1, Gen.Choose(0, MaxValues)),
+        (2, Gen.Elements(0, 1, MaxValues - 1, MaxValues, MaxValues + 1)));
+
+    private static readonly Gen<int> AnyPieceSize = Gen.Frequency(
+        (1, Gen.Constant(0)),
+        (3, Gen.Choose(1, 3)),
+        (2, Gen.Choose(60, 66)),
+        (3, Gen.Choose(1, 80)),
+        (1, Gen.Choose(80, 2_000)));
+
+    /// <summary>Packets of every kind, with as much payload as they announce.</summary>
+    public static Gen<WirePart> WholePackets { get; } =
+        from shape in AnyShape
+        from count in AnyCount
+        from filling in AnyFilling
+        from avatar in Gen.Choose(0, 3)
+        select (WirePart)new Packet(shape, count, filling, (uint)avatar);
+
+    /// <summary>Everything that can stand in a stream.</summary>
+    public static Gen<WirePart> AnyPart { get; } = Gen.Frequency(
+        (10, WholePackets),
+        (2, from shape in DataShape
+            from count in Gen.Elements(CountEdges)
+            from payload in Gen.Choose(0, 100)
+            from filling in AnyFilling
+            select (WirePart)new Promise(shape, count, payload, filling)),
+        (1, from shape in Gen.Elements(WireShape.CommandWithBoneSizes, WireShape.CommandWithText)
+            from count in Gen.Elements(CommandEdges)
+            from payload in Gen.Frequency((20, Gen.Choose(0, 100)), (1, Gen.Constant(100_000)))
+            select (WirePart)new Promise(shape, count, payload, Filling.Numbers)),
+        (2, from parts in Gen.Four(Gen.Elements<byte>(0, 1, 1, 2, 0xFF))
+            from count in Gen.Choose(0, 4)
+            select (WirePart)new OfVersion(parts.Item1, parts.Item2, parts.Item3, parts.Item4, count)),
+        (3, from first in AnyKind
+            from second in AnyKind
+            from distance in Gen.Frequency((1, Gen.Choose(0, 70)), (1, Gen.Choose(61, 63)))
+            from behind in Gen.Choose(0, 40)
+            select (WirePart)new TokenPair(first, second, distance, behind)),
+        (3, from whole in WholePackets
+            from skipped in Gen.Frequency((1, Gen.Constant(0)), (1, Gen.Choose(0, 80)))
+            from length in Gen.Choose(0, 200)
+            select (WirePart)new Stretch(whole, skipped, length)),
+        (2, from whole in WholePackets
+            from at in Gen.Choose(0, 67)
+            from value in Gen.Elements(TokenBytes)
+            select (WirePart)new Damaged(whole, at, value)),
+        (3, from filling in AnyFilling
+            from length in Gen.Choose(1, 150)
+            select (WirePart)new Noise(filling, length)));
+
+    /// <summary>Streams of up to a dozen parts.</summary>
+    public static Gen<WireStream> Any { get; } =
+        from count in Gen.Choose(0, 12)
+        from parts in AnyPart.ArrayOf(count)
+        from pieces in Gen.Choose(1, 6)
+        from sizes in AnyPieceSize.ArrayOf(pieces)
+        select new WireStream(parts, sizes);
+
+    /// <summary>Streams of nothing but whole packets within the limit.</summary>
+    public static Gen<WireStream> OfWholePackets { get; } =
+        from parts in WholePackets.Where(part => part is Packet packet && packet.IsAllowed()).ArrayOf()
+        from pieces in Gen.Choose(1, 6)
+        from sizes in AnyPieceSize.ArrayOf(pieces)
+        select new WireStream(parts, sizes);
+
+    public byte[] ToBytes() => [.. Parts.SelectMany(part => part.ToBytes())];
+
+    public IEnumerable<WireStream> Simpler() =>
+    [
+        .. Properties.SimplerLists(Parts, part => part.Simpler()).Select(parts => this with { Parts = parts }),
+        .. Properties.SimplerLists(PieceSizes, Properties.SimplerNumbers).Select(sizes => this with { PieceSizes = sizes }),
+    ];
+
+    /// <summary>Cuts bytes into this stream's pieces.</summary>
+    public IEnumerable<ArraySegment<byte>> Cut(byte[] bytes)
+    {
+        int start = 0;
+        for (int i = 0; PieceSizes.Sum() > 0 && start < bytes.Length; i++)
+        {
+            int size = Math.Min(PieceSizes[i % PieceSizes.Length], bytes.Length - start);
+            yield return new ArraySegment<byte>(bytes, start, size);
+            start += size;
+        }
+
+        yield return new ArraySegment<byte>(bytes, start, bytes.Length - start);
+    }
+
+    public override string ToString() =>
+        $"{string.Join(Environment.NewLine, Parts.Select(part => part.ToString()))}{Environment.NewLine}in pieces of {string.Join(", ", PieceSizes)}";
+}

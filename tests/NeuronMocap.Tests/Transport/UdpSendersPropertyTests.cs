@@ -1,0 +1,95 @@
+using System.Net;
+using FsCheck;
+using FsCheck.Fluent;
+using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Transport;
+
+/// <summary>Generated datagrams through <see cref="UdpSenders"/> and through <see cref="ReferenceSenders"/>.</summary>
+public sealed class UdpSendersPropertyTests
+{
+    private readonly PacketScanner _scanner = new(WireStream.MaxValues);
+
+    // Payload that no part of looks like a header.
+    private static readonly Gen<WirePart> Frame =
+        from shape in Gen.Elements(WireShape.NewMotion, WireShape.OldMotion, WireShape.Calculation)
+        from count in Gen.Choose(1, WireStream.MaxValues)
+        from avatar in Gen.Choose(0, 200)
+        select (WirePart)new Packet(shape, count, Filling.Numbers, (uint)avatar);
+
+    [Fact]
+    public void Datagrams_of_a_few_senders_give_what_the_slow_joiner_gives() => HoldsForSenders(3, mostFrames: 24, count: 2_000);
+
+    [Fact]
+    public void Datagrams_of_more_senders_than_are_kept_give_what_the_slow_joiner_gives() => HoldsForSenders(90, mostFrames: 400, count: 50);
+
+    [Fact]
+    public void A_frame_whose_halves_arrive_one_after_the_other_from_its_sender_is_delivered()
+    {
+        int joined = 0;
+        Properties.Hold(Sending(4, 24, Frame), Simpler, count: 1_000, frames =>
+        {
+            List<Datagram> arrivals = SentFrame.Arrivals(frames);
+            List<byte[]> delivered = [.. Receive(arrivals).Packets.Select(packet => packet.Bytes)];
+            foreach (SentFrame frame in frames.DistinctBy(frame => (frame.Sender, frame.Part)))
+            {
+                byte[] bytes = frame.Part.ToBytes();
+                int whole = CountHalves([.. arrivals.Where(datagram => datagram.Sender == frame.Sender)], bytes);
+                joined += whole;
+                Assert.True(delivered.Count(packet => packet.AsSpan().SequenceEqual(bytes)) >= whole, $"{frame} is missing.");
+            }
+        });
+        Assert.True(joined > 1_000, $"Only {joined} frames came in halves: the cases are too poor to prove anything.");
+    }
+
+    private void HoldsForSenders(int senders, int mostFrames, int count)
+    {
+        Gen<WirePart> parts = Gen.Frequency((4, Frame), (1, WireStream.AnyPart));
+        Properties.Hold(Sending(senders, mostFrames, parts), Simpler, count, frames =>
+        {
+            List<Datagram> arrivals = SentFrame.Arrivals(frames);
+            var expected = new ReferenceSenders(WireStream.MaxValues);
+            foreach (Datagram datagram in arrivals)
+                expected.Receive(datagram);
+
+            PacketLog received = Receive(arrivals);
+            Assert.Equal(expected.Packets, received.Packets.Select(packet => (packet.Source, packet.Bytes)));
+            Assert.Equal(expected.Skipped, received.Skipped);
+        });
+    }
+
+    private PacketLog Receive(List<Datagram> arrivals)
+    {
+        var log = new PacketLog();
+        var senders = new UdpSenders(_scanner, log);
+        foreach (Datagram datagram in arrivals)
+            senders.Push(new IPEndPoint(IPAddress.Loopback, datagram.Sender).Serialize(), datagram.Bytes, timestamp: 0);
+
+        return log;
+    }
+
+    private static Gen<SentFrame[]> Sending(int senders, int mostFrames, Gen<WirePart> parts) =>
+        from count in Gen.Choose(1, mostFrames)
+        from frames in SentFrame.From(senders, parts).ArrayOf(count)
+        select frames;
+
+    private static IEnumerable<SentFrame[]> Simpler(SentFrame[] frames) => Properties.SimplerLists(frames, frame => frame.Simpler());
+
+    // How often two datagrams in a row of one sender are the halves of these bytes, the first one with a whole header: a shorter one
+    // cannot be told from the rest of whatever was unfinished before it.
+    private static int CountHalves(List<Datagram> ofSender, byte[] bytes)
+    {
+        int count = 0;
+        for (int i = 0; i + 1 < ofSender.Count; i++)
+        {
+            byte[] first = ofSender[i].Bytes;
+            bool areHalves = first.Length >= 64 && first.Length < bytes.Length && bytes.AsSpan(0, first.Length).SequenceEqual(first)
+                && bytes.AsSpan(first.Length).SequenceEqual(ofSender[i + 1].Bytes);
+            count += areHalves ? 1 : 0;
+        }
+
+        return count;
+    }
+}
