@@ -75,7 +75,7 @@ internal static class Decode
 
     private static Action Queue(ReceivePipeline pipeline, int[] handled)
     {
-        FrameQueue queue = pipeline.OpenQueue(8);
+        FrameQueue queue = pipeline.OpenQueue(8, "queue");
         Action<Frames.MotionFrame> handle = frame => handled[0] += Math.Sign(frame.Values.Length);
         return () => queue.Pump(handle);
     }

@@ -1,4 +1,5 @@
 using NeuronMocap.Skeleton;
+using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Benchmarks.Macro;
@@ -10,7 +11,8 @@ internal static class Pipelines
     {
         var status = new StatusBoard(static _ => { });
         status.Set(new ConnectionStatus(ConnectionState.Connected, ConnectionReason.None, string.Empty));
-        var pipeline = new ReceivePipeline(SkeletonFormat.Default, new LinkActivity(status, TimeSpan.FromSeconds(3), isUdp: false), static exception => throw exception);
+        var activity = new LinkActivity(status, TimeSpan.FromSeconds(3), isUdp: false);
+        var pipeline = new ReceivePipeline(SkeletonFormat.Default, activity, status, new ReaderMetrics("benchmark"), static exception => throw exception);
         pipeline.OnLinkOpened();
         return pipeline;
     }

@@ -44,7 +44,7 @@ internal static class Scaling
     private static Figures Measure(int avatars, int consumers, bool newest)
     {
         ReceivePipeline pipeline = Pipelines.Create();
-        FrameQueue[] queues = [.. Enumerable.Range(0, newest ? 0 : consumers).Select(_ => pipeline.OpenQueue(2 * PerPiece))];
+        FrameQueue[] queues = [.. Enumerable.Range(0, newest ? 0 : consumers).Select(_ => pipeline.OpenQueue(2 * PerPiece, "queue"))];
         LatestFrames[] latest = [.. Enumerable.Range(0, newest ? consumers : 0).Select(_ => pipeline.OpenLatest())];
         var assembler = new PacketAssembler(new PacketScanner(), pipeline);
         byte[] piece = new byte[PerPiece * TestFrame.Size];

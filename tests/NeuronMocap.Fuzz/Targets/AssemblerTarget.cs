@@ -62,7 +62,7 @@ internal sealed class AssemblerTarget
         {
             ArraySegment<byte> found = rest.Slice(0, result.Length);
             if (result.Status == ScanStatus.Packet)
-                _whole.OnPacket(new ReceivedPacket(result.Kind, found, Timestamp: 0, Source: 0));
+                _whole.OnPacket(new ReceivedPacket(result.Kind, found, timestamp: 0, source: 0));
             else
                 _whole.OnSkipped(found, result.Reason);
 

@@ -27,7 +27,7 @@ internal sealed class FramesTarget
         while (_scanner.Scan(rest) is { Status: not ScanStatus.NeedMore } result)
         {
             if (result.Status == ScanStatus.Packet)
-                Read(new ReceivedPacket(result.Kind, rest.Slice(0, result.Length), Timestamp: 1, Source: 2), input);
+                Read(new ReceivedPacket(result.Kind, rest.Slice(0, result.Length), timestamp: 1, source: 2), input);
 
             rest = rest.Slice(result.Length);
         }
@@ -58,10 +58,10 @@ internal sealed class FramesTarget
     private static void ReadShared(AvatarFrame frame, in ReceivedPacket packet, FuzzInput input)
     {
         WrongResultException.ThrowUnless(
-            MemoryMarshal.AsBytes(frame.Values).SequenceEqual(packet.Bytes.AsSpan(ProtocolConstants.HeaderSize)),
+            MemoryMarshal.AsBytes(frame.Values).SequenceEqual(packet.Bytes[ProtocolConstants.HeaderSize..]),
             "The {0} values are not those of the packet of {1} bytes.",
             frame.Values.Length,
-            packet.Bytes.Count);
+            packet.Length);
         WrongResultException.ThrowUnless((frame.Timestamp, frame.Source) == (1, 2) && frame.Age > TimeSpan.Zero, "Time or source is another's.");
         input.Digest.Add(frame.Values);
         input.Digest.Add((long)frame.AvatarIndex);

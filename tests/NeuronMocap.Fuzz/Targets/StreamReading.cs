@@ -33,10 +33,10 @@ internal sealed class StreamReading : IPacketReceiver
 
     public void OnPacket(in ReceivedPacket packet)
     {
-        int length = packet.Bytes.Count;
+        int length = packet.Length;
         WrongResultException.ThrowUnless(length <= _stream.Count - Position, "A packet is longer than what has arrived.");
         WrongResultException.ThrowUnless(
-            packet.Bytes.AsSpan().SequenceEqual(_stream.AsSpan(Position, length)), "A packet is not what the stream has at its place.");
+            packet.Bytes.SequenceEqual(_stream.AsSpan(Position, length)), "A packet is not what the stream has at its place.");
         _digest.Add((long)packet.Kind);
         _digest.Add((long)Position);
         _digest.Add((long)length);

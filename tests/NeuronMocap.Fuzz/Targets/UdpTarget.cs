@@ -62,7 +62,7 @@ internal sealed class UdpTarget
         {
             _digest.Add((long)packet.Source);
             _digest.Add(packet.Bytes);
-            Bytes += packet.Bytes.Count;
+            Bytes += packet.Length;
             Packets++;
         }
 

@@ -38,10 +38,10 @@ internal sealed class StreamTrace(byte[] stream) : IPacketReceiver
 
     public void OnPacket(in ReceivedPacket packet)
     {
-        if (!packet.Bytes.AsSpan().SequenceEqual(stream.AsSpan(_position, packet.Bytes.Count)))
+        if (!packet.Bytes.SequenceEqual(stream.AsSpan(_position, packet.Length)))
             Assert.Fail($"The {packet.Kind} packet at {_position} is not what the stream has there.");
 
-        AddPacket(packet.Kind, packet.Bytes.Count);
+        AddPacket(packet.Kind, packet.Length);
     }
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
