@@ -15,7 +15,7 @@ internal sealed class CommandLine
     public const int BadUsage = 2;
 
     private const string Usage =
-        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT | --demo] [--order YXZ] [--once] [--frames N] [--duration SECONDS] "
+        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo] [--order YXZ] [--once] [--frames N] [--duration SECONDS] "
         + "[--json | --quiet]";
 
     private const double LongestDuration = 1_000_000;
@@ -36,6 +36,13 @@ internal sealed class CommandLine
         Description = "Receive over UDP on this port of this computer, 1 to 65535.",
         CustomParser = result => Parse<int?>(
             result, text => ServerAddress.TryParsePort(text, out int port) ? port : null, $"a number from 1 to {IPEndPoint.MaxPort}"),
+    };
+
+    private readonly Option<IPAddress[]> _allowSender = new("--allow-sender")
+    {
+        HelpName = "ADDRESS",
+        Description = "With --udp: let only this address send, and drop the datagrams of all others; may be repeated. Default: everyone may.",
+        CustomParser = ParseAddresses,
     };
 
     private readonly Option<bool> _demo = new("--demo")
@@ -100,9 +107,10 @@ internal sealed class CommandLine
 
     private CommandLine()
     {
-        foreach (Option option in (Option[])[_connect, _udp, _demo, _order, _once, _frames, _duration, _json, _quiet])
+        foreach (Option option in (Option[])[_connect, _udp, _allowSender, _demo, _order, _once, _frames, _duration, _json, _quiet])
         {
-            option.Arity = option.ValueType == typeof(bool) ? ArgumentArity.Zero : ArgumentArity.ExactlyOne;
+            option.Arity = option == _allowSender ? ArgumentArity.OneOrMore
+                : option.ValueType == typeof(bool) ? ArgumentArity.Zero : ArgumentArity.ExactlyOne;
             _root.Options.Add(option);
         }
 
@@ -147,6 +155,20 @@ internal sealed class CommandLine
         return null;
     }
 
+    private static IPAddress[]? ParseAddresses(ArgumentResult result)
+    {
+        var addresses = new List<IPAddress>();
+        foreach (Token token in result.Tokens)
+        {
+            if (IPAddress.TryParse(token.Value, out IPAddress? address))
+                addresses.Add(address);
+            else
+                result.AddError($"--allow-sender: '{token.Value}' is not an IP address.");
+        }
+
+        return [.. addresses];
+    }
+
     private static T? Parse<T>(ArgumentResult result, Func<string, T?> parse, string expected)
     {
         string text = result.Tokens[0].Value;
@@ -162,6 +184,8 @@ internal sealed class CommandLine
         Option[] sources = [.. ((Option[])[_connect, _udp, _demo]).Where(option => result.GetResult(option) is { Implicit: false })];
         if (sources.Length > 1)
             result.AddError($"{sources[0].Name} and {sources[1].Name} exclude each other: there is one server.");
+        if (result.GetResult(_allowSender) is { Implicit: false } && result.GetResult(_udp) is null or { Implicit: true })
+            result.AddError("--allow-sender needs --udp: over TCP the data comes from the server that --connect names.");
         if (result.GetResult(_json) is { Implicit: false } && result.GetResult(_quiet) is { Implicit: false })
             result.AddError("--json and --quiet exclude each other.");
     }
@@ -170,6 +194,7 @@ internal sealed class CommandLine
     {
         Server = result.GetValue(_connect),
         UdpPort = result.GetValue(_udp),
+        AllowedSenders = result.GetValue(_allowSender) ?? [],
         RotationOrder = result.GetValue(_order) ?? RotationOrder.YXZ,
         Once = result.GetValue(_once),
         Frames = result.GetValue(_frames),

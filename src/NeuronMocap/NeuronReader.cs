@@ -34,6 +34,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     private readonly HandlerList<ConnectionStatus> _statusHandlers;
     private readonly StatusBoard _status;
     private readonly LinkActivity _activity;
+    private readonly SenderFilter _senders;
     private readonly Func<Link> _createLink;
     private Timer? _watchdog;
     private int _started;
@@ -67,7 +68,8 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
         _createLink = createLink ?? CreateLink;
         _statusHandlers = new HandlerList<ConnectionStatus>(OnCallbackFailed);
         _status = new StatusBoard(OnStatusChanged);
-        _activity = new LinkActivity(_status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp);
+        _senders = new SenderFilter(_options.AllowedSenders);
+        _activity = new LinkActivity(_status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp ? _senders : null);
         _pipeline = new ReceivePipeline(_options.Format, _activity, OnCallbackFailed);
     }
 
@@ -116,7 +118,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
 
     /// <summary>What was received so far. Also after the end.</summary>
     /// <returns>A snapshot.</returns>
-    public ReaderStatistics GetStatistics() => _pipeline.GetStatistics();
+    public ReaderStatistics GetStatistics() => _pipeline.GetStatistics() with { RefusedDatagrams = _senders.RefusedDatagrams };
 
     /// <summary>What was received so far of each avatar, in the order in which they appeared; at most 1024. Also after the end.</summary>
     /// <returns>A snapshot.</returns>
@@ -249,7 +251,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
         _completion.TrySetResult(true);
     }
 
-    private Link CreateLink() => _options.Transport == TransportKind.Tcp ? new TcpLink(_options.Link) : new UdpLink(_options.Link);
+    private Link CreateLink() => _options.Transport == TransportKind.Tcp ? new TcpLink(_options.Link) : new UdpLink(_options.Link, _senders);
 
     private async IAsyncEnumerable<TFrame> ReadAsync<TFrame>(PacketKind kind, [EnumeratorCancellation] CancellationToken cancellation)
         where TFrame : AvatarFrame

@@ -19,13 +19,16 @@ internal sealed class StreamCounters
     private long _skippedBytes;
     private long _oversizedPackets;
     private long _unknownVersions;
+    private long _connections;
     private long _firstFrame;
     private long _lastFrame;
 
     public AvatarTracker[] Trackers => _published;
 
+    // A new connection stands.
     public void Resume()
     {
+        Volatile.Write(ref _connections, _connections + 1);
         foreach (AvatarTracker tracker in _published)
             tracker.Resume();
     }
@@ -76,6 +79,7 @@ internal sealed class StreamCounters
         SkippedBytes = Volatile.Read(ref _skippedBytes),
         OversizedPackets = Volatile.Read(ref _oversizedPackets),
         UnknownVersionPackets = Volatile.Read(ref _unknownVersions),
+        Reconnects = Math.Max(0, Volatile.Read(ref _connections) - 1),
         FirstFrameTimestamp = Volatile.Read(ref _firstFrame),
         LastFrameTimestamp = Volatile.Read(ref _lastFrame),
         Lost = _published.Sum(static tracker => tracker.Snapshot.Lost),
