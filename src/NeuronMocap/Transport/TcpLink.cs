@@ -104,6 +104,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
     private async Task<LinkEnd> ConnectAsync(IPAddress address, CancellationToken stop)
     {
         Socket? socket = null;
+        var remote = new IPEndPoint(address, options.Port);
         using var timeout = CancellationTokenSource.CreateLinkedTokenSource(stop);
         timeout.CancelAfter(options.ConnectTimeout);
         try
@@ -118,12 +119,13 @@ internal sealed class TcpLink(LinkOptions options) : Link
                 if (options.LocalAddress is { } local)
                     socket.Bind(new IPEndPoint(local, 0));
 
-                await TcpConnector.ConnectAsync(socket, new IPEndPoint(address, options.Port)).ConfigureAwait(false);
+                await TcpConnector.ConnectAsync(socket, remote).ConfigureAwait(false);
             }
 
+            // Not asked of the socket: one that was reset meanwhile does not know any more, and the receive loop has to say that it was.
+            RemoteEndPoint = remote;
             LocalEndPoint = socket.LocalEndPoint;
-            RemoteEndPoint = socket.RemoteEndPoint;
-            if (!IsOwnEcho(socket))
+            if (!IsOwnEcho(socket, remote))
                 return LinkEnd.None;
 
             socket.Dispose();
@@ -140,7 +142,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
 
     // On this computer, the system may choose the very port that the connection goes to as the port that it comes from: where nobody listens,
     // the socket then connects to itself, hears nothing for ever, and keeps the port from the server.
-    internal static bool IsOwnEcho(Socket socket) => socket.LocalEndPoint!.Equals(socket.RemoteEndPoint);
+    internal static bool IsOwnEcho(Socket socket, EndPoint remote) => remote.Equals(socket.LocalEndPoint);
 
     // A server whose computer lost its power or its network says nothing more, and a client that only listens would wait for ever.
     // Probes after 10 s of silence, every 2 s; given up after 5 without an answer.

@@ -17,6 +17,16 @@ internal static class ProcessResources
     /// <summary>Threads whose name begins as those of the library do; pool threads come and go and are not counted.</summary>
     public static int LibraryThreads => OperatingSystem.IsLinux() ? CountNamedThreads() : 0;
 
+    /// <summary>Bytes of the objects that are still in use. GC.GetTotalMemory is off by what was freed in old generations, at times below zero.</summary>
+    public static long LiveHeap()
+    {
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        GC.Collect();
+        GCMemoryInfo info = GC.GetGCMemoryInfo(GCKind.FullBlocking);
+        return info.HeapSizeBytes - info.FragmentedBytes;
+    }
+
     /// <summary>Waits until there are no more sockets and threads than before: some go a moment after those who used them.</summary>
     public static Task AssertNoMoreAsync(int sockets, int threads)
     {

@@ -75,7 +75,7 @@ public sealed class AddressTests
             Assert.Skip("This system does not let a socket connect to itself.");
         }
 
-        Assert.True(TcpLink.IsOwnEcho(socket));
+        Assert.True(TcpLink.IsOwnEcho(socket, socket.RemoteEndPoint!));
     }
 
     [Fact]
@@ -84,7 +84,7 @@ public sealed class AddressTests
         using var server = new TestServer();
         using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
         socket.Connect(IPAddress.Loopback, server.Port);
-        Assert.False(TcpLink.IsOwnEcho(socket));
+        Assert.False(TcpLink.IsOwnEcho(socket, socket.RemoteEndPoint!));
     }
 
     private static async Task AssertReceivesAsync(NeuronReader reader, TestServer server)

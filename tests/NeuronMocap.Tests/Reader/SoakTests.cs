@@ -96,6 +96,6 @@ public sealed class SoakTests(ITestOutputHelper output)
     private async Task SampleAsync(long sent)
     {
         await Limits.UntilAsync(() => Volatile.Read(ref _received) == sent);
-        _samples.Add((GC.GetTotalMemory(forceFullCollection: true), Environment.WorkingSet));
+        _samples.Add((ProcessResources.LiveHeap(), Environment.WorkingSet));
     }
 }

@@ -1,3 +1,4 @@
+using System.Runtime.ExceptionServices;
 using NeuronMocap.Server;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
@@ -20,7 +21,7 @@ public sealed class BroadcasterHostilityTests
         await using Broadcaster broadcaster = Started(options);
         using TestClient idle = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         using TestClient witness = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
-        Task<List<byte[]>> reading = ReadUntilAsync(witness, () => broadcaster.Statistics.Clients == 1);
+        Task<List<byte[]>> reading = ReadUntilAsync(witness, () => broadcaster.Statistics is { Accepted: 2, Clients: 1 });
         List<byte[]> packets = await reading.Soon();
 
         using TestClient next = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
@@ -89,7 +90,7 @@ public sealed class BroadcasterHostilityTests
             StartWorker = worker =>
             {
                 if (refused++ == 0)
-                    throw new InsufficientMemoryException();
+                    ExceptionDispatchInfo.Throw(new InsufficientMemoryException());
 
                 worker.Start();
             },
@@ -113,7 +114,7 @@ public sealed class BroadcasterHostilityTests
             StartWorker = worker =>
             {
                 if (worker.Name == "NeuronMocap pacer")
-                    throw new InsufficientMemoryException();
+                    ExceptionDispatchInfo.Throw(new InsufficientMemoryException());
 
                 worker.Start();
             },

@@ -2,11 +2,13 @@ using System.Diagnostics;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Reader;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Transport;
 
-// Links that end at once, on the test's own thread: a day of bad network in a moment.
+// Links that end at once, on the test's own thread: a day of bad network in a moment. Alone, because the memory of the process is measured.
+[Collection(nameof(Alone))]
 public sealed class ConnectionSupervisorTests
 {
     private static readonly byte[] Frame = TestPackets.Motion(1);
@@ -40,7 +42,7 @@ public sealed class ConnectionSupervisorTests
         {
             if (made == Warm)
             {
-                heap = GC.GetTotalMemory(forceFullCollection: true);
+                heap = ProcessResources.LiveHeap();
                 allocated = GC.GetAllocatedBytesForCurrentThread();
             }
 
@@ -57,7 +59,7 @@ public sealed class ConnectionSupervisorTests
                 () => closed++);
         });
         allocated = GC.GetAllocatedBytesForCurrentThread() - allocated;
-        heap = GC.GetTotalMemory(forceFullCollection: true) - heap;
+        heap = ProcessResources.LiveHeap() - heap;
 
         Assert.Equal((ConnectionState.Stopped, ConnectionReason.Requested), (end.State, end.Reason));
         Assert.Equal((Links, Links), (made, closed - 1)); // the last one is closed by the stop, too
