@@ -95,6 +95,9 @@ public sealed class AddressTests
             using TestConnection connection = await server.AcceptAsync();
             await connection.SendAsync(TestPackets.Motion(1));
             await reader.WaitForFramesAsync(1);
+
+            // Before the connection goes, and the reader looks for another.
+            await reader.DisposeAsync();
         }
     }
 }
