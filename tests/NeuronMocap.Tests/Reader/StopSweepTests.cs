@@ -34,7 +34,7 @@ public enum Stopping
 // Starts that are stopped after 0 to 50 ms, in every situation, in every way: 52 times 51 of them. Alone, because sockets and threads of the
 // whole process are counted.
 [Collection(nameof(Alone))]
-public sealed class StopSweepTests
+public sealed class StopSweepTests(ITestOutputHelper output)
 {
     private const int MaxDelay = 50;
     private const int AtATime = 17;
@@ -66,16 +66,19 @@ public sealed class StopSweepTests
     {
         int sockets = ProcessResources.Sockets;
         int threads = ProcessResources.LibraryThreads;
+        TimeSpan longest = TimeSpan.Zero;
         await using (var surroundings = new Surroundings(situation))
         {
             for (int first = 0; first <= MaxDelay; first += AtATime)
             {
                 TimeSpan[] times = await Task.WhenAll(
                     Enumerable.Range(first, AtATime).Select(delay => new Start(surroundings.CreateReader(), stopping, delay, surroundings).RunAsync())).Soon();
+                longest = times.Append(longest).Max();
                 Assert.All(times, time => Assert.InRange(time, TimeSpan.Zero, Bound));
             }
         }
 
+        output.WriteLine($"The longest of {MaxDelay + 1} stops took {longest.TotalMilliseconds:N1} ms.");
         await ProcessResources.AssertNoMoreAsync(sockets, threads);
     }
 
