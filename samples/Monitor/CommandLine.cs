@@ -17,7 +17,7 @@ internal sealed class CommandLine
     public const int Interrupted = 130;
 
     private const string Usage =
-        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--once] [--frames N] "
+        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--once] [--frames N] "
         + "[--duration SECONDS] [--json | --quiet]";
 
     private const double LongestDuration = 1_000_000;
@@ -41,6 +41,13 @@ internal sealed class CommandLine
         Description = "Receive over UDP on this port of this computer, 1 to 65535.",
         CustomParser = result => Parse<int?>(
             result, text => ServerAddress.TryParsePort(text, out int port) ? port : null, $"a number from 1 to {IPEndPoint.MaxPort}"),
+    };
+
+    private readonly Option<IPAddress[]> _allowSender = new("--allow-sender")
+    {
+        HelpName = "ADDRESS",
+        Description = "With --udp: let only this address send, and drop the datagrams of all others; may be repeated. Default: everyone may.",
+        CustomParser = ParseAddresses,
     };
 
     private readonly Option<bool> _demo = new("--demo")
@@ -115,9 +122,11 @@ internal sealed class CommandLine
 
     private CommandLine()
     {
-        foreach (Option option in (Option[])[_connect, _udp, _demo, _diagnose, _order, _once, _frames, _duration, _json, _quiet])
+        foreach (Option option in (Option[])[_connect, _udp, _allowSender, _demo, _diagnose, _order, _once, _frames, _duration, _json, _quiet])
         {
-            if (option != _diagnose)
+            if (option == _allowSender)
+                option.Arity = ArgumentArity.OneOrMore;
+            else if (option != _diagnose)
                 option.Arity = option.ValueType == typeof(bool) ? ArgumentArity.Zero : ArgumentArity.ExactlyOne;
 
             _root.Options.Add(option);
@@ -170,6 +179,20 @@ internal sealed class CommandLine
         return null;
     }
 
+    private static IPAddress[]? ParseAddresses(ArgumentResult result)
+    {
+        var addresses = new List<IPAddress>();
+        foreach (Token token in result.Tokens)
+        {
+            if (IPAddress.TryParse(token.Value, out IPAddress? address))
+                addresses.Add(address);
+            else
+                result.AddError($"--allow-sender: '{token.Value}' is not an IP address.");
+        }
+
+        return [.. addresses];
+    }
+
     private static T? Parse<T>(ArgumentResult result, Func<string, T?> parse, string expected)
     {
         string text = result.Tokens[0].Value;
@@ -187,6 +210,8 @@ internal sealed class CommandLine
             result.AddError($"{sources[0].Name} and {sources[1].Name} exclude each other: there is one server.");
         if (IsGiven(result, _diagnose))
             RejectForDiagnosis(result);
+        if (IsGiven(result, _allowSender) && !IsGiven(result, _udp))
+            result.AddError("--allow-sender needs --udp: over TCP the data comes from the server that --connect names.");
         if (IsGiven(result, _json) && IsGiven(result, _quiet))
             result.AddError("--json and --quiet exclude each other.");
     }
@@ -216,6 +241,7 @@ internal sealed class CommandLine
         Server = FindServer(result),
         Diagnose = result.GetResult(_diagnose) is { Implicit: false },
         UdpPort = result.GetValue(_udp),
+        AllowedSenders = result.GetValue(_allowSender) ?? [],
         RotationOrder = result.GetValue(_order) ?? RotationOrder.YXZ,
         Once = result.GetValue(_once),
         Frames = result.GetValue(_frames),

@@ -24,6 +24,7 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
           neuron-monitor --udp 7012                             Axis Neuron set to UDP, with this computer as destination
           neuron-monitor --diagnose 192.168.1.20                no data? What is wrong, and which setting to change
           neuron-monitor --diagnose --udp 7012                  the same for UDP; with --demo it shows a healthy stream
+          neuron-monitor --udp 7012 --allow-sender 192.168.1.20 the same, and nobody else may send
           neuron-monitor --connect studio --json --frames 100   100 frames for another program
           neuron-monitor --connect studio --quiet --duration 10 does anything arrive? The exit code tells
 

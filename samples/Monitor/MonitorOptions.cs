@@ -1,3 +1,4 @@
+using System.Net;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
@@ -27,6 +28,9 @@ internal sealed record MonitorOptions
 
     /// <summary>The UDP port; null for TCP and for the demo.</summary>
     public int? UdpPort { get; init; }
+
+    /// <summary>Addresses that may send over UDP; empty for all.</summary>
+    public IReadOnlyList<IPAddress> AllowedSenders { get; init; } = [];
 
     /// <summary>Whether a simulator inside this process is the server.</summary>
     public bool IsDemo => Server is null && UdpPort is null;
@@ -61,6 +65,7 @@ internal sealed record MonitorOptions
         {
             options.Transport = TransportKind.Udp;
             options.Port = port;
+            options.AllowedSenders = AllowedSenders;
         }
 
         // Over UDP a server is the computer at which a diagnosis looks for the stream when nothing arrives.

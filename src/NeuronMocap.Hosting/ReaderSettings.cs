@@ -11,6 +11,8 @@ namespace NeuronMocap.Hosting;
 // takes "5" for five days, and needs reflection.
 internal static class ReaderSettings
 {
+    private const string AllowedSenders = "AllowedSenders";
+
     private static readonly Dictionary<string, Action<NeuronReaderOptions, string>> Settings = new(StringComparer.OrdinalIgnoreCase)
     {
         ["Name"] = static (options, text) => options.Name = text,
@@ -19,6 +21,7 @@ internal static class ReaderSettings
         ["Port"] = static (options, text) => options.Port = Number(text),
         ["LocalAddress"] = static (options, text) => options.LocalAddress = Address(text),
         ["SharePort"] = static (options, text) => options.SharePort = Switch(text),
+        [AllowedSenders] = static (options, text) => options.AllowedSenders = [.. options.AllowedSenders, .. Addresses(text)],
         ["ConnectTimeout"] = static (options, text) => options.ConnectTimeout = Time(text),
         ["SilenceTimeout"] = static (options, text) => options.SilenceTimeout = Time(text),
         ["Reconnect:Enabled"] = static (options, text) => options.Reconnect.Enabled = Switch(text),
@@ -51,7 +54,7 @@ internal static class ReaderSettings
 
     private static string? Find(string key, string text, NeuronReaderOptions options)
     {
-        if (!Settings.TryGetValue(key, out Action<NeuronReaderOptions, string>? set))
+        if (!Settings.TryGetValue(WithoutIndex(key), out Action<NeuronReaderOptions, string>? set))
             return $"{key} is no setting of a reader; there are {string.Join(", ", Keys)}.";
 
         try
@@ -75,6 +78,13 @@ internal static class ReaderSettings
         int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int number) ? number : throw new FormatException("a whole number");
 
     private static bool Switch(string text) => bool.TryParse(text, out bool on) ? on : throw new FormatException("true or false");
+
+    // An array in JSON has a key for each of its items.
+    private static string WithoutIndex(string key) =>
+        key.StartsWith(AllowedSenders + ":", StringComparison.OrdinalIgnoreCase) ? AllowedSenders : key;
+
+    private static IEnumerable<IPAddress> Addresses(string text) =>
+        text.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries).Select(static part => Address(part)!);
 
     // Empty is what some versions make of a null in JSON.
     private static IPAddress? Address(string text)

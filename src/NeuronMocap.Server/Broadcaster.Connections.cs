@@ -62,10 +62,18 @@ public sealed partial class Broadcaster
             return;
 
         _hasBegun = true;
-        foreach (Recipient sender in _recipients.Where(recipient => recipient is UdpSender))
-            sender.Worker.Start();
-
-        _pacer?.Worker.Start();
+        try
+        {
+            foreach (Recipient sender in _recipients.Where(recipient => recipient is UdpSender))
+                StartWorker(sender.Worker);
+            if (_pacer is not null)
+                StartWorker(_pacer.Worker);
+        }
+        catch (OutOfMemoryException exception)
+        {
+            // The system has no thread left: there can be no broadcast, and whoever waits for its end shall know why.
+            Close(exception);
+        }
     }
 
     private int CountClients() => _recipients.Count(recipient => recipient is TcpClientSession);
@@ -91,8 +99,8 @@ public sealed partial class Broadcaster
     {
         try
         {
-            var session = new TcpClientSession(socket, _plan, CreateFeed(), _options.Fragment, _options.CloseTimeout, OnRecipientEnded);
-            session.Worker.Start();
+            var session = new TcpClientSession(socket, _plan, CreateFeed(), _options, OnRecipientEnded);
+            StartWorker(session.Worker);
             _recipients.Add(session);
             _accepted++;
             return true;

@@ -51,6 +51,9 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         _pacer = new FramePacer(_plan, Rate, _log, OnPacerEnded);
     }
 
+    // Replaced by tests, which cannot use up all threads of a system.
+    internal Action<Worker> StartWorker { get; init; } = static worker => worker.Start();
+
     /// <summary>Where TCP clients connect, with the real port; null before the start and without a listener.</summary>
     public IPEndPoint? LocalEndPoint { get; private set; }
 
@@ -65,7 +68,8 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <summary>
     /// Ends when the broadcast is over. At a paced rate: the last frame was made, and all clients have read it, have left, or have used up
     /// <see cref="BroadcasterOptions.CloseTimeout"/>. At <see cref="BroadcasterOptions.MaxRate"/>: the destinations were sent everything,
-    /// at least one client was, and none is left. Also ends when the broadcaster is stopped; fails when a source threw.
+    /// at least one client was, and none is left. Also ends when the broadcaster is stopped; fails when a source threw,
+    /// or when the system had no thread left to make the frames on.
     /// </summary>
     public Task Completion => _completion.Task;
 

@@ -105,6 +105,13 @@ public sealed class BroadcasterOptions
     public int QueueLength { get; set; } = 256;
 
     /// <summary>
+    /// How long a TCP client may take nothing of what is sent to it before it is let go: its computer lost power or network, or it hangs,
+    /// and keeps others from its place. 0.1 seconds to 10 minutes, or <see cref="Timeout.InfiniteTimeSpan"/> to wait for ever,
+    /// as for a client that is being debugged. Default: 1 minute.
+    /// </summary>
+    public TimeSpan ClientTimeout { get; set; } = TimeSpan.FromMinutes(1);
+
+    /// <summary>
     /// How long clients may take, after the last frame, to read what is queued for them and to close their side, 0 to 10 minutes.
     /// Default: 5 seconds.
     /// </summary>

@@ -27,6 +27,12 @@ internal static class BroadcasterOptionsCheck
         Require(options.FrameLimit is null or >= 1, nameof(options.FrameLimit), "is at least 1 frame", options.FrameLimit);
         Require(options.QueueLength is >= 1 and <= 65_536, nameof(options.QueueLength), "is 1 to 65,536 frames", options.QueueLength);
         Require(
+            options.ClientTimeout == Timeout.InfiniteTimeSpan
+                || (options.ClientTimeout >= TimeSpan.FromSeconds(0.1) && options.ClientTimeout <= TimeSpan.FromMinutes(10)),
+            nameof(options.ClientTimeout),
+            "is 0.1 seconds to 10 minutes, or infinite",
+            options.ClientTimeout);
+        Require(
             options.CloseTimeout >= TimeSpan.Zero && options.CloseTimeout <= TimeSpan.FromMinutes(10),
             nameof(options.CloseTimeout),
             "is 0 to 10 minutes",

@@ -46,7 +46,7 @@ public static class NeuronDiagnostics
         var task = new DiagnosisTask(link, how, log, stop);
         Conclusion conclusion = options.Transport == TransportKind.Tcp
             ? await new TcpExamination(task).RunAsync().ConfigureAwait(false)
-            : await new UdpExamination(task).RunAsync().ConfigureAwait(false);
+            : await new UdpExamination(task, options.AllowedSenders).RunAsync().ConfigureAwait(false);
 
         IReadOnlyList<Finding> findings = conclusion.Findings;
         string advice = string.Join(" ", findings.Select(static finding => finding.Advice).Where(static text => text is not null));

@@ -38,6 +38,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     private readonly HandlerList<ConnectionStatus> _statusHandlers;
     private readonly StatusBoard _status;
     private readonly LinkActivity _activity;
+    private readonly SenderFilter _senders;
     private readonly Func<Link> _createLink;
     private Timer? _watchdog;
     private int _started;
@@ -71,11 +72,12 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
         _createLink = createLink ?? CreateLink;
         _statusHandlers = new HandlerList<ConnectionStatus>(OnCallbackFailed);
         _status = new StatusBoard(OnStatusChanged);
-        _activity = new LinkActivity(_status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp);
+        _senders = new SenderFilter(_options.AllowedSenders);
+        _activity = new LinkActivity(_status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp ? _senders : null);
         _eventHandlers = new HandlerList<ReaderEvent>(OnCallbackFailed);
         _eventHandlers.Add(_options.CreateLog());
         _metrics = new ReaderMetrics(_options.DisplayName);
-        _pipeline = new ReceivePipeline(_options.Format, _activity, _status, _metrics, OnCallbackFailed);
+        _pipeline = new ReceivePipeline(_options.Format, _activity, _status, _senders, _metrics, OnCallbackFailed);
         _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke);
     }
 
@@ -287,7 +289,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
         _completion.TrySetResult(true);
     }
 
-    private Link CreateLink() => _options.Transport == TransportKind.Tcp ? new TcpLink(_options.Link) : new UdpLink(_options.Link);
+    private Link CreateLink() => _options.Transport == TransportKind.Tcp ? new TcpLink(_options.Link) : new UdpLink(_options.Link, _senders);
 
     private async IAsyncEnumerable<TFrame> ReadAsync<TFrame>(PacketKind kind, [EnumeratorCancellation] CancellationToken cancellation)
         where TFrame : AvatarFrame

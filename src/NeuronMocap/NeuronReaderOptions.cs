@@ -40,6 +40,13 @@ public sealed partial class NeuronReaderOptions
     /// </summary>
     public bool SharePort { get; set; }
 
+    /// <summary>
+    /// Addresses of the computers that may send over UDP; empty, the default, lets everyone. Datagrams of others are dropped before anything
+    /// looks into them, and counted. Set it where the network is not yours alone: anyone on it can send to the port. Not used for TCP, where
+    /// <see cref="Host"/> says whom the data comes from.
+    /// </summary>
+    public IReadOnlyList<IPAddress> AllowedSenders { get; set; } = [];
+
     /// <summary>Longest time to wait for the name, and for each of its addresses to answer. 5 s unless set; more than zero, at most 5 minutes.</summary>
     public TimeSpan ConnectTimeout { get; set; } = TimeSpan.FromSeconds(5);
 
@@ -77,6 +84,7 @@ public sealed partial class NeuronReaderOptions
     {
         var copy = (NeuronReaderOptions)MemberwiseClone();
         copy.Reconnect = Reconnect.Copy();
+        copy.AllowedSenders = AllowedSenders?.ToArray() ?? [];
         return copy;
     }
 
@@ -103,6 +111,8 @@ public sealed partial class NeuronReaderOptions
             return $"SkeletonVariant is {SkeletonVariant}; it must be Neck1 or Spine3.";
         if (MaxValues is < 1 or > 1_000_000)
             return $"MaxValues is {MaxValues}; it must be 1 to 1,000,000.";
+        if (AllowedSenders?.Contains(null!) == true)
+            return "AllowedSenders holds a null; it must hold addresses only.";
         if (Reconnect is null)
             return "Reconnect is null; set its Enabled to false to switch reconnecting off.";
 

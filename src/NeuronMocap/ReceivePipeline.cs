@@ -14,6 +14,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     private readonly SkeletonFormat _format;
     private readonly LinkActivity _activity;
     private readonly StatusBoard _status;
+    private readonly SenderFilter _senders;
     private readonly ReaderMetrics _metrics;
     private readonly StreamCounters _counters;
     private readonly PacketDispatcher _dispatcher;
@@ -26,11 +27,12 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     private volatile bool _stopped;
 
     public ReceivePipeline(
-        SkeletonFormat format, LinkActivity activity, StatusBoard status, ReaderMetrics metrics, Action<Exception> callbackFailed)
+        SkeletonFormat format, LinkActivity activity, StatusBoard status, SenderFilter senders, ReaderMetrics metrics, Action<Exception> callbackFailed)
     {
         _format = format;
         _activity = activity;
         _status = status;
+        _senders = senders;
         _metrics = metrics;
         _counters = new StreamCounters(metrics.Intervals);
         _dispatcher = new PacketDispatcher(_counters);
@@ -122,6 +124,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
             return _counters.Snapshot() with
             {
                 Dropped = _droppedByClosedQueues.Values.Sum() + _queues.Sum(static queue => queue.Dropped),
+                RefusedDatagrams = _senders.RefusedDatagrams,
                 CallbackFailures = Volatile.Read(ref _callbackFailures),
             };
         }

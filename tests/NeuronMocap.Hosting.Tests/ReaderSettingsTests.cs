@@ -14,11 +14,13 @@ public sealed class ReaderSettingsTests
         NeuronReaderOptions options = Read(
             ("Name", "stage"), ("Transport", "udp"), ("Host", "studio"), ("Port", "7012"), ("LocalAddress", "::1"), ("SharePort", "true"),
             ("ConnectTimeout", "00:00:02"), ("SilenceTimeout", "1.5"), ("Reconnect:Enabled", "False"), ("Reconnect:InitialDelay", "0.25"),
-            ("Reconnect:MaxDelay", "10"), ("RotationOrder", "XYZ"), ("SkeletonVariant", "Spine3"), ("MaxValues", "500"));
+            ("Reconnect:MaxDelay", "10"), ("RotationOrder", "XYZ"), ("SkeletonVariant", "Spine3"), ("MaxValues", "500"),
+            ("AllowedSenders", "192.168.1.20, ::1"));
 
         Assert.Equal(
             ("stage", TransportKind.Udp, "studio", 7012, IPAddress.IPv6Loopback, true),
             (options.Name, options.Transport, options.Host, options.Port, options.LocalAddress, options.SharePort));
+        Assert.Equal([IPAddress.Parse("192.168.1.20"), IPAddress.IPv6Loopback], options.AllowedSenders);
         Assert.Equal((2, 1.5), (options.ConnectTimeout.TotalSeconds, options.SilenceTimeout.TotalSeconds));
         Assert.Equal(
             (false, 0.25, 10),
@@ -43,6 +45,7 @@ public sealed class ReaderSettingsTests
     [InlineData("Transport", "1", "Transport is '1'; it must be one of Tcp, Udp.")]
     [InlineData("RotationOrder", "", "RotationOrder is ''; it must be one of X")]
     [InlineData("LocalAddress", "studio", "LocalAddress is 'studio'; it must be an IP address.")]
+    [InlineData("AllowedSenders:0", "studio", "AllowedSenders:0 is 'studio'; it must be an IP address.")]
     [InlineData("SharePort", "yes", "SharePort is 'yes'; it must be true or false.")]
     [InlineData("ConnectTimeout", "soon", "ConnectTimeout is 'soon'; it must be a time")]
     [InlineData("SilenceTimeout", "1e400", "SilenceTimeout is '1e400'; it must be a time")]
@@ -58,6 +61,11 @@ public sealed class ReaderSettingsTests
         OptionsValidationException exception = Assert.Throws<OptionsValidationException>(() => Read(("Port", "x"), ("MaxValues", "y")));
         Assert.Equal(2, exception.Failures.Count());
     }
+
+    [Fact]
+    public void Senders_are_read_from_an_array() => Assert.Equal(
+        [IPAddress.Parse("192.168.1.20"), IPAddress.Parse("192.168.1.21")],
+        Read(("AllowedSenders:0", "192.168.1.20"), ("AllowedSenders:1", "192.168.1.21")).AllowedSenders.OrderBy(static address => address.ToString()));
 
     private static NeuronReaderOptions Read(params (string Key, string Value)[] settings)
     {

@@ -51,6 +51,7 @@ internal static class ProblemView
         (ConnectionState.Connected, _) => "CONNECTED, WAITING FOR FRAMES",
         (ConnectionState.Connecting or ConnectionState.Created, _) => "CONNECTING",
         (ConnectionState.Silent, ConnectionReason.UnknownFormat) => "DATA ARRIVES, BUT NO FRAMES",
+        (ConnectionState.Silent, ConnectionReason.SenderNotAllowed) => "SENDER NOT ALLOWED",
         (ConnectionState.Silent, _) => "NOTHING ARRIVES",
         (_, ConnectionReason.Refused) => "CONNECTION REFUSED",
         (_, ConnectionReason.TimedOut) => "NO ANSWER",

@@ -9,6 +9,8 @@ internal sealed class Worker
 
     public Worker(string name, Action body) => _thread = new Thread(() => body()) { IsBackground = true, Name = name };
 
+    public string? Name => _thread.Name;
+
     public void Start() => _thread.Start();
 
     /// <summary>Waits for the end of the thread.</summary>

@@ -63,9 +63,9 @@ internal sealed class ClientListener : IDisposable
             {
                 return;
             }
-            catch (SocketException)
+            catch (Exception exception) when (exception is SocketException or OutOfMemoryException)
             {
-                // The client was gone before it was accepted, or the system is out of handles for the moment.
+                // The client was gone before it was accepted, or the system is out of handles or memory for the moment.
                 if (!_isDisposed)
                     Thread.Sleep(RetryDelay);
             }

@@ -14,6 +14,7 @@ internal abstract class Recipient : IDisposable
     private const int BufferSize = 128 * 1024;
 
     private readonly Action<Recipient, Exception?> _ended;
+    private Exception? _sourceError;
     private long _framesSent;
     private long _packetsLost;
     private long _bytesSent;
@@ -61,6 +62,20 @@ internal abstract class Recipient : IDisposable
     {
     }
 
+    // What a source throws ends the broadcast; want of memory may have hit this receiver's thread by chance, and ends this receiver.
+    protected int ReadFeed(Span<byte> destination)
+    {
+        try
+        {
+            return Feed.Read(destination);
+        }
+        catch (Exception exception) when (exception is not OutOfMemoryException)
+        {
+            _sourceError = exception;
+            throw;
+        }
+    }
+
     protected void CountBytes(int bytes) => Interlocked.Add(ref _bytesSent, bytes);
 
     protected void SetFrames(long frames) => Interlocked.Exchange(ref _framesSent, frames);
@@ -69,16 +84,18 @@ internal abstract class Recipient : IDisposable
 
     private void Run()
     {
-        Exception? error = null;
+        Exception? error;
         try
         {
             HadAll = SendAll();
             if (HadAll)
                 Finish();
+            error = null;
         }
-        catch (Exception exception) when (exception is SocketException or ObjectDisposedException)
+        catch (Exception exception) when (exception is SocketException or ObjectDisposedException or OutOfMemoryException)
         {
-            // The client went away or the broadcaster closed the socket: the ordinary ends of a connection.
+            // The client went away or the broadcaster closed the socket: the ordinary ends of a connection. Or there was no memory for it.
+            error = _sourceError;
         }
         catch (Exception exception)
         {

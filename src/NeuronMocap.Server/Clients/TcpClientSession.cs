@@ -12,21 +12,28 @@ internal sealed class TcpClientSession : Recipient
     // Bounds what the system keeps for a client that does not read. By default it is megabytes, which is a minute of old frames.
     private const int SendBufferSize = 256 * 1024;
 
+    // The numbers of these options where the framework's enumeration has no names for them.
+    private const SocketOptionName KeepAliveTime = (SocketOptionName)3;
+    private const SocketOptionName KeepAliveInterval = (SocketOptionName)17;
+
     private readonly int? _fragment;
     private readonly TimeSpan _closeTimeout;
     private readonly byte[] _buffer;
     private long _sent;
     private Task _drained = Task.CompletedTask;
 
-    public TcpClientSession(
-        Socket socket, FramePlan plan, FrameFeed feed, int? fragment, TimeSpan closeTimeout, Action<Recipient, Exception?> ended)
+    public TcpClientSession(Socket socket, FramePlan plan, FrameFeed feed, BroadcasterOptions options, Action<Recipient, Exception?> ended)
         : base(socket, socket.RemoteEndPoint, plan, feed, ended)
     {
         socket.NoDelay = true;
         socket.SendBufferSize = SendBufferSize;
-        _fragment = fragment;
-        _closeTimeout = closeTimeout;
-        _buffer = new byte[ReadSize + (fragment ?? 0)];
+
+        // A client that vanished without a word takes no more; the system by itself would try for a quarter of an hour.
+        socket.SendTimeout = (int)options.ClientTimeout.TotalMilliseconds;
+        KeepAlive(socket);
+        _fragment = options.Fragment;
+        _closeTimeout = options.CloseTimeout;
+        _buffer = new byte[ReadSize + (_fragment ?? 0)];
     }
 
     // Closing alone resets a connection in the middle of a write; this way the client reads what was sent and then sees the end.
@@ -49,7 +56,7 @@ internal sealed class TcpClientSession : Recipient
         _drained = DrainAsync();
         int kept = 0;
         int read;
-        while ((read = Feed.Read(_buffer.AsSpan(kept))) > 0)
+        while ((read = ReadFeed(_buffer.AsSpan(kept))) > 0)
         {
             int filled = kept + read;
             kept = Feed.IsLive || _fragment is null ? 0 : filled % _fragment.Value;
@@ -67,6 +74,21 @@ internal sealed class TcpClientSession : Recipient
     {
         Socket.Shutdown(SocketShutdown.Send);
         _drained.Wait(_closeTimeout);
+    }
+
+    // While nothing is sent, only a probe can find out that the client is gone: after 10 s, then every 2 s.
+    private static void KeepAlive(Socket socket)
+    {
+        try
+        {
+            socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.KeepAlive, optionValue: true);
+            socket.SetSocketOption(SocketOptionLevel.Tcp, KeepAliveTime, 10);
+            socket.SetSocketOption(SocketOptionLevel.Tcp, KeepAliveInterval, 2);
+        }
+        catch (SocketException)
+        {
+            // Not every system has all of these; without them it takes longer.
+        }
     }
 
     private bool Write(int count)
@@ -98,7 +120,7 @@ internal sealed class TcpClientSession : Recipient
             {
             }
         }
-        catch (Exception exception) when (exception is SocketException or ObjectDisposedException)
+        catch (Exception exception) when (exception is SocketException or ObjectDisposedException or OutOfMemoryException)
         {
             // The next write reports it.
         }

@@ -44,7 +44,7 @@ internal sealed class UdpSender : Recipient
     protected override bool SendAll()
     {
         int read;
-        while ((read = Feed.Read(_buffer)) > 0)
+        while ((read = ReadFeed(_buffer)) > 0)
         {
             int offset = 0;
             while (offset < read)

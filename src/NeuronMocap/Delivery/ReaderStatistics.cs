@@ -47,6 +47,9 @@ public readonly record struct ReaderStatistics
     /// <summary>How often a connection stood again after the first one had ended; for UDP, how often the port was bound again.</summary>
     public long Reconnects { get; init; }
 
+    /// <summary>Datagrams of senders that AllowedSenders does not list. They were dropped unread and count nowhere else.</summary>
+    public long RefusedDatagrams { get; init; }
+
     /// <summary>When the first frame was received: ticks of <see cref="Stopwatch"/>; 0 before.</summary>
     public long FirstFrameTimestamp { get; init; }
 

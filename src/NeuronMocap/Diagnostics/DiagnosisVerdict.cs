@@ -54,6 +54,9 @@ public enum DiagnosisVerdict
     /// <summary>Connected, or the UDP port is open, and not one byte arrives.</summary>
     Silent,
 
+    /// <summary>Datagrams arrive, but only from senders that AllowedSenders does not list.</summary>
+    SenderNotAllowed,
+
     /// <summary>Nothing on the port, but frames come from another port of the same kind.</summary>
     OtherPort,
 

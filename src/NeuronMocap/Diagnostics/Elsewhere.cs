@@ -69,7 +69,7 @@ internal static class Elsewhere
     {
         var sample = new StreamSample(task.Wanted);
         var place = new StreamPlace(TransportKind.Udp, task.Link.Host, port);
-        using var listener = new UdpListener(task.Link with { Port = port }, sample);
+        using var listener = new UdpListener(task.Link with { Port = port }, new SenderFilter([]), sample);
         ConnectionReason reason = listener.Open();
         if (reason == ConnectionReason.None)
         {

@@ -4,7 +4,7 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Diagnostics;
 
 // Walks the chain from this computer's UDP port to the frames, and looks elsewhere where nothing arrives.
-internal sealed class UdpExamination(DiagnosisTask task)
+internal sealed class UdpExamination(DiagnosisTask task, IReadOnlyList<IPAddress> allowedSenders)
 {
     private readonly LinkOptions _link = task.Link;
 
@@ -16,7 +16,8 @@ internal sealed class UdpExamination(DiagnosisTask task)
             : "this computer has no network: only programs on it can send here, to 127.0.0.1");
 
         var sample = new StreamSample(task.Wanted);
-        using var listener = new UdpListener(_link, sample);
+        var filter = new SenderFilter(allowedSenders);
+        using var listener = new UdpListener(_link, filter, sample);
         ConnectionReason reason = listener.Open();
         if (reason != ConnectionReason.None)
             return NotBound(reason);
@@ -31,6 +32,9 @@ internal sealed class UdpExamination(DiagnosisTask task)
         var place = new StreamPlace(TransportKind.Udp, _link.Host, listener.Port);
         listener.Dispose();
         await receiving.ConfigureAwait(false);
+        if (sample.Bytes == 0 && filter.RefusedDatagrams > 0)
+            return NotAllowed(filter, place);
+
         return sample.Bytes == 0
             ? await SilentAsync(listener, silence, addresses).ConfigureAwait(false)
             : await JudgeAsync(listener, sample, place).ConfigureAwait(false);
@@ -41,6 +45,16 @@ internal sealed class UdpExamination(DiagnosisTask task)
         string senders = string.Join(", ", listener.Senders);
         task.Log.Ok("first bytes", $"{sample.FirstBytes}, from {senders}, datagrams of up to {listener.LargestDatagram} bytes");
         return TcpFaults.AddElsewhereAsync(task, StreamExamination.Judge(task, sample, place), address: null, isUdp: true);
+    }
+
+    private Conclusion NotAllowed(SenderFilter filter, StreamPlace place)
+    {
+        string senders = string.Join(", ", filter.RefusedSenders);
+        task.Log.Failed("first bytes", StreamText.Invariant($"none that may be looked at: {filter.RefusedDatagrams} datagrams from {senders}"));
+        return new Conclusion(
+            DiagnosisVerdict.SenderNotAllowed,
+            $"Datagrams arrive on {place}, but only from {senders}, which AllowedSenders does not list.",
+            "If that is the computer that runs Axis Neuron, add it to AllowedSenders; empty, the list lets everyone send.");
     }
 
     private Conclusion NotBound(ConnectionReason reason)

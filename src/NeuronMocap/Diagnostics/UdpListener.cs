@@ -7,7 +7,7 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Diagnostics;
 
 // Listens on a UDP port of this computer for a moment, and remembers who sends and how much at a time, which the reader's link does not.
-internal sealed class UdpListener(LinkOptions options, StreamSample sample) : IDisposable
+internal sealed class UdpListener(LinkOptions options, SenderFilter filter, StreamSample sample) : IDisposable
 {
     private const int MaxDatagram = 65_536;
     private const int MostSenders = 16;
@@ -44,7 +44,7 @@ internal sealed class UdpListener(LinkOptions options, StreamSample sample) : ID
     // Until the socket is closed.
     public async Task ReceiveAsync()
     {
-        var senders = new UdpSenders(new PacketScanner(options.MaxValues), sample);
+        var senders = new UdpSenders(new PacketScanner(options.MaxValues), sample, filter);
         byte[] buffer = new byte[MaxDatagram];
         EndPoint anyone = new IPEndPoint(_socket!.AddressFamily == AddressFamily.InterNetwork ? IPAddress.Any : IPAddress.IPv6Any, 0);
         try

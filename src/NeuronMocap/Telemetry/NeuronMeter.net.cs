@@ -74,6 +74,7 @@ internal static class NeuronMeter
         AddCounter("io", "By", "Bytes of the stream, delivered or skipped.", Total(static total => total.BytesReceived));
         AddCounter("skipped", "By", "Bytes that belong to no packet.", static (reader, figures) => SkipReasons.Select(
             entry => reader.Measure(figures.GetSkipped(entry.Reason), new KeyValuePair<string, object?>(MeterTags.Reason, entry.Tag))));
+        AddCounter("refused", "{datagram}", "Datagrams of senders that are not allowed.", Total(static total => total.RefusedDatagrams));
         AddCounter("dropped", "{frame}", "Frames that found a queue full.", PerConsumer(static consumer => consumer.Dropped));
         AddCounter("restarts", "{restart}", "Times that the server began to count frames anew.", Total(static total => total.Restarts));
         AddCounter("reconnects", "{connection}", "Connections made after the first.", Total(static total => total.Reconnects));

@@ -1,3 +1,5 @@
+using System.Net;
+
 namespace NeuronMocap.Transport;
 
 // The sentences that tell a person what happened and which setting to look at.
@@ -28,6 +30,10 @@ internal static class Advice
     public static string NoDatagrams(string target, TimeSpan silence) =>
         $"Nothing has arrived on {target} for {silence.TotalSeconds:0.#} s. In Axis Neuron's broadcasting settings choose UDP, and enter this "
         + "computer's address and this port as the destination; check that the firewall lets UDP in.";
+
+    public static string SenderNotAllowed(string target, IEnumerable<IPAddress> senders) =>
+        $"Datagrams arrive on {target}, but none from a sender that AllowedSenders lists. They come from {string.Join(", ", senders)}: add the "
+        + "address of the computer that runs Axis Neuron to AllowedSenders, or empty it to let everyone send.";
 
     public static string UnknownFormat(string target, string format) =>
         $"Data arrives from {target}, but it is {format}";

@@ -42,6 +42,9 @@ public enum ConnectionReason
     /// <summary>Connected and bytes arrive, but they are no packets of this protocol.</summary>
     UnknownFormat,
 
+    /// <summary>Datagrams arrive, but only from senders that AllowedSenders does not list.</summary>
+    SenderNotAllowed,
+
     /// <summary>Another error of the network; the message carries the system's words.</summary>
     NetworkError,
 }

@@ -17,10 +17,12 @@ internal sealed class ConnectionSupervisor(
         while (true)
         {
             (LinkEnd end, bool delivered) = await RunLinkAsync(receiver, failures + 1, stop).ConfigureAwait(false);
-            if (stop.IsCancellationRequested)
-                return new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller.");
-            if (!policy.Enabled)
+
+            // The first reason counts: a link that ended by itself, and would not have been tried again, was not ended by a later stop.
+            if (end.Reason != ConnectionReason.Requested && !policy.Enabled)
                 return new ConnectionStatus(ConnectionState.Stopped, end.Reason, end.Message) { Attempt = failures + 1 };
+            if (stop.IsCancellationRequested)
+                return new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, LinkEnd.Requested.Message);
 
             failures = delivered ? 0 : failures + 1;
             await WaitAsync(end, failures, stop).ConfigureAwait(false);
@@ -48,7 +50,7 @@ internal sealed class ConnectionSupervisor(
     private async Task<(LinkEnd End, bool Delivered)> ReceiveAsync(Link link, IPacketReceiver receiver, int attempt, CancellationToken stop)
     {
         LinkEnd end = await link.OpenAsync(stop).ConfigureAwait(false);
-        if (end.Reason != ConnectionReason.None || stop.IsCancellationRequested)
+        if (end.Reason != ConnectionReason.None)
             return (end, false);
 
         activity.Begin(link.Target);

@@ -13,10 +13,12 @@ internal abstract class Link : IDisposable
     // What the status messages call the other side.
     public abstract string Target { get; }
 
-    // Completes with the reason of failure, or with None when the link stands. Throws nothing that the network can cause.
+    // Completes with the reason of failure, with None when the link stands, or with Requested when it was closed first. Throws nothing
+    // that the network can cause.
     public abstract Task<LinkEnd> OpenAsync(CancellationToken stop);
 
-    // Delivers packets until the link ends, and completes with the reason. Throws nothing that the network can cause.
+    // Delivers packets until the link ends, and completes with the reason: Requested when it was closed before it ended by itself. Throws
+    // nothing that the network can cause.
     public abstract Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver);
 
     public abstract void Close();
@@ -27,4 +29,6 @@ internal abstract class Link : IDisposable
 internal readonly record struct LinkEnd(ConnectionReason Reason, string Message)
 {
     public static LinkEnd None => new(ConnectionReason.None, string.Empty);
+
+    public static LinkEnd Requested => new(ConnectionReason.Requested, "Stopped by the caller.");
 }

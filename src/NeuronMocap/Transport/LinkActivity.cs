@@ -5,7 +5,7 @@ namespace NeuronMocap.Transport;
 
 // Knows what the running link has brought, and turns it into the states Receiving and Silent. The receive loop writes, a timer reads; every
 // field stands alone and a check that sees an older value only comes to its conclusion one period later.
-internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool isUdp)
+internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderFilter? udpSenders)
 {
     // The first bytes since the last packet that belong to none, and why.
     private readonly byte[] _skipped = new byte[64];
@@ -17,6 +17,7 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
     private volatile bool _delivering;
     private volatile int _frames;
     private int _framesSeen;
+    private long _refusedSeen;
     private long _quietSince;
 
     public bool HasPackets => _hasPackets;
@@ -94,6 +95,7 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
         if (_delivering || frames != _framesSeen)
         {
             _framesSeen = frames;
+            _refusedSeen = udpSenders?.RefusedDatagrams ?? 0;
             Volatile.Write(ref _quietSince, now);
             return;
         }
@@ -115,7 +117,12 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, bool is
         if (_hasOtherPackets)
             return (ConnectionReason.NoData, Advice.NoValues(_target));
 
-        return (ConnectionReason.NoData, isUdp ? Advice.NoDatagrams(_target, silence) : Advice.NoFrames(_target, silence));
+        if (udpSenders is null)
+            return (ConnectionReason.NoData, Advice.NoFrames(_target, silence));
+
+        return udpSenders.RefusedDatagrams > _refusedSeen
+            ? (ConnectionReason.SenderNotAllowed, Advice.SenderNotAllowed(_target, udpSenders.RefusedSenders))
+            : (ConnectionReason.NoData, Advice.NoDatagrams(_target, silence));
     }
 
     private string DescribeSkipped() => FormatGuess.Of(_skipped.AsSpan(0, _skippedLength), _skipReason).Description;

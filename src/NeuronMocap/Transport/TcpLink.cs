@@ -16,6 +16,43 @@ internal sealed class TcpLink(LinkOptions options) : Link
 
     public override async Task<LinkEnd> OpenAsync(CancellationToken stop)
     {
+        LinkEnd end = await FindAndConnectAsync(stop).ConfigureAwait(false);
+        return stop.IsCancellationRequested ? LinkEnd.Requested : end;
+    }
+
+    public override async Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver)
+    {
+        var assembler = new PacketAssembler(new PacketScanner(options.MaxValues), receiver);
+        try
+        {
+            await _receiver.ReceiveAsync(_socket!, assembler).ConfigureAwait(false);
+            return FirstReason(new LinkEnd(ConnectionReason.ClosedByPeer, Advice.ClosedByPeer(Target)));
+        }
+        catch (Exception exception) when (SocketErrors.IsExpected(exception))
+        {
+            SocketError error = SocketErrors.Find(exception)?.SocketErrorCode ?? SocketError.OperationAborted;
+            return FirstReason(error == SocketError.TimedOut
+                ? new LinkEnd(ConnectionReason.TimedOut, Advice.ConnectionLost(Target))
+                : Failed(error, exception));
+        }
+        finally
+        {
+            assembler.Abandon();
+        }
+    }
+
+    public override void Close()
+    {
+        lock (_lock)
+        {
+            _closed = true;
+            _socket?.Dispose();
+            _receiver.Release();
+        }
+    }
+
+    private async Task<LinkEnd> FindAndConnectAsync(CancellationToken stop)
+    {
         IPAddress[] addresses;
         try
         {
@@ -51,40 +88,10 @@ internal sealed class TcpLink(LinkOptions options) : Link
         return telling!.Value;
     }
 
-    public override async Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver)
-    {
-        var assembler = new PacketAssembler(new PacketScanner(options.MaxValues), receiver);
-        try
-        {
-            await _receiver.ReceiveAsync(_socket!, assembler).ConfigureAwait(false);
-            return new LinkEnd(ConnectionReason.ClosedByPeer, Advice.ClosedByPeer(Target));
-        }
-        catch (Exception exception) when (SocketErrors.IsExpected(exception))
-        {
-            SocketError error = SocketErrors.Find(exception)?.SocketErrorCode ?? SocketError.OperationAborted;
-            return error == SocketError.TimedOut
-                ? new LinkEnd(ConnectionReason.TimedOut, Advice.ConnectionLost(Target))
-                : Failed(error, exception);
-        }
-        finally
-        {
-            assembler.Abandon();
-        }
-    }
-
-    public override void Close()
-    {
-        lock (_lock)
-        {
-            _closed = true;
-            _socket?.Dispose();
-            _receiver.Release();
-        }
-    }
-
     private async Task<LinkEnd> ConnectAsync(IPAddress address, CancellationToken stop)
     {
         Socket? socket = null;
+        var remote = new IPEndPoint(address, options.Port);
         using var timeout = CancellationTokenSource.CreateLinkedTokenSource(stop);
         timeout.CancelAfter(options.ConnectTimeout);
         try
@@ -92,19 +99,24 @@ internal sealed class TcpLink(LinkOptions options) : Link
             socket = new Socket(address.AddressFamily, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
             KeepAlive(socket);
             if (!Adopt(socket))
-                return LinkEnd.None;
+                return LinkEnd.Requested;
 
             using (timeout.Token.Register(socket.Dispose))
             {
                 if (options.LocalAddress is { } local)
                     socket.Bind(new IPEndPoint(local, 0));
 
-                await _receiver.ConnectAsync(socket, new IPEndPoint(address, options.Port)).ConfigureAwait(false);
+                await _receiver.ConnectAsync(socket, remote).ConfigureAwait(false);
             }
 
+            // Not asked of the socket: one that was reset meanwhile does not know any more, and the receive loop has to say that it was.
+            RemoteEndPoint = remote;
             LocalEndPoint = socket.LocalEndPoint;
-            RemoteEndPoint = socket.RemoteEndPoint;
-            return LinkEnd.None;
+            if (!IsOwnEcho(socket, remote))
+                return LinkEnd.None;
+
+            socket.Dispose();
+            return Failed(SocketError.ConnectionRefused, new SocketException((int)SocketError.ConnectionRefused));
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
         {
@@ -114,6 +126,10 @@ internal sealed class TcpLink(LinkOptions options) : Link
                 : Failed(SocketErrors.Find(exception)?.SocketErrorCode ?? SocketError.SocketError, exception);
         }
     }
+
+    // On this computer, the system may choose the very port that the connection goes to as the port that it comes from: where nobody listens,
+    // the socket then connects to itself, hears nothing for ever, and keeps the port from the server.
+    internal static bool IsOwnEcho(Socket socket, EndPoint remote) => remote.Equals(socket.LocalEndPoint);
 
     // A server whose computer lost its power or its network says nothing more, and a client that only listens would wait for ever.
     // Probes after 10 s of silence, every 2 s; given up after 5 without an answer.
@@ -143,6 +159,13 @@ internal sealed class TcpLink(LinkOptions options) : Link
         ConnectionReason.Unreachable or ConnectionReason.AddressUnavailable => 0,
         _ => 1,
     };
+
+    // Closing a socket gives a different error on every runtime, so whether it was closed here is what tells.
+    private LinkEnd FirstReason(LinkEnd end)
+    {
+        lock (_lock)
+            return _closed ? LinkEnd.Requested : end;
+    }
 
     private bool Adopt(Socket socket)
     {

@@ -5,7 +5,7 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Transport;
 
 // A UDP port that anyone may send to (protocol.md section 4.2).
-internal sealed class UdpLink(LinkOptions options) : Link
+internal sealed class UdpLink(LinkOptions options, SenderFilter filter) : Link
 {
     // Room for a burst of frames while the receive thread is busy: about half a second of 100 avatars at 60 Hz.
     private const int SocketBufferSize = 4 * 1024 * 1024;
@@ -20,7 +20,7 @@ internal sealed class UdpLink(LinkOptions options) : Link
 
     public override async Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver)
     {
-        var senders = new UdpSenders(new PacketScanner(options.MaxValues), receiver);
+        var senders = new UdpSenders(new PacketScanner(options.MaxValues), receiver, filter);
         try
         {
             await UdpReceiver.ReceiveAsync(_socket!, senders).ConfigureAwait(false);
@@ -28,7 +28,16 @@ internal sealed class UdpLink(LinkOptions options) : Link
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
         {
-            return Failed(exception);
+            return IsClosed ? LinkEnd.Requested : Failed(exception);
+        }
+    }
+
+    private bool IsClosed
+    {
+        get
+        {
+            lock (_lock)
+                return _closed;
         }
     }
 
@@ -47,7 +56,7 @@ internal sealed class UdpLink(LinkOptions options) : Link
         lock (_lock)
         {
             if (_closed)
-                return LinkEnd.None;
+                return LinkEnd.Requested;
 
             try
             {

@@ -5,19 +5,29 @@ namespace NeuronMocap.Transport;
 
 // One assembler for every address that sends to the port: Axis Neuron on macOS cuts a frame into two datagrams, and two senders interleave
 // (protocol.md section 4.2). Used by the receive loop alone.
-internal sealed class UdpSenders(PacketScanner scanner, IPacketReceiver receiver)
+internal sealed class UdpSenders(PacketScanner scanner, IPacketReceiver receiver, SenderFilter filter)
 {
     // Anyone can send from thousands of forged addresses; the one that was silent longest makes room.
-    private const int Limit = 64;
+    public const int Limit = 64;
 
     private readonly Dictionary<SocketAddress, Sender> _senders = [];
     private int _nextSource;
     private long _clock;
 
+    public int Count => _senders.Count;
+
     public void Push(SocketAddress address, ArraySegment<byte> datagram, long timestamp)
     {
         if (!_senders.TryGetValue(address, out Sender? sender))
+        {
+            if (!filter.Allows(address))
+            {
+                filter.CountRefused(address);
+                return;
+            }
+
             sender = Add(address);
+        }
 
         sender.LastUsed = ++_clock;
 

@@ -11,8 +11,8 @@ internal static class Pipelines
     {
         var status = new StatusBoard(static _ => { });
         status.Set(new ConnectionStatus(ConnectionState.Connected, ConnectionReason.None, string.Empty));
-        var activity = new LinkActivity(status, TimeSpan.FromSeconds(3), isUdp: false);
-        var pipeline = new ReceivePipeline(SkeletonFormat.Default, activity, status, new ReaderMetrics("benchmark"), static exception => throw exception);
+        var activity = new LinkActivity(status, TimeSpan.FromSeconds(3), udpSenders: null);
+        var pipeline = new ReceivePipeline(SkeletonFormat.Default, activity, status, new SenderFilter([]), new ReaderMetrics("benchmark"), static exception => throw exception);
         pipeline.OnLinkOpened();
         return pipeline;
     }

@@ -25,7 +25,7 @@ internal sealed class UdpTarget
     public void Run(FuzzInput input)
     {
         var counts = new Counts();
-        var joiner = new UdpSenders(_scanner, counts);
+        var joiner = new UdpSenders(_scanner, counts, new SenderFilter([]));
         int senders = input.Random.Below(4) == 0 ? MostSenders : input.Random.Between(1, 3);
         int largest = input.Random.Choose([64, 200, 1_024, 1_472, 9_000]);
         for (ArraySegment<byte> rest = input.Segment; rest.Count > 0;)

@@ -34,6 +34,8 @@ internal sealed class SampleProcess : IDisposable
     {
         var output = new DirectoryInfo(AppContext.BaseDirectory);
         return Directory.GetDirectories(Repository.PathOf("samples"))
+            .Concat(Directory.GetDirectories(Repository.PathOf("tests")))
+            .Where(folder => !output.FullName.StartsWith(folder, StringComparison.Ordinal))
             .Select(sample => Path.Combine(sample, "bin", output.Parent!.Name, output.Name, program + ".dll"))
             .Single(File.Exists);
     }

@@ -21,6 +21,10 @@ public sealed class CommandLineTests
     [InlineData("--udp", "--connect", "studio", "--udp", "7001")]
     [InlineData("--demo", "--connect", "studio", "--demo")]
     [InlineData("--quiet", "--json", "--quiet")]
+    [InlineData("--allow-sender", "--udp", "7001", "--allow-sender", "studio")]
+    [InlineData("--allow-sender", "--udp", "7001", "--allow-sender")]
+    [InlineData("--udp", "--connect", "studio", "--allow-sender", "127.0.0.1")]
+    [InlineData("--udp", "--allow-sender", "127.0.0.1")]
     [InlineData("--colour", "--colour")]
     [InlineData("studio", "studio")]
     public async Task Wrong_options_are_named_with_the_usage_and_end_with_2(string named, params string[] args)
@@ -41,7 +45,7 @@ public sealed class CommandLineTests
         Assert.Equal(0, result.ExitCode);
         Assert.Empty(result.Error);
         string text = string.Join('\n', result.Output);
-        foreach (string option in (string[])["--connect", "--udp", "--demo", "--diagnose", "--order", "--once", "--frames", "--duration", "--json", "--quiet", "--version"])
+        foreach (string option in (string[])["--connect", "--udp", "--allow-sender", "--demo", "--diagnose", "--order", "--once", "--frames", "--duration", "--json", "--quiet", "--version"])
             Assert.Contains($"  {option} ", text, StringComparison.Ordinal);
 
         Assert.Contains("Examples:", text, StringComparison.Ordinal);

@@ -130,6 +130,29 @@ public sealed class MonitorRunTests
         Assert.Contains($"UDP port {port} is used by another program", Assert.Single(result.Error), StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("127.0.0.1", 0)]
+    [InlineData("192.0.2.1", 1)]
+    public async Task Over_udp_only_an_allowed_sender_is_received(string allowed, int exitCode)
+    {
+        using var sender = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        int port = FreeUdpPort();
+        Task<MonitorResult> running = MonitorRunner.RunAsync("--udp", $"{port}", "--allow-sender", allowed, "--allow-sender", "192.0.2.2", "--frames", "3", "--duration", "2", "--quiet");
+        for (int i = 0; !running.IsCompleted; i++)
+        {
+            sender.SendTo(FrameServer.Motion((uint)i, 1), new IPEndPoint(IPAddress.Loopback, port));
+            await Task.WhenAny(running, Task.Delay(5, TestContext.Current.CancellationToken));
+        }
+
+        MonitorResult result = await running;
+        Assert.Equal(exitCode, result.ExitCode);
+        if (exitCode != 0)
+        {
+            Assert.Contains("127.0.0.1", Assert.Single(result.Error), StringComparison.Ordinal);
+            Assert.Contains("AllowedSenders", Assert.Single(result.Error), StringComparison.Ordinal);
+        }
+    }
+
     [Fact]
     public async Task Redirected_output_is_plain_lines()
     {
@@ -151,6 +174,13 @@ public sealed class MonitorRunTests
         Assert.Equal(4, result.OfType("frame").Length);
         Assert.Empty(result.OfType("calculation"));
         Assert.Contains("\"index\":0,\"displacement\":true", result.OfType("frame")[0], StringComparison.Ordinal);
+    }
+
+    private static int FreeUdpPort()
+    {
+        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        socket.Bind(new IPEndPoint(IPAddress.Any, 0));
+        return ((IPEndPoint)socket.LocalEndPoint!).Port;
     }
 
     // Takes every line, one at a time and not fast.

@@ -45,6 +45,16 @@ public sealed class UdpDiagnosisTests
     }
 
     [Fact]
+    public async Task Senders_that_may_not_send_are_named()
+    {
+        using var sender = new DatagramSender();
+        var options = new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port, AllowedSenders = [IPAddress.Parse("192.0.2.1")] };
+        StreamDiagnosis diagnosis = await sender.SendUntilAsync(
+            Diagnosing.RunAsync(options, Diagnosing.With(Diagnosing.Silent)), _port, static i => [TestPackets.Motion(i)]);
+        diagnosis.AssertFault(DiagnosisVerdict.SenderNotAllowed, "first bytes", "127.0.0.1", "AllowedSenders");
+    }
+
+    [Fact]
     public async Task Nothing_names_the_destination_and_the_firewall()
     {
         StreamDiagnosis diagnosis = await RunAsync(Diagnosing.Silent);

@@ -6,9 +6,18 @@ namespace NeuronMocap.Tests.Network;
 // A TCP server that a test drives step by step.
 internal sealed class TestServer : IDisposable
 {
-    private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
+    private readonly TcpListener _listener;
 
-    public TestServer() => _listener.Start();
+    public TestServer()
+        : this(IPAddress.Loopback)
+    {
+    }
+
+    public TestServer(IPAddress address, int port = 0)
+    {
+        _listener = new TcpListener(address, port);
+        _listener.Start();
+    }
 
     public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
 
@@ -19,6 +28,19 @@ internal sealed class TestServer : IDisposable
     };
 
     public async Task<TestConnection> AcceptAsync() => new(await _listener.AcceptSocketAsync(TestContext.Current.CancellationToken).AsTask().Soon());
+
+    // For servers that wait until the test is over.
+    public async Task<TestConnection> AcceptAsync(CancellationToken end)
+    {
+        try
+        {
+            return new(await _listener.AcceptSocketAsync(end));
+        }
+        catch (Exception exception) when (end.IsCancellationRequested && exception is SocketException or InvalidOperationException)
+        {
+            throw new OperationCanceledException(end);
+        }
+    }
 
     public void Dispose() => _listener.Dispose();
 }

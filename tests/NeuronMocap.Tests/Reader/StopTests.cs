@@ -234,6 +234,29 @@ public sealed class StopTests
         await disposing.Soon();
     }
 
+    [Fact]
+    public async Task A_handler_of_the_end_that_does_not_return_is_left_behind()
+    {
+        using var server = new TestServer();
+        NeuronReaderOptions options = server.Options(reconnect: true);
+        options.Reconnect.InitialDelay = options.Reconnect.MaxDelay = TimeSpan.FromHours(1);
+        var reader = new NeuronReader(options);
+        var log = new StatusLog(reader);
+        using var leave = new SemaphoreSlim(0);
+        reader.StatusChanged += status =>
+        {
+            if (status.State == ConnectionState.Stopped)
+                leave.Wait(Limits.Unexpected);
+        };
+        reader.Start();
+        (await server.AcceptAsync()).Close();
+        await log.WaitAsync(ConnectionState.Waiting);
+        await Task.Factory.StartNew(reader.Dispose, TaskCreationOptions.LongRunning).WaitAsync(Limits.Unexpected / 2);
+        Assert.False(reader.Completion.IsCompleted);
+        leave.Release();
+        await AssertStoppedAsync(reader);
+    }
+
     private static async Task AssertStoppedAsync(NeuronReader reader)
     {
         await reader.Completion.Soon();

@@ -35,7 +35,7 @@ public sealed class ReaderMetricsTests
                 "neuron.reader.skipped neuron.skip.reason=unknown_version: 0", "neuron.reader.dropped neuron.consumer.name=small: 3",
                 "neuron.reader.dropped neuron.consumer.name=queue: 0", "neuron.reader.queue.length neuron.consumer.name=small: 2",
                 "neuron.reader.queue.length neuron.consumer.name=queue: 5", "neuron.reader.lost: 2", "neuron.reader.gaps: 1",
-                "neuron.reader.restarts: 0", "neuron.reader.reconnects: 0", "neuron.reader.failures: 4",
+                "neuron.reader.restarts: 0", "neuron.reader.reconnects: 0", "neuron.reader.refused: 0", "neuron.reader.failures: 4",
                 "neuron.reader.state neuron.connection.state=receiving: 1", "neuron.reader.state neuron.connection.state=silent: 0",
             ])
         {
@@ -94,7 +94,7 @@ public sealed class ReaderMetricsTests
     {
         using var reader = new NeuronReader("127.0.0.1");
         using var log = new MetricsLog("none");
-        Assert.Equal(14, log.Instruments.Count);
+        Assert.Equal(15, log.Instruments.Count);
         Assert.All(log.Instruments, instrument =>
         {
             Assert.Matches("^neuron\\.reader(\\.[a-z]+)+$", instrument.Name);

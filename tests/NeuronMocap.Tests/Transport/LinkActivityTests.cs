@@ -15,7 +15,7 @@ public sealed class LinkActivityTests
     public LinkActivityTests()
     {
         _status = new StatusBoard(_told.Add);
-        _activity = new LinkActivity(_status, TimeSpan.FromSeconds(3), isUdp: false);
+        _activity = new LinkActivity(_status, TimeSpan.FromSeconds(3), udpSenders: null);
         _activity.Begin("host:7001");
         _status.Set(new ConnectionStatus(ConnectionState.Connected, ConnectionReason.None, "connected"));
         _start = Stopwatch.GetTimestamp();

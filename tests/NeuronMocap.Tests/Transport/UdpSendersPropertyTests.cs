@@ -63,7 +63,7 @@ public sealed class UdpSendersPropertyTests
     private PacketLog Receive(List<Datagram> arrivals)
     {
         var log = new PacketLog();
-        var senders = new UdpSenders(_scanner, log);
+        var senders = new UdpSenders(_scanner, log, new SenderFilter([]));
         foreach (Datagram datagram in arrivals)
             senders.Push(new IPEndPoint(IPAddress.Loopback, datagram.Sender).Serialize(), datagram.Bytes, timestamp: 0);
 

@@ -10,7 +10,7 @@ public sealed class UdpSendersTests
     private readonly PacketLog _log = new();
     private readonly UdpSenders _senders;
 
-    public UdpSendersTests() => _senders = new UdpSenders(new PacketScanner(), _log);
+    public UdpSendersTests() => _senders = new UdpSenders(new PacketScanner(), _log, new SenderFilter([]));
 
     [Fact]
     public void A_frame_in_two_datagrams_is_joined()
@@ -78,6 +78,7 @@ public sealed class UdpSendersTests
             Push(60_000, frame[1024..]);
         }
 
+        Assert.Equal((64, 64), (UdpSenders.Limit, _senders.Count));
         Assert.Equal(400, _log.Packets.Count);
         Assert.InRange(_log.Skipped, 1024 * (20_000 - 64), 1024 * 20_000);
     }

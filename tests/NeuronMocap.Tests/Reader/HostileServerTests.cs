@@ -1,0 +1,206 @@
+using System.Buffers.Binary;
+using NeuronMocap.Protocol;
+using NeuronMocap.Server;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Server;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Reader;
+
+// A real broadcast, which gives every client all frames from 0 on, through a proxy that spoils the way.
+public sealed class HostileServerTests
+{
+    private const int Frames = 100;
+    private const int FrameSize = 1480;
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(63)]
+    [InlineData(64)]
+    [InlineData(700)]
+    [InlineData(1479)]
+    public async Task A_reset_in_mid_frame_costs_that_frame_and_the_next_connection_starts_afresh(int cut)
+    {
+        NeuronReader? reader = null;
+        await using Broadcaster broadcaster = Started();
+        await using var proxy = new FaultProxy(broadcaster.LocalEndPoint!, async link =>
+        {
+            if (link.Number == 0)
+            {
+                await link.ForwardAsync((10 * FrameSize) + cut);
+
+                // A reset takes with it what the other side has not read.
+                await Limits.UntilAsync(() => reader!.GetStatistics().MotionFrames == 10);
+                link.Reset();
+                return;
+            }
+
+            await link.ForwardAsync(Frames * FrameSize);
+            await link.HoldAsync();
+        });
+        reader = new NeuronReader(Options(proxy));
+        await using NeuronReader disposing = reader;
+        var log = new StatusLog(reader);
+        List<uint?> indices = Indices(reader);
+        reader.Start();
+        await reader.WaitForFramesAsync(10 + Frames);
+
+        Assert.Equal(Enumerable.Range(0, 10).Concat(Enumerable.Range(0, Frames)).Select(i => (uint?)i), indices);
+        Assert.Equal(ConnectionReason.Reset, (await log.WaitAsync(ConnectionState.Waiting)).Reason);
+        Assert.Equal((1L, 0L), (reader.GetStatistics().Reconnects, reader.GetStatistics().Lost));
+
+        // Of the cut frame, what had been read before the reset.
+        Assert.InRange(reader.GetStatistics().SkippedBytes, 0, cut);
+    }
+
+    [Fact]
+    public async Task A_half_closed_connection_is_an_end_and_what_came_before_it_is_delivered()
+    {
+        await using Broadcaster broadcaster = Started();
+        await using var proxy = new FaultProxy(broadcaster.LocalEndPoint!, async link =>
+        {
+            await link.ForwardAsync((10 * FrameSize) + 700);
+            link.HalfClose();
+            await link.HoldAsync();
+        });
+        NeuronReaderOptions options = Options(proxy);
+        options.Reconnect.Enabled = false;
+        await using var reader = new NeuronReader(options);
+        reader.Start();
+        await reader.Completion.Soon();
+
+        Assert.Equal(ConnectionReason.ClosedByPeer, reader.Status.Reason);
+        Assert.Equal((10L, 700L), (reader.GetStatistics().MotionFrames, reader.GetStatistics().SkippedBytes));
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(61)]
+    public async Task A_stream_that_drips_loses_nothing(int pieceSize)
+    {
+        await using Broadcaster broadcaster = Started();
+        await using var proxy = new FaultProxy(broadcaster.LocalEndPoint!, async link =>
+        {
+            await link.ForwardAsync(10 * FrameSize, pieceSize);
+            await link.HoldAsync();
+        });
+        await using var reader = new NeuronReader(Options(proxy));
+        List<uint?> indices = Indices(reader);
+        reader.Start();
+        await reader.WaitForFramesAsync(10);
+
+        Assert.Equal(Enumerable.Range(0, 10).Select(i => (uint?)i), indices);
+        Assert.Equal((0L, 0L, 10L * FrameSize), (reader.GetStatistics().SkippedBytes, reader.GetStatistics().Lost, reader.GetStatistics().BytesReceived));
+    }
+
+    [Fact]
+    public async Task Pauses_between_frames_and_in_one_are_told_and_lose_nothing()
+    {
+        StatusLog? log = null;
+        await using Broadcaster broadcaster = Started();
+        await using var proxy = new FaultProxy(broadcaster.LocalEndPoint!, async link =>
+        {
+            await link.ForwardAsync(5 * FrameSize);
+            await Limits.UntilAsync(() => Count(log!, ConnectionState.Silent) == 1);
+            await link.ForwardAsync((5 * FrameSize) + 700);
+            await Limits.UntilAsync(() => Count(log!, ConnectionState.Silent) == 2);
+            await link.ForwardAsync((90 * FrameSize) - 700);
+            await link.HoldAsync();
+        });
+        await using var reader = new NeuronReader(Options(proxy));
+        log = new StatusLog(reader);
+        List<uint?> indices = Indices(reader);
+        reader.Start();
+        await reader.WaitForFramesAsync(Frames);
+
+        Assert.Equal(Enumerable.Range(0, Frames).Select(i => (uint?)i), indices);
+        Assert.Equal(
+            [
+                ConnectionState.Connecting, ConnectionState.Connected, ConnectionState.Receiving, ConnectionState.Silent,
+                ConnectionState.Receiving, ConnectionState.Silent, ConnectionState.Receiving,
+            ],
+            log.All.Select(status => status.State).Take(7));
+        Assert.All(log.All.Where(status => status.State == ConnectionState.Silent), status => Assert.Equal(ConnectionReason.NoData, status.Reason));
+        Assert.Equal((0L, 0L), (reader.GetStatistics().SkippedBytes, reader.GetStatistics().Reconnects));
+    }
+
+    [Fact]
+    public async Task Bytes_lost_and_bytes_put_in_between_cost_no_more_than_the_frames_they_hit()
+    {
+        byte[] noise = [.. Enumerable.Repeat((byte)0xFF, 1000)];
+        await using Broadcaster broadcaster = Started();
+        await using var proxy = new FaultProxy(broadcaster.LocalEndPoint!, async link =>
+        {
+            await link.ForwardAsync(10 * FrameSize);
+            await link.DropAsync(100);
+            await link.ForwardAsync((10 * FrameSize) - 100);
+            await link.InjectAsync(noise);
+            await link.ForwardAsync(80 * FrameSize);
+            await link.HoldAsync();
+        });
+        await using var reader = new NeuronReader(Options(proxy));
+        List<uint?> indices = Indices(reader);
+        reader.Start();
+        await reader.WaitForFramesAsync(Frames - 1);
+
+        Assert.Equal(Enumerable.Range(0, Frames).Where(i => i != 10).Select(i => (uint?)i), indices);
+        Assert.Equal((1380L + noise.Length, 1L), (reader.GetStatistics().SkippedBytes, reader.GetStatistics().Lost));
+    }
+
+    [Fact]
+    public async Task Counts_of_four_billion_are_refused_before_anything_waits_for_them()
+    {
+        byte[] calculation = TestPackets.Calculation(1, count: 0);
+        calculation.AsSpan(6, 4).Fill(0xFF);
+        byte[] command = new byte[64];
+        new CommandHeader { CommandId = 0, DataCount = uint.MaxValue }.Write(command);
+        byte[] motion = TestPackets.Motion(1, count: 0);
+        BinaryPrimitives.WriteUInt16LittleEndian(motion.AsSpan(6), ushort.MaxValue);
+        byte[][] hostile = [calculation, command, motion];
+
+        await using Broadcaster broadcaster = Started();
+        await using var proxy = new FaultProxy(broadcaster.LocalEndPoint!, async link =>
+        {
+            for (int frame = 0; frame < Frames; frame++)
+            {
+                await link.ForwardAsync(FrameSize);
+                await link.InjectAsync(hostile[frame % hostile.Length]);
+            }
+
+            await link.HoldAsync();
+        });
+        await using var reader = new NeuronReader(Options(proxy));
+        List<uint?> indices = Indices(reader);
+        reader.Start();
+        await reader.WaitForFramesAsync(Frames);
+        await Limits.UntilAsync(() => reader.GetStatistics().SkippedBytes == Frames * 64);
+
+        Assert.Equal(Enumerable.Range(0, Frames).Select(i => (uint?)i), indices);
+        Assert.Equal((long)Frames, reader.GetStatistics().OversizedPackets);
+        Assert.Equal((0L, 0L), (reader.GetStatistics().Lost, reader.GetStatistics().CommandPackets));
+    }
+
+    private static Broadcaster Started()
+    {
+        var broadcaster = new Broadcaster(Expect.Options());
+        broadcaster.Start();
+        return broadcaster;
+    }
+
+    private static NeuronReaderOptions Options(FaultProxy proxy) => new()
+    {
+        Port = proxy.Port,
+        SilenceTimeout = TimeSpan.FromMilliseconds(100),
+        Reconnect = { InitialDelay = TimeSpan.FromMilliseconds(1), MaxDelay = TimeSpan.FromMilliseconds(5) },
+    };
+
+    private static List<uint?> Indices(NeuronReader reader)
+    {
+        List<uint?> indices = [];
+        reader.MotionReceived += frame => indices.Add(frame.FrameIndex);
+        return indices;
+    }
+
+    private static int Count(StatusLog log, ConnectionState state) => log.All.Count(status => status.State == state);
+}

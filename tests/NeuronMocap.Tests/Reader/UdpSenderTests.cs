@@ -1,0 +1,155 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Server;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Server;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Reader;
+
+// Where datagrams may come from and go to.
+public sealed class UdpSenderTests
+{
+    [Fact]
+    public async Task Datagrams_of_senders_that_are_not_allowed_are_dropped_and_counted()
+    {
+        Loopback.NeedManyAddresses();
+        await using UdpEnd end = await UdpEnd.StartAsync(options => options.AllowedSenders = [IPAddress.Parse("127.0.77.6"), IPAddress.Parse("127.0.77.7")]);
+        Socket[] senders = [end.CreateSender("127.0.77.6"), end.CreateSender("127.0.77.7"), end.CreateSender("127.0.77.8")];
+        for (int i = 0; i < 50; i++)
+        {
+            foreach (Socket sender in senders)
+            {
+                await end.SendAsync(sender, TestPackets.Motion(i).AsMemory(0, 1024));
+                await end.SendAsync(sender, TestPackets.Motion(i).AsMemory(1024));
+            }
+        }
+
+        await Limits.UntilAsync(() => end.Reader.GetStatistics() is { MotionFrames: 100, RefusedDatagrams: 100 });
+        Assert.Equal((0L, 0L), (end.Reader.GetStatistics().SkippedBytes, end.Reader.GetStatistics().Lost));
+        Assert.Equal(2, end.Reader.GetAvatarStatistics().Count);
+    }
+
+    [Fact]
+    public async Task Where_only_others_send_the_silence_names_them_and_the_setting()
+    {
+        Loopback.NeedManyAddresses();
+        await using UdpEnd end = await UdpEnd.StartAsync(options => options.AllowedSenders = [IPAddress.Parse("127.0.77.6")]);
+        var log = new StatusLog(end.Reader);
+        Socket refused = end.CreateSender("127.0.77.8");
+        Socket allowed = end.CreateSender("127.0.77.6");
+        await end.SendAsync(refused, TestPackets.Motion(1));
+        ConnectionStatus silent = await log.WaitAsync(status => status.Reason == ConnectionReason.SenderNotAllowed);
+        Assert.Equal(ConnectionState.Silent, silent.State);
+        Assert.Contains("127.0.77.8", silent.Message, StringComparison.Ordinal);
+        Assert.Contains("AllowedSenders", silent.Message, StringComparison.Ordinal);
+
+        await end.SendAsync(allowed, TestPackets.Motion(1));
+        await log.WaitAsync(ConnectionState.Receiving);
+
+        // Then nobody sends, which is another matter.
+        await log.WaitAsync(status => status is { State: ConnectionState.Silent, Reason: ConnectionReason.NoData });
+    }
+
+    [Fact]
+    public async Task Allowed_senders_are_known_by_their_ipv6_addresses_too()
+    {
+        Loopback.NeedIPv6();
+        foreach (bool isAllowed in (bool[])[true, false])
+        {
+            await using UdpEnd end = await UdpEnd.StartAsync(options =>
+            {
+                options.LocalAddress = IPAddress.IPv6Loopback;
+                options.AllowedSenders = [isAllowed ? IPAddress.IPv6Loopback : IPAddress.Parse("fe80::1")];
+            });
+            await end.SendAsync(end.CreateSender(), TestPackets.Motion(1));
+            await Limits.UntilAsync(() => end.Reader.GetStatistics().MotionFrames + end.Reader.GetStatistics().RefusedDatagrams == 1);
+            Assert.Equal(isAllowed ? 1 : 0, end.Reader.GetStatistics().MotionFrames);
+        }
+    }
+
+    [Fact]
+    public void A_list_with_a_null_is_refused()
+    {
+        var options = new NeuronReaderOptions { AllowedSenders = [null!] };
+        Assert.Contains("AllowedSenders", Assert.Throws<ArgumentException>(() => new NeuronReader(options)).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task The_list_is_copied()
+    {
+        List<IPAddress> allowed = [IPAddress.Parse("192.0.2.1")];
+        await using UdpEnd end = await UdpEnd.StartAsync(options => options.AllowedSenders = allowed);
+        allowed.Clear();
+        await end.SendAsync(end.CreateSender(), TestPackets.Motion(1));
+        await Limits.UntilAsync(() => end.Reader.GetStatistics().RefusedDatagrams == 1);
+    }
+
+    [Fact]
+    public async Task A_reader_listens_on_every_interface_unless_told_and_a_broadcaster_on_loopback()
+    {
+        await using UdpEnd end = await UdpEnd.StartAsync(options => options.LocalAddress = null);
+        Assert.Equal(IPAddress.Any, end.EndPoint.Address);
+        await using var broadcaster = new Broadcaster(Expect.Options());
+        broadcaster.Start();
+        Assert.Equal(IPAddress.Loopback, broadcaster.LocalEndPoint!.Address);
+    }
+
+    [Fact]
+    public async Task A_reader_that_is_bound_to_an_address_hears_nothing_of_another()
+    {
+        Loopback.NeedManyAddresses();
+        await using UdpEnd end = await UdpEnd.StartAsync(options => options.LocalAddress = IPAddress.Parse("127.0.77.9"));
+        using var stray = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        for (int i = 0; i < 10; i++)
+            stray.SendTo(TestPackets.Motion(i), new IPEndPoint(IPAddress.Parse("127.0.77.10"), end.EndPoint.Port));
+
+        await end.SendAsync(end.CreateSender(), TestPackets.Motion(99));
+        await end.Reader.WaitForFramesAsync(1);
+        Assert.Equal(1480, end.Reader.GetStatistics().BytesReceived);
+    }
+}
+
+// Alone, because the memory of the whole process is measured.
+[Collection(nameof(Alone))]
+public sealed class UdpFloodTests
+{
+    [Fact]
+    public async Task A_flood_from_thousands_of_senders_keeps_memory_bounded_and_a_real_sender_loses_nothing()
+    {
+        Loopback.NeedManyAddresses();
+        const int Forged = 5000;
+        byte[] whole = TestPackets.Motion(1);
+        byte[] half = whole[..1024];
+        await using UdpEnd end = await UdpEnd.StartAsync();
+        Socket real = end.CreateSender();
+        long heap = 0;
+        for (int i = 0; i < Forged; i++)
+        {
+            if (i == 2000)
+            {
+                await end.DrainedAsync();
+                heap = ProcessResources.LiveHeap();
+            }
+
+            using var forged = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+            forged.Bind(new IPEndPoint(new IPAddress([127, 1, (byte)(i / 250), (byte)(1 + (i % 250))]), 0));
+            forged.Connect(end.EndPoint);
+            await end.SendAsync(forged, i % 2 == 0 ? whole : half);
+            if (i % 25 != 0)
+                continue;
+
+            await end.SendAsync(real, TestPackets.Motion(i).AsMemory(0, 1024));
+            await end.SendAsync(real, TestPackets.Motion(i).AsMemory(1024));
+        }
+
+        const int Frames = (Forged / 2) + (Forged / 25);
+        await Limits.UntilAsync(() => end.Reader.GetStatistics().MotionFrames == Frames);
+        heap = ProcessResources.LiveHeap() - heap;
+
+        // 1024 trackers and 64 assemblers of 4 KiB are what there is room for.
+        Assert.Equal(1024, end.Reader.GetAvatarStatistics().Count);
+        Assert.InRange(heap, long.MinValue, 1_000_000);
+        Assert.InRange(end.Reader.GetStatistics().SkippedBytes, 1024 * ((Forged / 2) - UdpSenders.Limit), 1024 * Forged / 2);
+    }
+}

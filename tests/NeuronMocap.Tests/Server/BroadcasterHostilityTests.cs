@@ -1,0 +1,168 @@
+using System.Runtime.ExceptionServices;
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tests.Server;
+
+// Clients that hang, floods of them, and a system that has no more memory, each beside a client that must not notice.
+public sealed class BroadcasterHostilityTests
+{
+    [Theory]
+    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(200)]
+    public async Task A_client_that_takes_nothing_any_more_is_let_go_and_its_place_is_free(double rate)
+    {
+        BroadcasterOptions options = Expect.Options(avatars: 30);
+        options.Rate = rate;
+        options.MaxClients = 2;
+        options.ClientTimeout = TimeSpan.FromMilliseconds(200);
+        options.QueueLength = 20_000;
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient idle = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        using TestClient witness = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
+        Task<List<byte[]>> reading = ReadUntilAsync(witness, () => broadcaster.Statistics is { Accepted: 2, Clients: 1 });
+        List<byte[]> packets = await reading.Soon();
+
+        using TestClient next = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        Assert.NotNull(await next.ReadAsync());
+        Expect.Frames(packets[..(packets.Count / 30 * 30)], options, packets.Count / 30, Expect.FrameIndex(packets[0]));
+    }
+
+    [Fact]
+    public async Task A_flood_of_connections_beyond_the_limit_takes_nothing_from_those_inside()
+    {
+        const int Flood = 300;
+        BroadcasterOptions options = Expect.Options();
+        options.Rate = 500;
+        options.MaxClients = 8;
+        options.QueueLength = 20_000;
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient witness = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
+        byte[] first = (await witness.ReadAsync())!;
+
+        // None of them reads; seven get in and stay, the others are turned away.
+        List<TestClient> flood = [];
+        for (int i = 0; i < Flood; i++)
+            flood.Add(await TestClient.ConnectAsync(broadcaster.LocalEndPoint));
+
+        List<byte[]> packets = [first, .. await ReadUntilAsync(witness, () => broadcaster.Statistics is { Accepted: 8, Refused: Flood - 7 })];
+        packets.AddRange(await ReadUntilAsync(witness, () => packets.Count > 100, packets));
+        Expect.Frames(packets, options, packets.Count, Expect.FrameIndex(packets[0]));
+        Assert.Equal(8, broadcaster.Statistics.Clients);
+        flood.ForEach(client => client.Dispose());
+        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 1);
+    }
+
+    [Fact]
+    public async Task Want_of_memory_in_one_clients_thread_ends_that_client_only()
+    {
+        BroadcasterOptions options = Expect.Options();
+        options.Sources = [new StumblingSource(badFrame: 50, new InsufficientMemoryException())];
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient victim = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
+        await victim.ReadToEndAsync();
+        using TestClient other = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        for (int i = 0; i < 200; i++)
+            Assert.Equal((uint)i, Expect.FrameIndex((await other.ReadAsync())!));
+
+        Assert.False(broadcaster.Completion.IsCompleted);
+    }
+
+    [Fact]
+    public async Task A_source_that_throws_what_a_closed_socket_throws_ends_the_broadcast_all_the_same()
+    {
+        BroadcasterOptions options = Expect.Options();
+        options.Sources = [new StumblingSource(badFrame: 50, new ObjectDisposedException("take"))];
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
+        await client.ReadToEndAsync();
+        await Assert.ThrowsAsync<ObjectDisposedException>(() => broadcaster.Completion.Soon());
+    }
+
+    [Fact]
+    public async Task Where_there_is_no_thread_for_a_client_it_is_refused_and_the_next_is_served()
+    {
+        int refused = 0;
+        BroadcasterOptions options = Expect.Options();
+        await using var broadcaster = new Broadcaster(options)
+        {
+            StartWorker = worker =>
+            {
+                if (refused++ == 0)
+                    ExceptionDispatchInfo.Throw(new InsufficientMemoryException());
+
+                worker.Start();
+            },
+        };
+        broadcaster.Start();
+        using TestClient first = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        Assert.Null(await first.ReadAsync());
+        using TestClient second = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        Assert.Equal(0u, Expect.FrameIndex((await second.ReadAsync())!));
+        Assert.Equal((1L, 1L), (broadcaster.Statistics.Accepted, broadcaster.Statistics.Refused));
+    }
+
+    [Fact]
+    public async Task Where_there_is_no_thread_to_make_frames_on_the_broadcast_ends_and_says_why()
+    {
+        BroadcasterOptions options = Expect.Options();
+        options.Rate = 100;
+        options.WaitForClient = true;
+        await using var broadcaster = new Broadcaster(options)
+        {
+            StartWorker = worker =>
+            {
+                if (worker.Name == "NeuronMocap pacer")
+                    ExceptionDispatchInfo.Throw(new InsufficientMemoryException());
+
+                worker.Start();
+            },
+        };
+        broadcaster.Start();
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        Assert.Null(await client.ReadAsync());
+        await Assert.ThrowsAsync<InsufficientMemoryException>(() => broadcaster.Completion.Soon());
+    }
+
+    private static Broadcaster Started(BroadcasterOptions options)
+    {
+        var broadcaster = new Broadcaster(options);
+        broadcaster.Start();
+        return broadcaster;
+    }
+
+    private static async Task<List<byte[]>> ReadUntilAsync(TestClient client, Func<bool> condition, List<byte[]>? into = null)
+    {
+        List<byte[]> packets = [];
+        while (!condition())
+        {
+            byte[] packet = (await client.ReadAsync())!;
+            (into ?? packets).Add(packet);
+        }
+
+        return packets;
+    }
+
+    // Fails once, in one frame.
+    private sealed class StumblingSource(long badFrame, Exception exception) : MotionSource
+    {
+        private int _failures;
+
+        public override double FrameRate => 60;
+
+        public override long? FrameCount => null;
+
+        public override bool HasDisplacement => false;
+
+        public override void GetPose(long frame, Span<BoneTransform> pose)
+        {
+            if (frame == badFrame && Interlocked.Exchange(ref _failures, 1) == 0)
+                throw exception;
+
+            pose.Fill(BoneTransform.Identity);
+        }
+
+        public override (bool Left, bool Right) GetFootContacts(long frame) => (false, false);
+    }
+}

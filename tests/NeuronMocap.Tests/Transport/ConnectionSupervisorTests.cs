@@ -1,0 +1,135 @@
+using System.Diagnostics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Telemetry;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Reader;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Transport;
+
+// Links that end at once, on the test's own thread: a day of bad network in a moment. Alone, because the memory of the process is measured.
+[Collection(nameof(Alone))]
+public sealed class ConnectionSupervisorTests
+{
+    private static readonly byte[] Frame = TestPackets.Motion(1);
+
+    private readonly CancellationTokenSource _stop = new();
+    private readonly List<ConnectionStatus> _told = [];
+    private readonly StatusBoard _status;
+    private readonly LinkActivity _activity;
+    private readonly ReceivePipeline _pipeline;
+    private bool _isLogged = true;
+    private int _toldCount;
+
+    public ConnectionSupervisorTests()
+    {
+        _status = new StatusBoard(Tell);
+        _activity = new LinkActivity(_status, TimeSpan.FromSeconds(3), udpSenders: null);
+        _pipeline = new ReceivePipeline(new SkeletonFormat(RotationOrder.YXZ, SkeletonVariant.Neck1), _activity, _status, new SenderFilter([]), new ReaderMetrics("supervisor"), _ => { });
+    }
+
+    [Fact]
+    public async Task A_hundred_thousand_connections_leave_nothing_behind()
+    {
+        const int Links = 100_000;
+        const int Warm = 1_000;
+        _isLogged = false;
+        int made = 0;
+        int closed = 0;
+        long heap = 0;
+        long allocated = 0;
+        ConnectionStatus end = await SuperviseAsync(new ReconnectPolicy { InitialDelay = TimeSpan.FromTicks(1), MaxDelay = TimeSpan.FromTicks(1) }, () =>
+        {
+            if (made == Warm)
+            {
+                heap = ProcessResources.LiveHeap();
+                allocated = GC.GetAllocatedBytesForCurrentThread();
+            }
+
+            bool isLast = ++made == Links;
+            return new FakeLink(
+                receiver =>
+                {
+                    receiver.OnPacket(new ReceivedPacket(PacketKind.Motion, Frame, Stopwatch.GetTimestamp(), 0));
+                    if (isLast)
+                        _stop.Cancel();
+
+                    return new LinkEnd(isLast ? ConnectionReason.Requested : ConnectionReason.Reset, "cut");
+                },
+                () => closed++);
+        });
+        allocated = GC.GetAllocatedBytesForCurrentThread() - allocated;
+        heap = ProcessResources.LiveHeap() - heap;
+
+        Assert.Equal((ConnectionState.Stopped, ConnectionReason.Requested), (end.State, end.Reason));
+        Assert.Equal((Links, Links), (made, closed - 1)); // the last one is closed by the stop, too
+        Assert.Equal((Links, Links - 1L), (_pipeline.GetStatistics().MotionFrames, _pipeline.GetStatistics().Reconnects));
+
+        // Connecting, Connected, Receiving and Waiting; the last does not wait.
+        Assert.Equal((4 * Links) - 1, _toldCount);
+        Assert.InRange(allocated / (Links - Warm), 0, 4096);
+        Assert.InRange(heap, long.MinValue, 1_000_000);
+    }
+
+    [Fact]
+    public async Task A_link_that_ended_before_the_stop_keeps_its_reason_where_no_other_follows()
+    {
+        ConnectionStatus end = await SuperviseAsync(new ReconnectPolicy { Enabled = false }, () => new FakeLink(_ =>
+        {
+            _stop.Cancel();
+            return new LinkEnd(ConnectionReason.ClosedByPeer, "closed");
+        }));
+        Assert.Equal((ConnectionState.Stopped, ConnectionReason.ClosedByPeer, "closed"), (end.State, end.Reason, end.Message));
+    }
+
+    [Fact]
+    public async Task A_link_that_would_have_been_followed_by_another_was_ended_by_the_stop()
+    {
+        ConnectionStatus end = await SuperviseAsync(new ReconnectPolicy(), () => new FakeLink(_ =>
+        {
+            _stop.Cancel();
+            return new LinkEnd(ConnectionReason.ClosedByPeer, "closed");
+        }));
+        Assert.Equal((ConnectionState.Stopped, ConnectionReason.Requested), (end.State, end.Reason));
+    }
+
+    [Fact]
+    public async Task Delays_follow_the_policy_and_start_anew_after_frames()
+    {
+        int made = 0;
+        await SuperviseAsync(new ReconnectPolicy { InitialDelay = TimeSpan.FromMilliseconds(1), MaxDelay = TimeSpan.FromMilliseconds(4) }, () => new FakeLink(receiver =>
+        {
+            if (++made == 5)
+                receiver.OnPacket(new ReceivedPacket(PacketKind.Motion, Frame, Stopwatch.GetTimestamp(), 0));
+            if (made == 8)
+                _stop.Cancel();
+
+            return new LinkEnd(ConnectionReason.Reset, "cut");
+        }));
+        Assert.Equal(
+            [(1, 1.0), (2, 2.0), (3, 4.0), (4, 4.0), (0, 1.0), (1, 1.0), (2, 2.0)],
+            _told.Where(status => status.State == ConnectionState.Waiting).Select(status => (status.Attempt, status.RetryIn!.Value.TotalMilliseconds)));
+    }
+
+    private Task<ConnectionStatus> SuperviseAsync(ReconnectPolicy policy, Func<Link> createLink) =>
+        new ConnectionSupervisor(createLink, policy, _status, _activity, () => 0).RunAsync(_pipeline, _stop.Token).Soon();
+
+    private void Tell(ConnectionStatus status)
+    {
+        _toldCount++;
+        if (_isLogged)
+            _told.Add(status);
+    }
+
+    private sealed class FakeLink(Func<IPacketReceiver, LinkEnd> receive, Action? closed = null) : Link
+    {
+        public override string Target => "fake";
+
+        public override Task<LinkEnd> OpenAsync(CancellationToken stop) => Task.FromResult(LinkEnd.None);
+
+        public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver) => Task.FromResult(receive(receiver));
+
+        public override void Close() => closed?.Invoke();
+    }
+}
