@@ -27,6 +27,9 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar, ID
 
     public IndexTracker Index => _index;
 
+    // Whose frame came after this one's last time. Receive loop only.
+    public AvatarTracker? Next { get; set; }
+
     public AvatarStatistics Snapshot => new()
     {
         Kind = kind,

@@ -22,8 +22,8 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     /// <summary>Capacity unless another is asked for: 4 s of one avatar at 120 Hz, about 0.8 MB.</summary>
     public const int DefaultCapacity = 512;
 
-    // Holds a motion packet of 360 values, the largest.
-    private const int SlotSize = ProtocolConstants.HeaderSize + (360 * sizeof(float));
+    // Holds a motion packet of 360 values, the largest, in whole cache lines.
+    private const int SlotSize = 1536;
 
     private readonly PacketRing _ring;
     private readonly MotionFrame _motion;

@@ -13,7 +13,10 @@ namespace NeuronMocap.Delivery;
 // the other's, so that the two cores do not fight over a cache line (or over a pair of them, where the processor fetches pairs).
 internal sealed class PacketRing
 {
-    private readonly PacketSlot[] _slots;
+    // One piece of memory, so that the processor, which sees it filled and read from one end to the other, fetches ahead.
+    private readonly byte[] _bytes;
+    private readonly Entry[] _entries;
+    private readonly int _slotSize;
     private readonly int _mask;
     private Indices _indices;
 
@@ -25,14 +28,13 @@ internal sealed class PacketRing
             size *= 2;
 
         _mask = size - 1;
-        _slots = new PacketSlot[size];
-        for (int i = 0; i < size; i++)
-            _slots[i] = new PacketSlot(slotSize);
-
+        _slotSize = slotSize;
+        _bytes = new byte[size * slotSize];
+        _entries = new Entry[size];
         _indices.Tail = _indices.ProducersHead = _indices.Head = _indices.ConsumersTail = firstIndex;
     }
 
-    public int Capacity => _slots.Length;
+    public int Capacity => _entries.Length;
 
     // Any thread; exact only when both sides are still. The head first: it never overtakes a tail that is read after it.
     public int Count
@@ -40,7 +42,7 @@ internal sealed class PacketRing
         get
         {
             int head = Volatile.Read(ref _indices.Head);
-            return Math.Min(Volatile.Read(ref _indices.Tail) - head, _slots.Length);
+            return Math.Min(Volatile.Read(ref _indices.Tail) - head, _entries.Length);
         }
     }
 
@@ -48,14 +50,14 @@ internal sealed class PacketRing
     public bool TryEnqueue(in ReceivedPacket packet)
     {
         int tail = _indices.Tail;
-        if (tail - _indices.ProducersHead == _slots.Length)
+        if (tail - _indices.ProducersHead == _entries.Length)
         {
             _indices.ProducersHead = Volatile.Read(ref _indices.Head);
-            if (tail - _indices.ProducersHead == _slots.Length)
+            if (tail - _indices.ProducersHead == _entries.Length)
                 return false;
         }
 
-        _slots[tail & _mask].Store(packet);
+        Store(tail & _mask, packet);
         Volatile.Write(ref _indices.Tail, tail + 1);
         return true;
     }
@@ -74,12 +76,49 @@ internal sealed class PacketRing
             }
         }
 
-        packet = _slots[head & _mask].Packet;
+        packet = Load(head & _mask);
         return true;
     }
 
     // Consumer, once after each successful TryPeek.
     public void Release() => Volatile.Write(ref _indices.Head, _indices.Head + 1);
+
+    private void Store(int slot, in ReceivedPacket packet)
+    {
+        ref Entry entry = ref _entries[slot];
+        entry.Kind = packet.Kind;
+        entry.Length = packet.Length;
+        entry.Timestamp = packet.Timestamp;
+        entry.Source = packet.Source;
+        if (packet.Length <= _slotSize)
+        {
+            packet.Bytes.CopyTo(_bytes.AsSpan(slot * _slotSize, _slotSize));
+            return;
+        }
+
+        if (entry.Large is null || entry.Large.Length < packet.Length)
+            entry.Large = new byte[packet.Length];
+
+        packet.Bytes.CopyTo(entry.Large);
+    }
+
+    private ReceivedPacket Load(int slot)
+    {
+        ref Entry entry = ref _entries[slot];
+        return entry.Length <= _slotSize
+            ? new ReceivedPacket(entry.Kind, _bytes, slot * _slotSize, entry.Length, entry.Timestamp, entry.Source)
+            : new ReceivedPacket(entry.Kind, entry.Large!, 0, entry.Length, entry.Timestamp, entry.Source);
+    }
+
+    // What a slot holds. A packet that is larger than a slot lies in memory of its own, which stays for the next one.
+    private struct Entry
+    {
+        public PacketKind Kind;
+        public int Length;
+        public int Source;
+        public long Timestamp;
+        public byte[]? Large;
+    }
 
     [StructLayout(LayoutKind.Explicit, Size = 384)]
     private struct Indices

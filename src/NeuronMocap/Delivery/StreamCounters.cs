@@ -104,11 +104,11 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
             Volatile.Write(ref _firstFrame, packet.Timestamp);
     }
 
-    // Most streams have one avatar: the last tracker is nearly always the right one.
+    // Avatars take turns: the one that followed the last one before nearly always follows it now.
     private AvatarTracker? Find(PacketKind kind, int source, uint avatar)
     {
-        if (_last is { } last && last.Kind == kind && last.Source == source && last.Avatar == avatar)
-            return last;
+        if (_last?.Next is { } next && next.Avatar == avatar && next.Kind == kind && next.Source == source)
+            return _last = next;
 
         if (!_trackers.TryGetValue((kind, source, avatar), out AvatarTracker? tracker))
         {
@@ -119,6 +119,9 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
             _trackers.Add((kind, source, avatar), tracker);
             _published = [.. _published, tracker];
         }
+
+        if (_last is not null)
+            _last.Next = tracker;
 
         return _last = tracker;
     }

@@ -5,7 +5,9 @@ internal sealed record Row(string Case, string Way, string Figure, double Value,
 {
     public static Row From(string @case, string way, string figure, double[] values, double[]? floors, IReadOnlyList<Aim> aims)
     {
-        Spread? ratio = floors is null ? null : Spread.Of([.. values.Zip(floors, static (value, floor) => value / floor)]);
+        Spread? ratio = floors is null || Array.Exists(floors, static floor => floor == 0)
+            ? null
+            : Spread.Of([.. values.Zip(floors, static (value, floor) => value / floor)]);
         double value = Spread.Of(values).Median;
         Aim? aim = aims.FirstOrDefault(aim => aim.Figure == figure && (aim.Way ?? way) == way);
         return new Row(

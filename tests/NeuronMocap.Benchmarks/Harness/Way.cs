@@ -17,5 +17,5 @@ internal sealed record Aim(string Figure, double Limit, bool IsRatio = false, bo
 {
     public bool IsMetBy(double value) => IsLowerBound ? value >= Limit : value <= Limit;
 
-    public override string ToString() => FormattableString.Invariant($"{(IsLowerBound ? "≥" : "≤")} {Limit}{(IsRatio ? " ×" : string.Empty)}");
+    public override string ToString() => FormattableString.Invariant($"{(IsLowerBound ? "≥" : "≤")} {Limit:0.##}{(IsRatio ? " ×" : string.Empty)}");
 }

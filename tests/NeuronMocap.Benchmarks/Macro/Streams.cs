@@ -26,7 +26,7 @@ internal static class Streams
 
     private static async Task<Figures> MeasureAsync(int connections, double seconds)
     {
-        long memoryBefore = GC.GetTotalMemory(forceFullCollection: true);
+        long memoryBefore = LiveHeap();
         using Peer sender = await Peer.StartAsync(
             "pace", "--connections", Peer.Text(connections), "--rate", Peer.Text(Rate), "--seconds", Peer.Text(seconds + 2));
         long frames = 0;
@@ -41,6 +41,7 @@ internal static class Streams
         await Task.Delay(TimeSpan.FromSeconds(1));
 
         var process = Process.GetCurrentProcess();
+        long allocated = GC.GetTotalAllocatedBytes(precise: true);
         TimeSpan cpu = process.TotalProcessorTime;
         long counted = Interlocked.Read(ref frames);
         var watch = Stopwatch.StartNew();
@@ -48,12 +49,12 @@ internal static class Streams
         process.Refresh();
         cpu = process.TotalProcessorTime - cpu;
         counted = Interlocked.Read(ref frames) - counted;
+        allocated = GC.GetTotalAllocatedBytes(precise: true) - allocated;
         TimeSpan elapsed = watch.Elapsed;
         int threads = process.Threads.Count;
-        long memory = GC.GetTotalMemory(forceFullCollection: true) - memoryBefore;
+        long memory = LiveHeap() - memoryBefore;
 
         await Task.WhenAll(readers.Select(static reader => reader.Completion));
-        foreach (var g in readers.GroupBy(r => r.Status.Message)) Console.Error.WriteLine($"{g.Count()} {g.Key} {g.Sum(r => r.GetStatistics().MotionFrames)}");
         foreach (NeuronReader reader in readers)
             await reader.DisposeAsync();
 
@@ -65,6 +66,14 @@ internal static class Streams
             ["lost"] = sent - Interlocked.Read(ref frames),
             ["managed KiB/connection"] = memory / 1024.0 / connections,
             ["threads"] = threads,
+            ["B/frame"] = allocated / (double)counted,
         };
+    }
+
+    // What is reachable, by the collector's own account: it is exact after a collection that compacts.
+    private static long LiveHeap()
+    {
+        GC.Collect(GC.MaxGeneration, GCCollectionMode.Aggressive, blocking: true, compacting: true);
+        return GC.GetGCMemoryInfo(GCKind.FullBlocking).HeapSizeBytes - GC.GetGCMemoryInfo(GCKind.FullBlocking).FragmentedBytes;
     }
 }

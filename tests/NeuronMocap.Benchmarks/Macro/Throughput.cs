@@ -10,6 +10,7 @@ namespace NeuronMocap.Benchmarks.Macro;
 internal static class Throughput
 {
     private const string Rate = "frames/s";
+    private const string Cpu = "CPU ns/frame";
 
     // A game's main loop is slower and its frames are fewer: this one looks every millisecond, and has room for what comes meanwhile.
     private const int QueueCapacity = 16 * 1024;
@@ -49,10 +50,16 @@ internal static class Throughput
         byte[] buffer = new byte[RawReceiver.BufferSize];
         long received = socket.Receive(buffer);
         long start = Stopwatch.GetTimestamp();
+        TimeSpan cpu = Environment.CpuUsage.TotalTime;
         for (int count = 1; count > 0; received += count)
             count = socket.Receive(buffer);
 
-        return new Figures { [Rate] = received / (double)TestFrame.Size / Stopwatch.GetElapsedTime(start).TotalSeconds };
+        double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
+        return new Figures
+        {
+            [Rate] = received / (double)TestFrame.Size / seconds,
+            [Cpu] = (Environment.CpuUsage.TotalTime - cpu).TotalNanoseconds / frames,
+        };
     }
 
     private static async Task<Figures> CallbackAsync(int perWrite, int frames)
@@ -70,9 +77,10 @@ internal static class Throughput
             if (counted == frames)
                 allocated = GC.GetTotalAllocatedBytes(precise: true) - allocatedBefore;
         };
+        TimeSpan cpu = Environment.CpuUsage.TotalTime;
         reader.Start();
         await reader.Completion;
-        return ToFigures(reader, frames - counted, allocated / (double)frames);
+        return ToFigures(reader, cpu, frames, counted, allocated / (double)frames);
     }
 
     private static async Task<Figures> QueueAsync(int perWrite, int frames)
@@ -81,6 +89,7 @@ internal static class Throughput
         await using NeuronReader reader = CreateReader(sender);
         using FrameQueue queue = reader.OpenQueue(QueueCapacity);
         long counted = 0;
+        TimeSpan cpu = Environment.CpuUsage.TotalTime;
         reader.Start();
         while (!reader.Completion.IsCompleted)
         {
@@ -89,7 +98,7 @@ internal static class Throughput
         }
 
         counted += queue.Pump(static _ => { });
-        return ToFigures(reader, frames - counted);
+        return ToFigures(reader, cpu, frames, counted);
     }
 
     // Newer frames replace older ones on purpose, so only what was not received is lost.
@@ -98,6 +107,7 @@ internal static class Throughput
         using Peer sender = await StartSenderAsync(perWrite, frames);
         await using NeuronReader reader = CreateReader(sender);
         using LatestFrames latest = reader.OpenLatest();
+        TimeSpan cpu = Environment.CpuUsage.TotalTime;
         reader.Start();
         while (!reader.Completion.IsCompleted)
         {
@@ -105,15 +115,21 @@ internal static class Throughput
             Thread.Sleep(1);
         }
 
-        return ToFigures(reader, frames - reader.GetStatistics().MotionFrames);
+        return ToFigures(reader, cpu, frames, reader.GetStatistics().MotionFrames);
     }
 
     private static NeuronReader CreateReader(Peer sender) => new(new NeuronReaderOptions { Port = sender.Port, Reconnect = { Enabled = false } });
 
-    private static Figures ToFigures(NeuronReader reader, long lost, double? allocated = null)
+    private static Figures ToFigures(NeuronReader reader, TimeSpan cpuBefore, int sent, long delivered, double? allocated = null)
     {
+        TimeSpan cpu = Environment.CpuUsage.TotalTime - cpuBefore;
         ReaderStatistics statistics = reader.GetStatistics();
-        var figures = new Figures { [Rate] = statistics.MotionFrames / statistics.Duration.TotalSeconds, ["lost"] = lost };
+        var figures = new Figures
+        {
+            [Rate] = statistics.MotionFrames / statistics.Duration.TotalSeconds,
+            [Cpu] = cpu.TotalNanoseconds / sent,
+            ["lost"] = sent - delivered,
+        };
         if (allocated is { } bytes)
             figures["B/frame"] = bytes;
 
