@@ -35,7 +35,8 @@ internal sealed class BlockingTcpReceiver(Action? released = null) : TcpReceiver
 
             assembler.Push(new ArraySegment<byte>(buffer, 0, count), Stopwatch.GetTimestamp());
 
-            // More is waiting than there is room for: fewer, larger receives from here on.
+            // More is waiting than there is room for: fewer, larger receives from here on. One long stall of a handler is enough for that; the
+            // memory then stays the connection's.
             if (count == buffer.Length && count < LargestBuffer)
                 buffer = new byte[2 * count];
         }

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Makes the tables of docs/performance.md again, for both builds of the library: prints them, and writes every figure as JSON to a folder
+# (the first argument, else "results"). Takes about 25 minutes, in which the machine should have nothing else to do.
+set -euo pipefail
+out=$(realpath -m "${1:-results}")
+cd "$(dirname "$0")"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+mkdir -p "$out"
+
+for build in net8.0 netstandard2.1; do
+    dotnet build -c Release -v quiet -p:LibraryFramework="$build" -o "$scratch/$build"
+    for command in decode avatars consumers throughput latency streams broadcast; do
+        dotnet "$scratch/$build/NeuronMocap.Benchmarks.dll" "$command" --json "$out/$build-$command.json"
+    done
+done
