@@ -17,9 +17,7 @@ internal static class SocketErrors
         _ => ConnectionReason.NetworkError,
     };
 
-    // The pipe wraps the socket's exception; closing a socket under a pending operation gives a different one on every runtime.
-    public static SocketException? Find(Exception exception) => exception as SocketException ?? exception.InnerException as SocketException;
-
+    // Closing a socket under a pending operation gives a different exception on every runtime.
     public static bool IsExpected(Exception exception) =>
-        exception is SocketException or IOException or ObjectDisposedException or OperationCanceledException;
+        exception is SocketException or ObjectDisposedException or OperationCanceledException;
 }

@@ -30,7 +30,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
         {
-            SocketError error = SocketErrors.Find(exception)?.SocketErrorCode ?? SocketError.OperationAborted;
+            SocketError error = (exception as SocketException)?.SocketErrorCode ?? SocketError.OperationAborted;
             return FirstReason(error == SocketError.TimedOut
                 ? new LinkEnd(ConnectionReason.TimedOut, Advice.ConnectionLost(Target))
                 : Failed(error, exception));
@@ -123,7 +123,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
             socket?.Dispose();
             return timeout.IsCancellationRequested
                 ? Failed(SocketError.TimedOut, exception)
-                : Failed(SocketErrors.Find(exception)?.SocketErrorCode ?? SocketError.SocketError, exception);
+                : Failed((exception as SocketException)?.SocketErrorCode ?? SocketError.SocketError, exception);
         }
     }
 

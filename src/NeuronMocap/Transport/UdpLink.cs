@@ -78,7 +78,7 @@ internal sealed class UdpLink(LinkOptions options, SenderFilter filter) : Link
 
     private LinkEnd Failed(Exception exception)
     {
-        ConnectionReason reason = SocketErrors.ToReason(SocketErrors.Find(exception)?.SocketErrorCode ?? SocketError.OperationAborted);
+        ConnectionReason reason = SocketErrors.ToReason((exception as SocketException)?.SocketErrorCode ?? SocketError.OperationAborted);
         return new LinkEnd(reason, Advice.UdpFailed(reason, options, exception));
     }
 }
