@@ -50,8 +50,9 @@ public sealed class BroadcasterOptions
     /// Frames per second, 0.01 to 100,000, or <see cref="MaxRate"/>; null takes the first source's own. Default: null.
     /// <para>
     /// At a number, each frame is made once, at its time, and sent to all; a client that does not read loses whole packets and delays
-    /// nobody. At <see cref="MaxRate"/> every client gets the whole take from frame 0 as fast as it reads, loses nothing, and its
-    /// connection is closed after the last frame; UDP, which cannot push back, is sent as fast as the system takes it.
+    /// nobody. At <see cref="MaxRate"/> every client gets the whole take from frame 0 as fast as it reads, loses nothing (but see
+    /// <see cref="ClientTimeout"/>), and its connection is closed after the last frame; UDP, which cannot push back, is sent as fast as the
+    /// system takes it.
     /// </para>
     /// </summary>
     public double? Rate { get; set; }
@@ -105,9 +106,11 @@ public sealed class BroadcasterOptions
     public int QueueLength { get; set; } = 256;
 
     /// <summary>
-    /// How long a TCP client may take nothing of what is sent to it before it is let go: its computer lost power or network, or it hangs,
-    /// and keeps others from its place. 0.1 seconds to 10 minutes, or <see cref="Timeout.InfiniteTimeSpan"/> to wait for ever,
-    /// as for a client that is being debugged. Default: 1 minute.
+    /// How long a write to a TCP client may wait before the client is let go, and its connection reset: its computer lost power or
+    /// network, or it hangs, and keeps others from its place. The system buffers, and wakes the writer only when much of its buffer is
+    /// free: a client that takes a megabyte within this time, at any even pace, always stays; a slower one may be let go. (A
+    /// <see cref="Fragment"/> beyond 128 KB adds its length.) 1 second to 10 minutes, or <see cref="Timeout.InfiniteTimeSpan"/> to wait for
+    /// ever, as for a client that is being debugged. Default: 1 minute, which only a client below 17 kB/s can miss.
     /// </summary>
     public TimeSpan ClientTimeout { get; set; } = TimeSpan.FromMinutes(1);
 

@@ -28,9 +28,9 @@ internal static class BroadcasterOptionsCheck
         Require(options.QueueLength is >= 1 and <= 65_536, nameof(options.QueueLength), "is 1 to 65,536 frames", options.QueueLength);
         Require(
             options.ClientTimeout == Timeout.InfiniteTimeSpan
-                || (options.ClientTimeout >= TimeSpan.FromSeconds(0.1) && options.ClientTimeout <= TimeSpan.FromMinutes(10)),
+                || (options.ClientTimeout >= TimeSpan.FromSeconds(1) && options.ClientTimeout <= TimeSpan.FromMinutes(10)),
             nameof(options.ClientTimeout),
-            "is 0.1 seconds to 10 minutes, or infinite",
+            "is 1 second to 10 minutes, or infinite",
             options.ClientTimeout);
         Require(
             options.CloseTimeout >= TimeSpan.Zero && options.CloseTimeout <= TimeSpan.FromMinutes(10),

@@ -12,9 +12,13 @@ internal sealed class TcpClientSession : Recipient
     // Bounds what the system keeps for a client that does not read. By default it is megabytes, which is a minute of old frames.
     private const int SendBufferSize = 256 * 1024;
 
+    // The time limit of a write counts from its begin, however much the client takes meanwhile: so none is long.
+    private const int MaxWrite = 128 * 1024;
+
     // The numbers of these options where the framework's enumeration has no names for them.
     private const SocketOptionName KeepAliveTime = (SocketOptionName)3;
     private const SocketOptionName KeepAliveInterval = (SocketOptionName)17;
+    private const SocketOptionName KeepAliveRetryCount = (SocketOptionName)16;
 
     private readonly int? _fragment;
     private readonly TimeSpan _closeTimeout;
@@ -28,7 +32,7 @@ internal sealed class TcpClientSession : Recipient
         socket.NoDelay = true;
         socket.SendBufferSize = SendBufferSize;
 
-        // A client that vanished without a word takes no more; the system by itself would try for a quarter of an hour.
+        // A client that vanished without a word takes no more. The wait for room in the buffer ends only when about a third of it is free.
         socket.SendTimeout = (int)options.ClientTimeout.TotalMilliseconds;
         KeepAlive(socket);
         _fragment = options.Fragment;
@@ -76,7 +80,7 @@ internal sealed class TcpClientSession : Recipient
         _drained.Wait(_closeTimeout);
     }
 
-    // While nothing is sent, only a probe can find out that the client is gone: after 10 s, then every 2 s.
+    // While nothing is sent, only a probe can find out that the client is gone: after 10 s, then every 2 s; given up after 5 without an answer.
     private static void KeepAlive(Socket socket)
     {
         try
@@ -84,6 +88,7 @@ internal sealed class TcpClientSession : Recipient
             socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.KeepAlive, optionValue: true);
             socket.SetSocketOption(SocketOptionLevel.Tcp, KeepAliveTime, 10);
             socket.SetSocketOption(SocketOptionLevel.Tcp, KeepAliveInterval, 2);
+            socket.SetSocketOption(SocketOptionLevel.Tcp, KeepAliveRetryCount, 5);
         }
         catch (SocketException)
         {
@@ -96,8 +101,10 @@ internal sealed class TcpClientSession : Recipient
         int offset = 0;
         while (offset < count)
         {
-            int piece = Math.Min(count - offset, _fragment ?? int.MaxValue);
+            int piece = Math.Min(count - offset, _fragment ?? MaxWrite);
             int sent = Socket.Send(_buffer, offset, piece, SocketFlags.None, out SocketError error);
+            if (error is SocketError.TimedOut or SocketError.WouldBlock)
+                DropUnsent();
             if (error != SocketError.Success)
                 return false;
 
@@ -109,6 +116,9 @@ internal sealed class TcpClientSession : Recipient
         SetFrames(_sent / Plan.FrameSize * Plan.AvatarCount);
         return true;
     }
+
+    // Nobody takes what is queued for a client that is let go; the system would keep it and go on trying. Closing now resets the connection.
+    private void DropUnsent() => Socket.LingerState = new LingerOption(enable: true, seconds: 0);
 
     // Ends when the client has closed its sending side, which is no reason to stop sending to it, or when the connection is gone.
     private async Task DrainAsync()

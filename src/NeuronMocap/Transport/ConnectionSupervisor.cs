@@ -32,18 +32,22 @@ internal sealed class ConnectionSupervisor(
     // Delivered: whether frames came over the link.
     private async Task<(LinkEnd End, bool Delivered)> RunLinkAsync(IPacketReceiver receiver, int attempt, CancellationToken stop)
     {
-        using Link link = createLink();
-        using CancellationTokenRegistration closing = stop.Register(link.Close);
-        status.Set(new ConnectionStatus(ConnectionState.Connecting, ConnectionReason.None, $"Connecting to {link.Target}.") { Attempt = attempt });
-
+        Link? link = null;
         try
         {
+            link = createLink();
+            using CancellationTokenRegistration closing = stop.Register(link.Close);
+            status.Set(new ConnectionStatus(ConnectionState.Connecting, ConnectionReason.None, $"Connecting to {link.Target}.") { Attempt = attempt });
             return await ReceiveAsync(link, receiver, attempt, stop).ConfigureAwait(false);
         }
         catch (Exception exception)
         {
             // Out of memory, or a fault of ours: neither may end the reader, or the process, while there is a next attempt.
-            return (new LinkEnd(ConnectionReason.NetworkError, Advice.Failed(link.Target, exception)), false);
+            return (new LinkEnd(ConnectionReason.NetworkError, Advice.Failed(link?.Target ?? "the server", exception)), false);
+        }
+        finally
+        {
+            link?.Dispose();
         }
     }
 

@@ -14,38 +14,30 @@ internal sealed class PooledTcpReceiver : TcpReceiver
 
     public override Task ConnectAsync(Socket socket, IPEndPoint remote) => socket.ConnectAsync(remote);
 
+    // One method, and so one state machine for the whole connection: one of its own for each arrival would be allocated whenever it waits.
     public override async Task ReceiveAsync(Socket socket, PacketAssembler assembler)
     {
+        int count;
         do
         {
             // A receive of no bytes completes as soon as there are some.
             await socket.ReceiveAsync(Memory<byte>.Empty, SocketFlags.None).ConfigureAwait(false);
-        }
-        while (await DrainAsync(socket, assembler).ConfigureAwait(false));
-    }
-
-    // False at the end of the stream.
-    private static async ValueTask<bool> DrainAsync(Socket socket, PacketAssembler assembler)
-    {
-        byte[] buffer = ArrayPool<byte>.Shared.Rent(BufferSize);
-        try
-        {
-            int count;
-            do
+            byte[] buffer = ArrayPool<byte>.Shared.Rent(BufferSize);
+            try
             {
-                count = await socket.ReceiveAsync(buffer.AsMemory(0, BufferSize), SocketFlags.None).ConfigureAwait(false);
-                if (count == 0)
-                    return false;
-
-                assembler.Push(new ArraySegment<byte>(buffer, 0, count), Stopwatch.GetTimestamp());
+                do
+                {
+                    count = await socket.ReceiveAsync(buffer.AsMemory(0, BufferSize), SocketFlags.None).ConfigureAwait(false);
+                    if (count > 0)
+                        assembler.Push(new ArraySegment<byte>(buffer, 0, count), Stopwatch.GetTimestamp());
+                }
+                while (count == BufferSize);
             }
-            while (count == BufferSize);
-
-            return true;
+            finally
+            {
+                ArrayPool<byte>.Shared.Return(buffer);
+            }
         }
-        finally
-        {
-            ArrayPool<byte>.Shared.Return(buffer);
-        }
+        while (count > 0);
     }
 }

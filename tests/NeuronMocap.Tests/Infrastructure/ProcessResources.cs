@@ -15,7 +15,10 @@ internal static class ProcessResources
     public static int Sockets => OperatingSystem.IsLinux() ? CountSockets() : CountHandles();
 
     /// <summary>Threads whose name begins as those of the library do; pool threads come and go and are not counted.</summary>
-    public static int LibraryThreads => OperatingSystem.IsLinux() ? CountNamedThreads() : 0;
+    public static int LibraryThreads => OperatingSystem.IsLinux() ? CountThreads("NeuronMocap") : 0;
+
+    /// <summary>Threads that wait for a TCP connection or its bytes; of a thread's name Linux keeps 15 characters.</summary>
+    public static int TcpThreads => OperatingSystem.IsLinux() ? CountThreads("NeuronMocap TCP") : 0;
 
     /// <summary>Bytes of the objects that are still in use. GC.GetTotalMemory is off by what was freed in old generations, at times below zero.</summary>
     public static long LiveHeap()
@@ -53,14 +56,14 @@ internal static class ProcessResources
         return count;
     }
 
-    private static int CountNamedThreads()
+    private static int CountThreads(string name)
     {
         int count = 0;
         foreach (string path in Directory.EnumerateDirectories(Tasks))
         {
             try
             {
-                if (File.ReadAllText(Path.Combine(path, "comm")).StartsWith("NeuronMocap", StringComparison.Ordinal))
+                if (File.ReadAllText(Path.Combine(path, "comm")).StartsWith(name, StringComparison.Ordinal))
                     count++;
             }
             catch (IOException)

@@ -85,10 +85,10 @@ public sealed partial class AllocationTests
             () => Interlocked.Exchange(ref frames, 0));
     }
 
-    private static async Task MeasureTcpAsync(Func<NeuronReader, Func<int>> open)
+    private static async Task MeasureTcpAsync(Func<NeuronReader, Func<int>> open, Func<TcpReceiver>? takeReceiver = null)
     {
         using var server = new TestServer();
-        using var reader = new NeuronReader(server.Options());
+        using var reader = server.Options().CreateReader(takeReceiver ?? (static () => new BlockingTcpReceiver()));
         Func<int> take = open(reader);
         reader.Start();
         using TestConnection connection = await server.AcceptAsync();

@@ -1,11 +1,24 @@
 using System.Diagnostics.Metrics;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 
 public sealed partial class AllocationTests
 {
+    [Fact]
+    public Task A_connection_without_a_thread_costs_no_allocation_per_frame() => MeasureTcpAsync(
+        reader =>
+        {
+            FrameQueue queue = reader.OpenQueue(FramesPerRound);
+            float sum = 0;
+            reader.MotionReceived += frame => sum += frame.Values[0];
+            Action<MotionFrame> handler = frame => sum += frame.Values[^1];
+            return () => queue.Pump(handler);
+        },
+        static () => new PooledTcpReceiver());
+
     [Fact]
     public async Task Metrics_that_are_listened_to_cost_no_allocation_per_frame()
     {

@@ -8,10 +8,12 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Tests.Reader;
 
 // A real broadcast, which gives every client all frames from 0 on, through a proxy that spoils the way.
-public sealed class HostileServerTests
+public abstract class HostileServerTests
 {
     private const int Frames = 100;
     private const int FrameSize = 1480;
+
+    internal abstract TcpReceiver CreateReceiver();
 
     [Theory]
     [InlineData(0)]
@@ -39,7 +41,7 @@ public sealed class HostileServerTests
             await link.ForwardAsync(Frames * FrameSize);
             await link.HoldAsync();
         });
-        reader = new NeuronReader(Options(proxy));
+        reader = CreateReader(Options(proxy));
         await using NeuronReader disposing = reader;
         var log = new StatusLog(reader);
         List<uint?> indices = Indices(reader);
@@ -66,7 +68,7 @@ public sealed class HostileServerTests
         });
         NeuronReaderOptions options = Options(proxy);
         options.Reconnect.Enabled = false;
-        await using var reader = new NeuronReader(options);
+        await using var reader = CreateReader(options);
         reader.Start();
         await reader.Completion.Soon();
 
@@ -85,7 +87,7 @@ public sealed class HostileServerTests
             await link.ForwardAsync(10 * FrameSize, pieceSize);
             await link.HoldAsync();
         });
-        await using var reader = new NeuronReader(Options(proxy));
+        await using var reader = CreateReader(Options(proxy));
         List<uint?> indices = Indices(reader);
         reader.Start();
         await reader.WaitForFramesAsync(10);
@@ -108,7 +110,7 @@ public sealed class HostileServerTests
             await link.ForwardAsync((90 * FrameSize) - 700);
             await link.HoldAsync();
         });
-        await using var reader = new NeuronReader(Options(proxy));
+        await using var reader = CreateReader(Options(proxy));
         log = new StatusLog(reader);
         List<uint?> indices = Indices(reader);
         reader.Start();
@@ -139,7 +141,7 @@ public sealed class HostileServerTests
             await link.ForwardAsync(80 * FrameSize);
             await link.HoldAsync();
         });
-        await using var reader = new NeuronReader(Options(proxy));
+        await using var reader = CreateReader(Options(proxy));
         List<uint?> indices = Indices(reader);
         reader.Start();
         await reader.WaitForFramesAsync(Frames - 1);
@@ -170,7 +172,7 @@ public sealed class HostileServerTests
 
             await link.HoldAsync();
         });
-        await using var reader = new NeuronReader(Options(proxy));
+        await using var reader = CreateReader(Options(proxy));
         List<uint?> indices = Indices(reader);
         reader.Start();
         await reader.WaitForFramesAsync(Frames);
@@ -188,6 +190,8 @@ public sealed class HostileServerTests
         return broadcaster;
     }
 
+    private NeuronReader CreateReader(NeuronReaderOptions options) => options.CreateReader(CreateReceiver);
+
     private static NeuronReaderOptions Options(FaultProxy proxy) => new()
     {
         Port = proxy.Port,
@@ -203,4 +207,9 @@ public sealed class HostileServerTests
     }
 
     private static int Count(StatusLog log, ConnectionState state) => log.All.Count(status => status.State == state);
+}
+
+public sealed class BlockingHostileServerTests : HostileServerTests
+{
+    internal override TcpReceiver CreateReceiver() => new BlockingTcpReceiver();
 }

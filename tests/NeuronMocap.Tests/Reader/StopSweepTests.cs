@@ -34,7 +34,7 @@ public enum Stopping
 // Starts that are stopped after 0 to 50 ms, in every situation, in every way: 52 times 51 of them. Alone, because sockets and threads of the
 // whole process are counted.
 [Collection(nameof(Alone))]
-public sealed class StopSweepTests(ITestOutputHelper output)
+public sealed partial class StopSweepTests(ITestOutputHelper output)
 {
     private const int MaxDelay = 50;
     private const int AtATime = 17;
@@ -62,12 +62,15 @@ public sealed class StopSweepTests(ITestOutputHelper output)
 
     [Theory]
     [MemberData(nameof(All))]
-    public async Task No_stop_takes_a_second_and_nothing_is_left(Situation situation, Stopping stopping)
+    public Task No_stop_takes_a_second_and_nothing_is_left(Situation situation, Stopping stopping) =>
+        SweepAsync(situation, stopping, TcpReceivers.Shared.Take);
+
+    private async Task SweepAsync(Situation situation, Stopping stopping, Func<TcpReceiver> takeReceiver)
     {
         int sockets = ProcessResources.Sockets;
         int threads = ProcessResources.LibraryThreads;
         TimeSpan longest = TimeSpan.Zero;
-        await using (var surroundings = new Surroundings(situation))
+        await using (var surroundings = new Surroundings(situation, takeReceiver))
         {
             for (int first = 0; first <= MaxDelay; first += AtATime)
             {
@@ -83,7 +86,7 @@ public sealed class StopSweepTests(ITestOutputHelper output)
     }
 
     // What the readers of one situation find.
-    private sealed class Surroundings(Situation situation) : IAsyncDisposable
+    private sealed class Surroundings(Situation situation, Func<TcpReceiver> takeReceiver) : IAsyncDisposable
     {
         private static readonly byte[] Frame = TestPackets.Motion(1);
 
@@ -110,9 +113,10 @@ public sealed class StopSweepTests(ITestOutputHelper output)
                 options.Port = 0;
             }
 
-            return situation == Situation.Resolving
-                ? new NeuronReader(options, () => new TcpLink(options.Link with { Host = "suit-pc", Resolve = _ => new TaskCompletionSource<IPAddress[]>().Task }))
-                : new NeuronReader(options);
+            if (situation == Situation.Resolving)
+                return new NeuronReader(options, () => new TcpLink(options.Link with { Host = "suit-pc", Resolve = _ => new TaskCompletionSource<IPAddress[]>().Task }));
+
+            return options.Transport == TransportKind.Udp ? new NeuronReader(options) : options.CreateReader(takeReceiver);
         }
 
         // Frames, as fast as a test needs them.

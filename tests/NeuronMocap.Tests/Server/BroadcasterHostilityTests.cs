@@ -1,3 +1,5 @@
+using System.Diagnostics;
+using System.Net.Sockets;
 using System.Runtime.ExceptionServices;
 using NeuronMocap.Server;
 using NeuronMocap.Server.Sources;
@@ -16,7 +18,7 @@ public sealed class BroadcasterHostilityTests
         BroadcasterOptions options = Expect.Options(avatars: 30);
         options.Rate = rate;
         options.MaxClients = 2;
-        options.ClientTimeout = TimeSpan.FromMilliseconds(200);
+        options.ClientTimeout = TimeSpan.FromSeconds(1);
         options.QueueLength = 20_000;
         await using Broadcaster broadcaster = Started(options);
         using TestClient idle = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
@@ -27,6 +29,42 @@ public sealed class BroadcasterHostilityTests
         using TestClient next = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         Assert.NotNull(await next.ReadAsync());
         Expect.Frames(packets[..(packets.Count / 30 * 30)], options, packets.Count / 30, Expect.FrameIndex(packets[0]));
+
+        // What was queued for it is gone, too: an end in good order would keep it until somebody takes it.
+        SocketException end = await Assert.ThrowsAsync<SocketException>(() => idle.ReadToEndAsync());
+        Assert.Equal(SocketError.ConnectionReset, end.SocketErrorCode);
+    }
+
+    // A frame of all avatars is longer than what the client takes within the time: 1.4 MB.
+    [Fact]
+    public async Task A_client_that_is_slow_but_steady_stays()
+    {
+        const int BytesPerSecond = 1_000_000;
+        const int Enough = 3_200_000;
+        BroadcasterOptions options = Expect.Options(avatars: 256);
+        options.Calculation = TestSource.WriteCalculation;
+        options.ClientTimeout = TimeSpan.FromSeconds(1);
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        client.Socket.ReceiveBufferSize = 256 * 1024;
+        byte[] buffer = new byte[64 * 1024];
+        long start = Stopwatch.GetTimestamp();
+        int taken = 0;
+        while (taken < Enough)
+        {
+            int due = (int)(Stopwatch.GetElapsedTime(start).TotalSeconds * BytesPerSecond) - taken;
+            if (due <= 0)
+            {
+                await Task.Delay(5, TestContext.Current.CancellationToken);
+                continue;
+            }
+
+            int read = await client.Socket.ReceiveAsync(buffer.AsMemory(0, Math.Min(due, buffer.Length)), TestContext.Current.CancellationToken).Soon();
+            Assert.NotEqual(0, read);
+            taken += read;
+        }
+
+        Assert.Equal(1, broadcaster.Statistics.Clients);
     }
 
     [Fact]

@@ -178,7 +178,7 @@ public sealed class BroadcasterLifecycleTests
         { "Fragment", options => options.Fragment = 0 },
         { "Fragment", options => options.Fragment = 1_048_577 },
         { "QueueLength", options => options.QueueLength = 0 },
-        { "ClientTimeout", options => options.ClientTimeout = TimeSpan.Zero },
+        { "ClientTimeout", options => options.ClientTimeout = TimeSpan.FromSeconds(0.9) },
         { "ClientTimeout", options => options.ClientTimeout = TimeSpan.FromHours(1) },
         { "CloseTimeout", options => options.CloseTimeout = TimeSpan.FromSeconds(-1) },
     };

@@ -112,6 +112,24 @@ public sealed class ConnectionSupervisorTests
             _told.Where(status => status.State == ConnectionState.Waiting).Select(status => (status.Attempt, status.RetryIn!.Value.TotalMilliseconds)));
     }
 
+    [Fact]
+    public async Task What_fails_before_there_is_a_link_does_not_end_the_reader()
+    {
+        int made = 0;
+        ConnectionStatus end = await SuperviseAsync(new ReconnectPolicy { InitialDelay = TimeSpan.FromMilliseconds(1) }, () => ++made == 1
+            ? throw new InvalidOperationException("No memory.")
+            : new FakeLink(_ =>
+            {
+                _stop.Cancel();
+                return LinkEnd.Requested;
+            }));
+
+        Assert.Equal((2, ConnectionReason.Requested), (made, end.Reason));
+        ConnectionStatus waiting = Assert.Single(_told, status => status.State == ConnectionState.Waiting);
+        Assert.Equal(ConnectionReason.NetworkError, waiting.Reason);
+        Assert.Contains("No memory.", waiting.Message, StringComparison.Ordinal);
+    }
+
     private Task<ConnectionStatus> SuperviseAsync(ReconnectPolicy policy, Func<Link> createLink) =>
         new ConnectionSupervisor(createLink, policy, _status, _activity, () => 0).RunAsync(_pipeline, _stop.Token).Soon();
 
