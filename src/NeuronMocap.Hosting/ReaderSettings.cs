@@ -37,9 +37,13 @@ internal static class ReaderSettings
     public static void Apply(IConfigurationSection section, string name, NeuronReaderOptions options)
     {
         List<string> faults = [];
+
+        // An array in a file and a list in the environment are two keys: the list replaces the array, so that it can narrow down who may send.
+        // An empty list does not, for it would let everyone in.
+        bool hasList = section[AllowedSenders]?.Trim(' ', ',') is { Length: > 0 };
         foreach ((string key, string? text) in section.AsEnumerable(makePathsRelative: true))
         {
-            if (text is null || key.Length == 0)
+            if (text is null || key.Length == 0 || (hasList && IsArrayItem(key)))
                 continue;
 
             if (Find(key, text, options) is { } fault)
@@ -79,9 +83,10 @@ internal static class ReaderSettings
 
     private static bool Switch(string text) => bool.TryParse(text, out bool on) ? on : throw new FormatException("true or false");
 
+    private static string WithoutIndex(string key) => IsArrayItem(key) ? AllowedSenders : key;
+
     // An array in JSON has a key for each of its items.
-    private static string WithoutIndex(string key) =>
-        key.StartsWith(AllowedSenders + ":", StringComparison.OrdinalIgnoreCase) ? AllowedSenders : key;
+    private static bool IsArrayItem(string key) => key.StartsWith(AllowedSenders + ":", StringComparison.OrdinalIgnoreCase);
 
     private static IEnumerable<IPAddress> Addresses(string text) =>
         text.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries).Select(static part => Address(part)!);

@@ -118,7 +118,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     /// <summary>
     /// Called with what deserves a line in a log: every change of the connection's state, on the thread that tells it, and lost and dropped
     /// frames, skipped bytes and failed handlers: the first of each kind within half a second, what follows in one event every 10 s, on a pool thread.
-    /// On .NET the same goes to <c>NeuronReaderOptions.LoggerFactory</c>.
+    /// Both threads may call at the same time; each for itself calls once at a time. On .NET the same goes to <c>NeuronReaderOptions.LoggerFactory</c>.
     /// </summary>
     public event Action<ReaderEvent>? EventReported
     {
@@ -215,7 +215,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     /// </summary>
     public void Dispose()
     {
-        Task<bool> stopped = Stop();
+        Task stopped = Stop();
         if (!IsHandlerThread)
             stopped.Wait(StopTimeout);
     }
@@ -224,7 +224,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     /// <returns>A task that completes when the reader has stopped, or after 2 s.</returns>
     public async ValueTask DisposeAsync()
     {
-        Task<bool> stopped = Stop();
+        Task stopped = Stop();
         if (!IsHandlerThread)
             await Task.WhenAny(stopped, Task.Delay(StopTimeout)).ConfigureAwait(false);
     }
@@ -235,11 +235,11 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
         get
         {
             int thread = Environment.CurrentManagedThreadId;
-            return thread == _tellingThread || thread == _pipeline.DeliveringThread;
+            return thread == _tellingThread || thread == _pipeline.DeliveringThread || _reporter.IsReporting;
         }
     }
 
-    private Task<bool> Stop()
+    private Task Stop()
     {
         if (Interlocked.Exchange(ref _disposed, 1) == 0)
         {
@@ -248,10 +248,10 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
             _watchdog?.Dispose();
             _stop.Cancel();
             if (Interlocked.Exchange(ref _started, 1) == 0)
-                _status.Set(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller."));
+                _ = EndAsync(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller."));
         }
 
-        return _completion.Task;
+        return Task.WhenAll(_completion.Task, _reporter.Over);
     }
 
     private async Task RunAsync()
@@ -269,15 +269,28 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
             last = new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.NetworkError, $"The reader failed: {exception}");
         }
 
-        _watchdog?.Dispose();
-        _reporter.End(Stopwatch.GetTimestamp());
-        _status.Set(last);
+        await EndAsync(last).ConfigureAwait(false);
+    }
+
+    // The last report, then the last status, whatever becomes of the report.
+    private async Task EndAsync(ConnectionStatus last)
+    {
+        try
+        {
+            _watchdog?.Dispose();
+            await _reporter.EndAsync(Stopwatch.GetTimestamp()).ConfigureAwait(false);
+        }
+        finally
+        {
+            _status.Set(last);
+        }
     }
 
     private void Check(long now)
     {
         _activity.Check(now);
-        _reporter.Check(now);
+        if (!_eventHandlers.IsEmpty)
+            _reporter.Check(now);
     }
 
     // When the handlers of Stopped, the last status, have run.

@@ -67,6 +67,16 @@ public sealed class ReaderSettingsTests
         [IPAddress.Parse("192.168.1.20"), IPAddress.Parse("192.168.1.21")],
         Read(("AllowedSenders:0", "192.168.1.20"), ("AllowedSenders:1", "192.168.1.21")).AllowedSenders.OrderBy(static address => address.ToString()));
 
+    [Theory]
+    [InlineData("192.168.1.20", "192.168.1.20")]
+    [InlineData("192.168.1.7, 192.168.1.8", "192.168.1.7", "192.168.1.8")]
+    [InlineData("", "192.168.1.20", "192.168.1.21")]
+    [InlineData(" , ", "192.168.1.20", "192.168.1.21")]
+    public void A_list_replaces_an_array_of_another_source_unless_it_is_empty(string list, params string[] expected) => Assert.Equal(
+        expected.Select(IPAddress.Parse),
+        Read(("AllowedSenders:0", "192.168.1.20"), ("allowedSenders", list), ("AllowedSenders:1", "192.168.1.21"))
+            .AllowedSenders.OrderBy(static address => address.ToString()));
+
     private static NeuronReaderOptions Read(params (string Key, string Value)[] settings)
     {
         IConfiguration configuration = new ConfigurationBuilder()

@@ -9,21 +9,34 @@ namespace NeuronMocap.Telemetry;
 // that looks at the counters, so that the receive thread has nothing to do with them, however many there are.
 internal sealed class EventReporter(string name, IReaderFigures figures, Action<ReaderEvent> report)
 {
-    // For a report that another thread is just making.
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(0.1);
+    // For a report that another thread is just making: half of what a stop may take, so that the last status is still told within it.
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
 
-    private static readonly SkipReason[] SkipReasons =
-        [SkipReason.NoTokens, SkipReason.UnknownVersion, SkipReason.TooLarge, SkipReason.Incomplete];
+    private static readonly (SkipReason Reason, string Name)[] SkipReasons =
+    [
+        (SkipReason.NoTokens, nameof(SkipReason.NoTokens)),
+        (SkipReason.UnknownVersion, nameof(SkipReason.UnknownVersion)),
+        (SkipReason.TooLarge, nameof(SkipReason.TooLarge)),
+        (SkipReason.Incomplete, nameof(SkipReason.Incomplete)),
+    ];
 
     private readonly object _lock = new();
-    private readonly HashSet<(ConnectionState State, ConnectionReason Reason)> _told = [];
+    private readonly StatusLevels _levels = new();
     private readonly Dictionary<(ReaderEventId Id, string? Subject), ThrottledCount> _counts = [];
+    private readonly TaskCompletionSource<bool> _over = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private long _droppedTold;
     private volatile Exception? _failure;
-    private bool _ended;
+    private volatile bool _ended;
+
+    // Whether the calling thread is making a report, so that a handler calls.
+    public bool IsReporting => Monitor.IsEntered(_lock);
+
+    // Completes after the end, when no report runs any more.
+    public Task Over => _over.Task;
 
     // One thread at a time, in the order of the changes.
     public void OnStatus(ConnectionStatus status) =>
-        report(new ReaderEvent((ReaderEventId)status.State, LevelOf(status), name, status.Message) { Status = status });
+        report(new ReaderEvent((ReaderEventId)status.State, _levels.LevelOf(status), name, status.Message) { Status = status });
 
     // Any thread.
     public void OnFailure(Exception exception) => _failure = exception;
@@ -41,88 +54,124 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
         }
         finally
         {
-            Monitor.Exit(_lock);
+            Leave();
         }
     }
 
-    // Once, when nothing more is received: what no report told yet.
-    public void End(long now)
+    // Once, when nothing more is received: what no report told yet. The thread may be one that stops the reader, so it does not wait here.
+    public Task EndAsync(long now)
     {
-        if (!Monitor.TryEnter(_lock, Patience))
-            return;
+        _ended = true;
+        return TryEnd(now, TimeSpan.Zero) ? Task.CompletedTask : Task.Run(() => TryEnd(now, Patience));
+    }
+
+    private bool TryEnd(long now, TimeSpan patience)
+    {
+        if (!Monitor.TryEnter(_lock, patience))
+            return false;
 
         try
         {
-            _ended = true;
             Report(now, force: true);
         }
         finally
         {
-            Monitor.Exit(_lock);
+            Leave();
         }
+
+        return true;
+    }
+
+    private void Leave()
+    {
+        Monitor.Exit(_lock);
+
+        // Still entered where a handler's Dispose came to the end on the handler's thread.
+        if (_ended && !IsReporting)
+            _over.TrySetResult(true);
     }
 
     private void Report(long now, bool force)
     {
-        ReaderStatistics statistics = figures.GetStatistics();
-        long lostFrames = statistics.Lost - (force ? 0 : figures.UnsettledLoss);
-        if (Take(ReaderEventId.FramesLost, null, lostFrames, now, force) is { Count: > 0 } lost)
-            report(lost with { Message = Text($"{lost.Count} frames that the server sent did not arrive; {lost.Total} in all, in {statistics.Gaps} gaps.") });
+        try
+        {
+            // Before the loss and after it: what turns out to be a reduced frequency in between is taken off both.
+            long unsettled = figures.UnsettledLoss;
+            ReaderStatistics statistics = figures.GetStatistics();
+            unsettled = force ? 0 : Math.Max(unsettled, figures.UnsettledLoss);
 
+            ReportLoss(statistics, unsettled, now, force);
+            if (statistics.Dropped > _droppedTold)
+                ReportDropped(now, force);
+
+            ReportSkipped(now, force);
+            ReportFailures(statistics, now, force);
+        }
+        catch (Exception)
+        {
+            // Out of memory, or a handler's exception whose Message throws. Neither may end the process; the statistics have the counts.
+        }
+    }
+
+    private void ReportLoss(in ReaderStatistics statistics, long unsettled, long now, bool force)
+    {
+        if (Take(ReaderEventId.FramesLost, null, statistics.Lost - unsettled, now, force) is not { Count: > 0 } lost)
+            return;
+
+        string gaps = Number(statistics.Gaps, "gap");
+        report(lost with { Message = Text($"{Number(lost.Count, "frame")} that the server sent did not arrive; {lost.Total} in all, in {gaps}.") });
+    }
+
+    private void ReportDropped(long now, bool force)
+    {
         foreach (ConsumerStatistics consumer in figures.GetConsumers())
         {
-            if (Take(ReaderEventId.FramesDropped, consumer.Name, consumer.Dropped, now, force) is { Count: > 0 } dropped)
-            {
-                report(dropped with
-                {
-                    Message = Text($"The queue '{consumer.Name}' was full and dropped {dropped.Count} frames; {dropped.Total} in all. ")
-                        + "Pump it more often, or give it a larger capacity.",
-                });
-            }
-        }
+            if (Take(ReaderEventId.FramesDropped, consumer.Name, consumer.Dropped, now, force) is not { Count: > 0 } dropped)
+                continue;
 
-        foreach (SkipReason reason in SkipReasons)
-        {
-            if (Take(ReaderEventId.BytesSkipped, reason.ToString(), figures.GetSkipped(reason), now, force) is { Count: > 0 } skipped)
-                report(skipped with { Message = Text($"{skipped.Count} bytes belong to no packet ({Describe(reason)}); {skipped.Total} in all.") });
-        }
-
-        if (Take(ReaderEventId.HandlerFailed, null, statistics.CallbackFailures, now, force) is { Count: > 0 } failed)
-        {
-            Exception? failure = _failure;
-            report(failed with
+            _droppedTold += dropped.Count;
+            report(dropped with
             {
-                Level = ReaderEventLevel.Error,
-                Exception = failure,
-                Message = Text($"Handlers threw {failed.Count} exceptions, {failed.Total} in all; the newest: {failure?.Message}"),
+                Message = Text($"The queue '{consumer.Name}' was full and dropped {Number(dropped.Count, "frame")}; {dropped.Total} in all. ")
+                    + "Pump it more often, or give it a larger capacity.",
             });
         }
     }
 
+    private void ReportSkipped(long now, bool force)
+    {
+        foreach ((SkipReason reason, string subject) in SkipReasons)
+        {
+            if (Take(ReaderEventId.BytesSkipped, subject, figures.GetSkipped(reason), now, force) is { Count: > 0 } skipped)
+                report(skipped with { Message = Text($"{Number(skipped.Count, "byte")} outside any packet ({Describe(reason)}); {skipped.Total} in all.") });
+        }
+    }
+
+    private void ReportFailures(in ReaderStatistics statistics, long now, bool force)
+    {
+        if (Take(ReaderEventId.HandlerFailed, null, statistics.CallbackFailures, now, force) is not { Count: > 0 } failed)
+            return;
+
+        Exception? failure = _failure;
+        report(failed with
+        {
+            Level = ReaderEventLevel.Error,
+            Exception = failure,
+            Message = Text($"Handlers threw {Number(failed.Count, "exception")}, {failed.Total} in all; the newest: {failure?.Message}"),
+        });
+    }
+
+    // Nothing once the end has come: the last report tells the rest.
     private ReaderEvent Take(ReaderEventId id, string? subject, long total, long now, bool force)
     {
+        if (_ended && !force)
+            return default;
+
         if (!_counts.TryGetValue((id, subject), out ThrottledCount? count))
             _counts.Add((id, subject), count = new ThrottledCount());
 
         long growth = count.Take(total, now, force);
         return new ReaderEvent(id, ReaderEventLevel.Warning, name, string.Empty) { Subject = subject, Count = growth, Total = total };
-    }
-
-    // A server that is down for an hour is one warning, not one for every attempt: a problem is told again when frames came in between.
-    private ReaderEventLevel LevelOf(in ConnectionStatus status)
-    {
-        if (status.State == ConnectionState.Receiving)
-            _told.Clear();
-
-        bool isNew = _told.Add((status.State, status.Reason));
-        return status.State switch
-        {
-            ConnectionState.Receiving => ReaderEventLevel.Information,
-            ConnectionState.Connected when isNew => ReaderEventLevel.Information,
-            ConnectionState.Silent or ConnectionState.Waiting when isNew => ReaderEventLevel.Warning,
-            ConnectionState.Stopped => status.Reason is ConnectionReason.Requested ? ReaderEventLevel.Information : ReaderEventLevel.Error,
-            _ => ReaderEventLevel.Debug,
-        };
     }
 
     private static string Describe(SkipReason reason) => reason switch
@@ -132,6 +181,8 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
         SkipReason.Incomplete => "packets whose rest never came",
         _ => "no tokens of a packet",
     };
+
+    private static string Number(long count, string noun) => count == 1 ? $"1 {noun}" : Text($"{count} {noun}s");
 
     private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

@@ -49,7 +49,7 @@ public enum ReaderEventLevel
     /// <summary>Something is missing or was lost; the reader goes on.</summary>
     Warning,
 
-    /// <summary>The reader ended without being asked to, or a handler threw.</summary>
+    /// <summary>The reader ended because its connection failed or was cut off, or a handler threw.</summary>
     Error,
 }
 

@@ -79,6 +79,101 @@ public sealed class EventTests
     }
 
     [Fact]
+    public async Task A_reader_may_be_disposed_of_by_a_handler_of_losses()
+    {
+        using var server = new TestServer();
+        using var reader = new NeuronReader(server.Options());
+        var order = new List<string>();
+        reader.EventReported += reported =>
+        {
+            Keep(reported);
+            if (reported.Id != ReaderEventId.FramesLost)
+                return;
+
+            reader.Dispose();
+            lock (_events)
+                order.AddRange(_events.Select(earlier => earlier.Id.ToString()));
+        };
+        reader.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Join(TestPackets.Motion(1), TestPackets.Motion(2), TestPackets.Motion(5), TestPackets.Motion(6)));
+        await reader.Completion.Soon();
+
+        // The handler went on before the reader's end was told, which waits for it.
+        Assert.DoesNotContain("Stopped", order);
+        Assert.Contains("FramesLost", order);
+        Assert.Equal(ReaderEventId.Stopped, Events()[^1].Id);
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public async Task A_stop_waits_for_a_handler_of_losses_and_nothing_comes_after_it(bool asynchronous)
+    {
+        using var server = new TestServer();
+        var reader = new NeuronReader(server.Options());
+        var entered = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        bool busy = false;
+        reader.MotionReceived += _ => throw new InvalidOperationException("no disk");
+        reader.EventReported += reported =>
+        {
+            Keep(reported);
+            if (reported.Id != ReaderEventId.BytesSkipped)
+                return;
+
+            Volatile.Write(ref busy, true);
+            entered.TrySetResult();
+            Thread.Sleep(300); // longer than a stop that does not wait takes
+            Volatile.Write(ref busy, false);
+        };
+        reader.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Join(new byte[100], TestPackets.Motion(1)));
+        await entered.Task.Soon();
+        if (asynchronous)
+            await reader.DisposeAsync();
+        else
+            reader.Dispose();
+
+        Assert.False(Volatile.Read(ref busy));
+        ReaderEvent[] events = Events();
+        Assert.Equal([ReaderEventId.BytesSkipped, ReaderEventId.HandlerFailed, ReaderEventId.Stopped], events[^3..].Select(reported => reported.Id));
+    }
+
+    [Fact]
+    public async Task What_was_lost_before_anybody_listened_is_told_to_the_first_who_does()
+    {
+        using var server = new TestServer();
+        NeuronReaderOptions options = server.Options();
+        options.SilenceTimeout = TimeSpan.FromSeconds(0.1);
+        using var reader = new NeuronReader(options);
+        var log = new StatusLog(reader);
+        reader.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Join(TestPackets.Motion(1), TestPackets.Motion(2), TestPackets.Motion(5), TestPackets.Motion(6)));
+        await reader.WaitForFramesAsync(4);
+        await log.WaitAsync(ConnectionState.Silent); // which the timer tells that looks for losses too
+        reader.EventReported += Keep;
+        await Limits.UntilAsync(() => Events().Any(reported => reported.Id == ReaderEventId.FramesLost));
+        Assert.Equal(2, Events().First(reported => reported.Id == ReaderEventId.FramesLost).Count);
+    }
+
+    [Fact]
+    public async Task An_exception_whose_message_throws_does_not_keep_a_reader_from_ending()
+    {
+        using var server = new TestServer();
+        using var reader = new NeuronReader(server.Options());
+        reader.EventReported += Keep;
+        reader.MotionReceived += _ => throw new Unspeakable();
+        reader.Start();
+        using (TestConnection connection = await server.AcceptAsync())
+            await connection.SendAsync(TestPackets.Motions(1, 3));
+
+        await reader.Completion.Soon();
+        Assert.Equal(ReaderEventId.Stopped, Events()[^1].Id);
+    }
+
+    [Fact]
     public void A_reader_without_a_name_is_called_after_its_server()
     {
         using var tcp = new NeuronReader("fe80::1", 7003);
@@ -110,6 +205,11 @@ public sealed class EventTests
         events.GroupBy(reported => reported.Id).Select(group => (group.Key, group.Sum(reported => reported.Count))).OrderBy(Rank);
 
     private static int Rank((ReaderEventId Id, long Count) sum) => sum.Id == ReaderEventId.Stopped ? int.MaxValue : (int)sum.Id;
+
+    private sealed class Unspeakable : Exception
+    {
+        public override string Message => throw new InvalidOperationException("No words.");
+    }
 
     private void Keep(ReaderEvent reported)
     {

@@ -29,7 +29,7 @@ public sealed class ReaderLoggerTests
         Assert.All(lines, line => Assert.Equal("stage left", line.Fields["Reader"]));
         Assert.All(lines, line => Assert.Equal(((ReaderEventId)line.Id.Id).ToString(), line.Id.Name));
         Assert.Equal(("Stopped", "ClosedByPeer"), (Field(6, "State"), Field(6, "Reason")));
-        Assert.Equal(LogLevel.Error, lines.First(line => line.Id.Id == 6).Level);
+        Assert.Equal(LogLevel.Information, lines.First(line => line.Id.Id == 6).Level);
         Assert.Equal((2L, 2L), (Field(10, "Count"), Field(10, "Total")));
         Assert.Equal("draw", Field(11, "Consumer"));
         Assert.Equal("NoTokens", Field(12, "SkipReason"));

@@ -1,0 +1,50 @@
+using System.Diagnostics;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Telemetry;
+
+// Decides how much a change of the connection's state matters to a log. A server that is down for an hour is one warning, not one for every
+// attempt: a problem is told again when frames came in between. One that sends a frame and closes, for ever, is one warning in ten seconds.
+// The last line above Debug tells how things stand: an outage comes to a line at an attempt after the ten seconds at the latest, and
+// Receiving follows whatever was told. One thread at a time.
+internal sealed class StatusLevels
+{
+    private static readonly long Period = 10 * Stopwatch.Frequency;
+
+    private readonly Dictionary<(ConnectionState State, ConnectionReason Reason), (long Time, int Reception)> _told = [];
+    private int _receptions;
+    private ConnectionState _lastLine = ConnectionState.Created;
+
+    public ReaderEventLevel LevelOf(in ConnectionStatus status)
+    {
+        if (status.State == ConnectionState.Receiving)
+            _receptions++;
+
+        ReaderEventLevel level = status.State switch
+        {
+            ConnectionState.Receiving when _lastLine != ConnectionState.Receiving => ReaderEventLevel.Information,
+            ConnectionState.Connected when IsNew(status) => ReaderEventLevel.Information,
+            ConnectionState.Silent or ConnectionState.Waiting when IsNew(status) => ReaderEventLevel.Warning,
+            ConnectionState.Stopped when status.Reason is ConnectionReason.Requested or ConnectionReason.ClosedByPeer => ReaderEventLevel.Information,
+            ConnectionState.Stopped => ReaderEventLevel.Error,
+            _ => ReaderEventLevel.Debug,
+        };
+        if (level != ReaderEventLevel.Debug)
+            _lastLine = status.State;
+
+        return level;
+    }
+
+    private bool IsNew(in ConnectionStatus status)
+    {
+        // Silence is not told once more while it lasts, and cannot come more often than its timeout allows: no period for it.
+        if (_told.TryGetValue((status.State, status.Reason), out (long Time, int Reception) last)
+            && (last.Reception == _receptions || (status.State != ConnectionState.Silent && status.Timestamp - last.Time < Period)))
+        {
+            return false;
+        }
+
+        _told[(status.State, status.Reason)] = (status.Timestamp, _receptions);
+        return true;
+    }
+}
