@@ -11,7 +11,8 @@ public static class NeuronDiagnostics
 {
     /// <summary>
     /// Tries to receive as a reader with these options would, looks at what arrives, and elsewhere where nothing does. It connects on its
-    /// own, beside any reader; over UDP it binds the port, so a reader of the same port has to be stopped before, or to share it.
+    /// own, beside any reader; over UDP it binds the port, so a reader of the same port has to be stopped before, or to share it. Of a shared
+    /// port it takes the datagrams that are sent to this computer alone, and the reader gets none of them meanwhile.
     /// </summary>
     /// <param name="options">
     /// The options of the reader that gets no data. Over UDP, Host is the computer to look at for a TCP server. The time outs do not count:
@@ -43,7 +44,9 @@ public static class NeuronDiagnostics
         NeuronReaderOptions options, LinkOptions link, DiagnosisOptions how, IProgress<DiagnosisStep>? progress, CancellationToken stop)
     {
         var log = new StepLog(progress);
-        var task = new DiagnosisTask(link, how, log, stop);
+
+        // The threads that connections share out among them are for readers; a look at a dozen ports is over in a moment.
+        var task = new DiagnosisTask(link with { TakeReceiver = static () => new BlockingTcpReceiver() }, how, log, stop);
         Conclusion conclusion = options.Transport == TransportKind.Tcp
             ? await new TcpExamination(task).RunAsync().ConfigureAwait(false)
             : await new UdpExamination(task, options.AllowedSenders).RunAsync().ConfigureAwait(false);

@@ -215,18 +215,19 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     /// </summary>
     public void Dispose()
     {
-        Task stopped = Stop();
+        // Not for both in one task: that would complete on a thread of the pool, and in a busy process there may be none for a while.
+        Task[] stopped = Stop();
         if (!IsHandlerThread)
-            stopped.Wait(StopTimeout);
+            Task.WaitAll(stopped, StopTimeout);
     }
 
     /// <summary>As <see cref="Dispose"/>, without blocking the thread.</summary>
     /// <returns>A task that completes when the reader has stopped, or after 2 s.</returns>
     public async ValueTask DisposeAsync()
     {
-        Task stopped = Stop();
+        Task[] stopped = Stop();
         if (!IsHandlerThread)
-            await Task.WhenAny(stopped, Task.Delay(StopTimeout)).ConfigureAwait(false);
+            await Task.WhenAny(Task.WhenAll(stopped), Task.Delay(StopTimeout)).ConfigureAwait(false);
     }
 
     // Only the thread itself can find its own number here, so no barrier is needed.
@@ -239,7 +240,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
         }
     }
 
-    private Task Stop()
+    private Task[] Stop()
     {
         if (Interlocked.Exchange(ref _disposed, 1) == 0)
         {
@@ -251,7 +252,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
                 _ = EndAsync(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller."));
         }
 
-        return Task.WhenAll(_completion.Task, _reporter.Over);
+        return [_completion.Task, _reporter.Over];
     }
 
     private async Task RunAsync()

@@ -3,7 +3,10 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
 
-/// <summary>What arrived of one kind of frame of one avatar of one sender, at the moment of asking.</summary>
+/// <summary>
+/// What arrived of one kind of frame of one avatar of one sender, at the moment of asking. A reader keeps 1,024 of these; one that got no frame
+/// for 5 s then makes room for a new one, and begins at 0 when it comes back.
+/// </summary>
 public readonly record struct AvatarStatistics
 {
     /// <summary><see cref="PacketKind.Motion"/> or <see cref="PacketKind.Calculation"/>.</summary>

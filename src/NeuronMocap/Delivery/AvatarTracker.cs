@@ -3,8 +3,13 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
 
-// Counts one kind of frame of one avatar. The receive thread writes, anyone reads: each figure is whole by itself.
-internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar, IDurationRecorder? intervals = null)
+// What the totals of a reader are made of.
+internal readonly record struct LossTotals(long Lost, long Gaps, long Restarts);
+
+// Counts one kind of frame of one avatar. The receive thread writes, anyone reads: each figure is whole by itself. It carries on the losses of
+// those that it took the place of, so that the sum over all trackers stays right while one replaces another.
+internal sealed class AvatarTracker(
+    PacketKind kind, int source, uint avatar, IDurationRecorder? intervals = null, LossTotals forgotten = default)
 {
     // Weight of a new interval in the running mean: about half a second at 120 Hz.
     private const double Weight = 1.0 / 64;
@@ -26,6 +31,12 @@ internal sealed class AvatarTracker(PacketKind kind, int source, uint avatar, ID
     public uint Avatar => avatar;
 
     public IndexTracker Index => _index;
+
+    // Its own and those of its predecessors.
+    public LossTotals Totals => new(_index.Lost + forgotten.Lost, _index.Gaps + forgotten.Gaps, _index.Restarts + forgotten.Restarts);
+
+    // Receive loop only.
+    public long LastTimestamp => _lastTimestamp;
 
     // Whose frame came after this one's last time. Receive loop only.
     public AvatarTracker? Next { get; set; }

@@ -137,6 +137,10 @@ internal sealed class IndexTracker
             // It closes a gap of one, shortens a gap at its edge, or parts one in two.
             int neighbours = MissingAt(back - _step) + MissingAt(back + _step);
             Volatile.Write(ref _gaps, Math.Max(_gaps + neighbours - 1, 0));
+
+            // The server does send what the steps of the run passed over: neighbours that arrive swapped step as evenly as a reduced frequency.
+            if (back < _even.Sum && back % _even.Divisor != 0)
+                EndRun();
             return;
         }
 

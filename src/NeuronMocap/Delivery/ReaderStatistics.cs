@@ -29,7 +29,10 @@ public readonly record struct ReaderStatistics
     /// <summary>Packets of a data version other than 1.0 and 1.1; their bytes are among the skipped ones.</summary>
     public long UnknownVersionPackets { get; init; }
 
-    /// <summary>Frames that the server sent and that did not arrive: the sum over all avatars. See <see cref="AvatarStatistics.Lost"/>.</summary>
+    /// <summary>
+    /// Frames that the server sent and that did not arrive: the sum over all avatars, with those whose figures made room for others. See
+    /// <see cref="AvatarStatistics.Lost"/>.
+    /// </summary>
     public long Lost { get; init; }
 
     /// <summary>Number of gaps that the lost frames left: the sum over all avatars.</summary>

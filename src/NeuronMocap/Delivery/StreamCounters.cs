@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
@@ -5,13 +6,18 @@ namespace NeuronMocap.Delivery;
 // Counts everything that came off the wire. The receive thread writes, anyone reads.
 internal sealed class StreamCounters(IDurationRecorder? intervals = null)
 {
-    // Anyone can make up senders and avatar numbers; past this many, frames are delivered and counted in total only.
-    private const int MaxTrackers = 1024;
+    // Anyone can make up senders and avatar numbers; past this many, one that is stale makes room. While none is, further frames are delivered
+    // and counted in total only.
+    public const int MaxTrackers = 1024;
+
+    // Longer than a suit that sends is ever silent: whoever sends now cannot be pushed out by any flood.
+    public static readonly long StaleAfter = 5 * Stopwatch.Frequency;
 
     private readonly long[] _skippedByReason = new long[(int)SkipReason.Incomplete + 1];
     private readonly Dictionary<(PacketKind Kind, int Source, uint Avatar), AvatarTracker> _trackers = [];
     private volatile AvatarTracker[] _published = [];
     private AvatarTracker? _last;
+    private long _noneStaleBefore;
     private long _bytes;
     private long _motionFrames;
     private long _calculationFrames;
@@ -42,7 +48,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
         ReadOnlySpan<byte> header = packet.Bytes;
         Volatile.Write(ref _motionFrames, _motionFrames + 1);
         CountBytes(packet);
-        Find(packet.Kind, packet.Source, MotionHeader.ReadAvatarIndex(header))
+        Find(packet, MotionHeader.ReadAvatarIndex(header))
             ?.OnFrame(MotionHeader.ReadAvatarName(header), MotionHeader.ReadFrameIndex(header), packet.Timestamp);
     }
 
@@ -51,7 +57,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
         ReadOnlySpan<byte> header = packet.Bytes;
         Volatile.Write(ref _calculationFrames, _calculationFrames + 1);
         CountBytes(packet);
-        Find(packet.Kind, packet.Source, CalculationHeader.ReadAvatarIndex(header))
+        Find(packet, CalculationHeader.ReadAvatarIndex(header))
             ?.OnFrame(CalculationHeader.ReadAvatarName(header), CalculationHeader.ReadFrameIndex(header), packet.Timestamp);
     }
 
@@ -91,9 +97,9 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
         Reconnects = Math.Max(0, Volatile.Read(ref _connections) - 1),
         FirstFrameTimestamp = Volatile.Read(ref _firstFrame),
         LastFrameTimestamp = Volatile.Read(ref _lastFrame),
-        Lost = _published.Sum(static tracker => tracker.Index.Lost),
-        Gaps = _published.Sum(static tracker => tracker.Index.Gaps),
-        Restarts = _published.Sum(static tracker => tracker.Index.Restarts),
+        Lost = _published.Sum(static tracker => tracker.Totals.Lost),
+        Gaps = _published.Sum(static tracker => tracker.Totals.Gaps),
+        Restarts = _published.Sum(static tracker => tracker.Totals.Restarts),
     };
 
     private void CountBytes(in ReceivedPacket packet)
@@ -105,24 +111,75 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     }
 
     // Avatars take turns: the one that followed the last one before nearly always follows it now.
-    private AvatarTracker? Find(PacketKind kind, int source, uint avatar)
+    private AvatarTracker? Find(in ReceivedPacket packet, uint avatar)
     {
-        if (_last?.Next is { } next && next.Avatar == avatar && next.Kind == kind && next.Source == source)
+        if (_last?.Next is { } next && next.Avatar == avatar && next.Kind == packet.Kind && next.Source == packet.Source)
             return _last = next;
 
-        if (!_trackers.TryGetValue((kind, source, avatar), out AvatarTracker? tracker))
+        if (!_trackers.TryGetValue((packet.Kind, packet.Source, avatar), out AvatarTracker? tracker))
         {
-            if (_trackers.Count >= MaxTrackers)
+            tracker = Add(packet, avatar);
+            if (tracker is null)
                 return null;
-
-            tracker = new AvatarTracker(kind, source, avatar, intervals);
-            _trackers.Add((kind, source, avatar), tracker);
-            _published = [.. _published, tracker];
         }
 
         if (_last is not null)
             _last.Next = tracker;
 
         return _last = tracker;
+    }
+
+    private AvatarTracker? Add(in ReceivedPacket packet, uint avatar)
+    {
+        AvatarTracker tracker;
+        if (_published.Length < MaxTrackers)
+        {
+            tracker = new AvatarTracker(packet.Kind, packet.Source, avatar, intervals);
+            _published = [.. _published, tracker];
+        }
+        else if (FindStale(packet.Timestamp) is { } place)
+        {
+            AvatarTracker stale = _published[place];
+            tracker = new AvatarTracker(packet.Kind, packet.Source, avatar, intervals, stale.Totals);
+            Forget(stale);
+            Volatile.Write(ref _published[place], tracker);
+        }
+        else
+        {
+            return null;
+        }
+
+        _trackers.Add((packet.Kind, packet.Source, avatar), tracker);
+        return tracker;
+    }
+
+    // The oldest one's place. Timestamps only grow: before the oldest can be stale there is nothing to look for, so that a flood costs a look
+    // at all of them only as often as one of them is replaced.
+    private int? FindStale(long now)
+    {
+        if (now < _noneStaleBefore)
+            return null;
+
+        AvatarTracker[] trackers = _published;
+        int oldest = 0;
+        for (int i = 1; i < trackers.Length; i++)
+        {
+            if (trackers[i].LastTimestamp < trackers[oldest].LastTimestamp)
+                oldest = i;
+        }
+
+        _noneStaleBefore = trackers[oldest].LastTimestamp + StaleAfter;
+        return now < _noneStaleBefore ? null : oldest;
+    }
+
+    // Nobody may find it any more: its avatar gets a tracker anew.
+    private void Forget(AvatarTracker stale)
+    {
+        _trackers.Remove((stale.Kind, stale.Source, stale.Avatar));
+        foreach (AvatarTracker tracker in _published)
+        {
+            if (tracker.Next == stale)
+                tracker.Next = null;
+        }
     }
 }

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Diagnostics;
@@ -6,14 +7,12 @@ namespace NeuronMocap.Diagnostics;
 // The frames of one kind of one avatar of one sender while a diagnosis looks. Receive loop only; read when that has ended.
 internal sealed class AvatarSample(PacketKind kind, int source, uint index)
 {
-    // A larger step, forwards or back, is no gap: the server counts anew.
-    private const int LargestGap = 10_000;
-
     // With fewer frames neither a rate nor a standstill means anything.
     private const int FewestFrames = 5;
 
     private const int FramesToBegin = 10;
 
+    private readonly IndexTracker _tracker = new();
     private byte[] _lastValues = [];
     private uint? _lastIndex;
     private long _first;
@@ -22,9 +21,6 @@ internal sealed class AvatarSample(PacketKind kind, int source, uint index)
     private long _longest;
     private long _sameValues;
     private long _sameIndex;
-    private long _steps;
-    private long _stepSum;
-    private int _smallestStep = int.MaxValue;
 
     public PacketKind Kind => kind;
 
@@ -55,10 +51,10 @@ internal sealed class AvatarSample(PacketKind kind, int source, uint index)
     public TimeSpan LongestPause => TimeSpan.FromSeconds(_longest / (double)Stopwatch.Frequency);
 
     // How far the frame index goes on from frame to frame. More than 1 where the server sends every second or third frame and counts all.
-    public int Step => _smallestStep == int.MaxValue ? 1 : _smallestStep;
+    public int Step => _tracker.Step;
 
-    // Frames that come out of order go back as far as they went forth before, and cancel out.
-    public long Lost => Math.Max(0, (_stepSum / Step) - _steps);
+    // As a reader counts them.
+    public long Lost => _tracker.Lost - _tracker.Unsettled;
 
     public bool StandsStill => Frames >= FewestFrames && (_sameValues == Frames - 1 || _sameIndex == Frames - 1);
 
@@ -123,23 +119,10 @@ internal sealed class AvatarSample(PacketKind kind, int source, uint index)
 
     private void Count(uint? frameIndex)
     {
-        if (frameIndex is { } next && _lastIndex is { } last)
-        {
-            int step = (int)(next - last);
-            if (step == 0)
-                _sameIndex++;
-            else if (step is > -LargestGap and < LargestGap)
-                CountStep(step);
-        }
+        if (frameIndex is not null && frameIndex == _lastIndex)
+            _sameIndex++;
 
+        _tracker.OnIndex(frameIndex);
         _lastIndex = frameIndex;
-    }
-
-    private void CountStep(int step)
-    {
-        _steps++;
-        _stepSum += step;
-        if (step > 0)
-            _smallestStep = Math.Min(_smallestStep, step);
     }
 }

@@ -12,16 +12,14 @@ internal readonly record struct Search(Probe? Found, bool HostAnswers);
 // Where the stream might be instead: the usual data ports of the host, and of this computer for UDP. All at once, and only those.
 internal static class Elsewhere
 {
-    private static readonly TimeSpan Grace = TimeSpan.FromMilliseconds(200);
-
     public static async Task<Search> FindAsync(DiagnosisTask task, IPAddress? host, bool isUdp)
     {
         if (!task.Options.LookElsewhere)
             return default;
 
-        TimeSpan time = task.Share(task.Pace.Elsewhere);
-        using var limit = CancellationTokenSource.CreateLinkedTokenSource(task.Stop);
-        limit.CancelAfter(time);
+        using var share = CancellationTokenSource.CreateLinkedTokenSource(task.Stop);
+        share.CancelAfter(task.Share(task.Pace.Elsewhere));
+        using var limit = CancellationTokenSource.CreateLinkedTokenSource(share.Token);
         int[] tcpPorts = host is null ? [] : [.. PortsBeside(task, task.Options.UsualTcpPorts, skipped: !isUdp)];
         int[] udpPorts = [.. PortsBeside(task, task.Options.UsualUdpPorts, skipped: isUdp)];
         Task<Probe[]> tcp = Task.WhenAll(tcpPorts.Select(port => TryTcpAsync(task, host!, port, limit)));
@@ -57,7 +55,7 @@ internal static class Elsewhere
         if (end.Reason == ConnectionReason.None && !limit.IsCancellationRequested)
         {
             Task receiving = link.ReceiveAsync(sample);
-            await WaitForFrameAsync(sample, receiving, limit).ConfigureAwait(false);
+            await WaitForFrameAsync(task, sample, receiving, limit).ConfigureAwait(false);
             link.Close();
             await receiving.ConfigureAwait(false);
         }
@@ -69,12 +67,14 @@ internal static class Elsewhere
     {
         var sample = new StreamSample(task.Wanted);
         var place = new StreamPlace(TransportKind.Udp, task.Link.Host, port);
-        using var listener = new UdpListener(task.Link with { Port = port }, new SenderFilter([]), sample);
+
+        // A shared port would take the datagrams away from the program that uses it.
+        using var listener = new UdpListener(task.Link with { Port = port, SharePort = false }, new SenderFilter([]), sample);
         ConnectionReason reason = listener.Open();
         if (reason == ConnectionReason.None)
         {
             Task receiving = listener.ReceiveAsync();
-            await WaitForFrameAsync(sample, receiving, limit).ConfigureAwait(false);
+            await WaitForFrameAsync(task, sample, receiving, limit).ConfigureAwait(false);
             listener.Dispose();
             await receiving.ConfigureAwait(false);
         }
@@ -83,11 +83,11 @@ internal static class Elsewhere
     }
 
     // The first port that has what is wanted cuts the wait for the others short.
-    private static async Task WaitForFrameAsync(StreamSample sample, Task receiving, CancellationTokenSource limit)
+    private static async Task WaitForFrameAsync(DiagnosisTask task, StreamSample sample, Task receiving, CancellationTokenSource limit)
     {
         await Task.WhenAny(sample.WantedFrame, receiving, Task.Delay(Timeout.Infinite, limit.Token)).ConfigureAwait(false);
         if (sample.WantedFrame.IsCompleted)
-            limit.CancelAfter(Grace);
+            limit.CancelAfter(task.Pace.Grace);
     }
 
     private static void Tell(DiagnosisTask task, Probe[] probes, string name)

@@ -14,6 +14,9 @@ internal static class LocalNetwork
     public static ConnectionReason FindRoute(IPAddress remote, int port, IPAddress? bound, out IPAddress? local)
     {
         local = null;
+        if (bound is not null && bound.AddressFamily != remote.AddressFamily)
+            return ConnectionReason.AddressUnavailable;
+
         try
         {
             using var socket = new Socket(remote.AddressFamily, SocketType.Dgram, ProtocolType.Udp);

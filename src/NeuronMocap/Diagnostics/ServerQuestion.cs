@@ -48,6 +48,8 @@ internal static class ServerQuestion
             await socket.ConnectAsync(server).ConfigureAwait(false);
             await socket.SendAsync(new ArraySegment<byte>(question), SocketFlags.None).ConfigureAwait(false);
             int count = 1;
+
+            // So much is enough to know the answer by; most servers then wait for the next question, and a wait for more would take all the time.
             while (count > 0 && length < question.Length)
             {
                 var room = new ArraySegment<byte>(answer, length, answer.Length - length);

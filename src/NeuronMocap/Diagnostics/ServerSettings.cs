@@ -23,6 +23,8 @@ internal static class ServerSettings
     public const string Skeleton =
         "In Axis Studio open Settings > BVH Broadcasting and set Skeleton to \"Axis Studio\" or \"Axis Legacy\".";
 
+    public const string DataPort = "Connect to the port of the BVH data, which stands in the server's broadcasting settings (usually 7001).";
+
     public static string BroadcastTcp(int port, bool isRemote) =>
         $"In Axis Neuron open File > Settings > Broadcasting, choose TCP, and tick Enable under BVH, with port {port}. In Axis Studio open "
         + $"Settings > BVH Broadcasting, switch it on, and set Protocol to TCP and the port of Local Address to {port}"

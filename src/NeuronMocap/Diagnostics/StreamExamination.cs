@@ -63,7 +63,7 @@ internal static class StreamExamination
             return new Conclusion(
                 DiagnosisVerdict.CommandPort,
                 $"{Capital(place)} sends commands and no frames.",
-                "Connect to the port of the BVH data, which stands in the server's broadcasting settings (usually 7001).");
+                ServerSettings.DataPort);
         }
 
         log.Failed("format", $"{sample.Packets} packets of no values");

@@ -65,8 +65,8 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
             return;
 
         uint index = packet.Kind == PacketKind.Motion
-            ? MotionHeader.Read(packet.Bytes).AvatarIndex
-            : CalculationHeader.Read(packet.Bytes).AvatarIndex;
+            ? MotionHeader.ReadAvatarIndex(packet.Bytes)
+            : CalculationHeader.ReadAvatarIndex(packet.Bytes);
         if (Find(packet.Kind, packet.Source, index) is { } avatar)
             avatar.OnFrame(packet);
         if (packet.Kind == wanted)

@@ -38,6 +38,15 @@ internal static class TcpFaults
 
     public static Conclusion NoRoute(DiagnosisTask task, ConnectionReason reason)
     {
+        if (reason == ConnectionReason.AccessDenied)
+        {
+            task.Log.Failed("route", "this computer does not allow it");
+            return new Conclusion(
+                DiagnosisVerdict.AccessDenied,
+                $"This computer does not allow a connection to {task.Link.Host}.",
+                "Check the address: one that stands for a whole network (such as 192.168.1.255) is no server's. Then check this computer's firewall.");
+        }
+
         if (task.Link.LocalAddress is { } local && reason != ConnectionReason.Unreachable)
         {
             task.Log.Failed("route", $"{local} cannot be the sender");
@@ -45,6 +54,15 @@ internal static class TcpFaults
                 DiagnosisVerdict.LocalAddressUnavailable,
                 $"The local address {local} does not belong to this computer, or is of another kind (IPv4, IPv6) than the server's.",
                 "Set LocalAddress to one that does, or to none.");
+        }
+
+        if (reason is not (ConnectionReason.Unreachable or ConnectionReason.AddressUnavailable))
+        {
+            task.Log.Failed("route", $"the system finds none ({reason})");
+            return new Conclusion(
+                DiagnosisVerdict.NetworkError,
+                $"This computer cannot send to {task.Link.Host} ({reason}).",
+                "Check the address: one of IPv6 needs IPv6 on this computer, and a link-local one (fe80::…) the number of its network (%2).");
         }
 
         task.Log.Failed("route", "there is none");
@@ -144,7 +162,7 @@ internal static class TcpFaults
             return new Conclusion(
                 DiagnosisVerdict.CommandPort,
                 $"{task.Link.Target} is the server's command port: it answers commands, and frames never come from it.",
-                "Connect to the port of the BVH data, which stands in the server's broadcasting settings (usually 7001).");
+                ServerSettings.DataPort);
         }
 
         string answers = guess.Format == ForeignFormat.OtherProgram ? guess.Text : $"bytes that no motion capture server sends, {answer.FirstBytes}";

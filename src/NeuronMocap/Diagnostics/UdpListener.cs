@@ -24,14 +24,9 @@ internal sealed class UdpListener(LinkOptions options, SenderFilter filter, Stre
 
     public ConnectionReason Open()
     {
-        IPAddress address = options.LocalAddress ?? IPAddress.Any;
         try
         {
-            _socket = new Socket(address.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
-            if (options.SharePort)
-                _socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, optionValue: true);
-
-            _socket.Bind(new IPEndPoint(address, options.Port));
+            _socket = UdpSocket.Open(options);
             Port = ((IPEndPoint)_socket.LocalEndPoint!).Port;
             return ConnectionReason.None;
         }

@@ -27,9 +27,11 @@ internal static class Advice
         $"Connected to {target}, but nothing has arrived for {silence.TotalSeconds:0.#} s. In Axis Neuron, connect the suit or play a take, "
         + "and check that broadcasting of BVH or calculation data is on.";
 
-    public static string NoDatagrams(string target, TimeSpan silence) =>
-        $"Nothing has arrived on {target} for {silence.TotalSeconds:0.#} s. In Axis Neuron's broadcasting settings choose UDP, and enter this "
-        + "computer's address and this port as the destination; check that the firewall lets UDP in.";
+    public static string NoDatagrams(string target, TimeSpan silence, long refused) =>
+        $"Nothing has arrived on {target} for {silence.TotalSeconds:0.#} s"
+        + (refused > 0 ? $", apart from strays of senders that AllowedSenders does not list ({refused} in all). " : ". ")
+        + "In Axis Neuron's broadcasting settings choose UDP, and enter this computer's address and this port as the destination; check that "
+        + "the firewall lets UDP in.";
 
     public static string SenderNotAllowed(string target, IEnumerable<IPAddress> senders) =>
         $"Datagrams arrive on {target}, but none from a sender that AllowedSenders lists. They come from {string.Join(", ", senders)}: add the "
@@ -55,7 +57,8 @@ internal static class Advice
             ConnectionReason.AddressUnavailable when options.LocalAddress is null =>
                 $"This computer has no address from which {target} can be reached. Check the address and the network.",
             ConnectionReason.AddressUnavailable =>
-                $"The local address {options.LocalAddress} does not belong to this computer. Choose one that does, or none.",
+                $"The local address {options.LocalAddress} does not belong to this computer, or is of another kind (IPv4, IPv6) than the server's. "
+                + "Choose one that does, or none.",
             ConnectionReason.AccessDenied => $"This computer does not allow a connection to {target}. Check its firewall.",
             _ => $"The connection to {target} failed: {exception.Message}",
         };

@@ -24,7 +24,8 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
         ("HTTP/", "a web server's answer"),
         ("<", "a web page"),
         ("SSH-", "the greeting of an SSH server"),
-        ("220", "the greeting of a mail or FTP server"),
+        ("220 ", "the greeting of a mail or FTP server"),
+        ("220-", "the greeting of a mail or FTP server"),
         ("RFB ", "the greeting of a VNC server"),
         ("RTSP/", "the answer of a video server (RTSP)"),
         ("\u0015\u0003", "an encrypted connection's error message (TLS)"),
@@ -69,7 +70,8 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
                 ForeignFormat.CommandReply, "a reply to a command", "This is the command port; data is broadcast on another, by default 7001.");
         }
 
-        return OfProgram(start) ?? OfText(start);
+        // Numbers first: the text format begins with any number, also one that a greeting begins with.
+        return OfText(start) ?? OfProgram(start) ?? Unknown(start);
     }
 
     public static string ToHex(ReadOnlySpan<byte> bytes)
@@ -92,12 +94,14 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
         return null;
     }
 
-    private static FormatGuess OfText(ReadOnlySpan<byte> start) => NumericText.IsAt(start)
+    private static FormatGuess? OfText(ReadOnlySpan<byte> start) => NumericText.IsAt(start)
         ? new(ForeignFormat.Text, "text", "In the server's broadcasting settings set the format (block type) to Binary.")
-        : new(
-            ForeignFormat.Unknown,
-            $"of no format known here; it starts with {ToHex(start)}",
-            "Check the port, and that the server's format is Binary.");
+        : null;
+
+    private static FormatGuess Unknown(ReadOnlySpan<byte> start) => new(
+        ForeignFormat.Unknown,
+        $"of no format known here; it starts with {ToHex(start)}",
+        "Check the port, and that the server's format is Binary.");
 
     private static bool StartsWith(ReadOnlySpan<byte> bytes, string beginning)
     {

@@ -12,7 +12,9 @@ internal static class HostResolver
             return [address];
 
         Task<IPAddress[]> resolving = options.Resolve(options.Host);
-        Task first = await Task.WhenAny(resolving, Task.Delay(options.ConnectTimeout, stop)).ConfigureAwait(false);
+        using var limit = CancellationTokenSource.CreateLinkedTokenSource(stop);
+        Task first = await Task.WhenAny(resolving, Task.Delay(options.ConnectTimeout, limit.Token)).ConfigureAwait(false);
+        limit.Cancel();
         if (first == resolving)
             return await resolving.ConfigureAwait(false);
 

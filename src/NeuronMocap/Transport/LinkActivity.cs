@@ -7,6 +7,10 @@ namespace NeuronMocap.Transport;
 // field stands alone and a check that sees an older value only comes to its conclusion one period later.
 internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderFilter? udpSenders)
 {
+    // So many refused datagrams in one period of silence are a stream. Fewer are strays, such as those of a port scan, and no reason to tell
+    // anybody to let their sender in.
+    private const int FewestRefused = 3;
+
     // The first bytes since the last packet that belong to none, and why.
     private readonly byte[] _skipped = new byte[64];
     private volatile int _skippedLength;
@@ -17,8 +21,12 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
     private volatile bool _delivering;
     private volatile int _frames;
     private int _framesSeen;
-    private long _refusedSeen;
     private long _quietSince;
+
+    // Timer: refused datagrams before the present period of silence, when it began, and whether they came in a stream in the one before.
+    private long _refusedBefore;
+    private long _periodStart;
+    private bool _isRefusing;
 
     public bool HasPackets => _hasPackets;
 
@@ -95,18 +103,35 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
         if (_delivering || frames != _framesSeen)
         {
             _framesSeen = frames;
-            _refusedSeen = udpSenders?.RefusedDatagrams ?? 0;
             Volatile.Write(ref _quietSince, now);
+            BeginPeriod(now);
             return;
         }
 
-        if ((now - Volatile.Read(ref _quietSince)) / (double)Stopwatch.Frequency < silence.TotalSeconds)
+        long quietSince = Volatile.Read(ref _quietSince);
+        if (_periodStart < quietSince)
+            BeginPeriod(quietSince);
+        if (!IsOver(quietSince, now))
             return;
+
+        if (IsOver(_periodStart, now))
+        {
+            _isRefusing = udpSenders?.RefusedDatagrams - _refusedBefore >= FewestRefused;
+            BeginPeriod(now);
+        }
 
         (ConnectionReason reason, string message) = ExplainSilence();
         status.TrySet(
             current => current.IsConnected && (current.State != ConnectionState.Silent || current.Reason != reason),
             current => current with { State = ConnectionState.Silent, Reason = reason, Message = message, Timestamp = now });
+    }
+
+    private bool IsOver(long start, long now) => (now - start) / (double)Stopwatch.Frequency >= silence.TotalSeconds;
+
+    private void BeginPeriod(long start)
+    {
+        _periodStart = start;
+        _refusedBefore = udpSenders?.RefusedDatagrams ?? 0;
     }
 
     private (ConnectionReason Reason, string Message) ExplainSilence()
@@ -120,9 +145,9 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
         if (udpSenders is null)
             return (ConnectionReason.NoData, Advice.NoFrames(_target, silence));
 
-        return udpSenders.RefusedDatagrams > _refusedSeen
+        return _isRefusing
             ? (ConnectionReason.SenderNotAllowed, Advice.SenderNotAllowed(_target, udpSenders.RefusedSenders))
-            : (ConnectionReason.NoData, Advice.NoDatagrams(_target, silence));
+            : (ConnectionReason.NoData, Advice.NoDatagrams(_target, silence, udpSenders.RefusedDatagrams));
     }
 
     private string DescribeSkipped() => FormatGuess.Of(_skipped.AsSpan(0, _skippedLength), _skipReason).Description;

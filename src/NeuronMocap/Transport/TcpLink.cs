@@ -90,6 +90,10 @@ internal sealed class TcpLink(LinkOptions options) : Link
 
     private async Task<LinkEnd> ConnectAsync(IPAddress address, CancellationToken stop)
     {
+        // The systems have several errors for this, and some of them mean other things too.
+        if (options.LocalAddress is { } own && own.AddressFamily != address.AddressFamily)
+            return Failed(SocketError.AddressNotAvailable, new SocketException((int)SocketError.AddressNotAvailable));
+
         Socket? socket = null;
         var remote = new IPEndPoint(address, options.Port);
         using var timeout = CancellationTokenSource.CreateLinkedTokenSource(stop);

@@ -7,9 +7,6 @@ namespace NeuronMocap.Transport;
 // A UDP port that anyone may send to (protocol.md section 4.2).
 internal sealed class UdpLink(LinkOptions options, SenderFilter filter) : Link
 {
-    // Room for a burst of frames while the receive thread is busy: about half a second of 100 avatars at 60 Hz.
-    private const int SocketBufferSize = 4 * 1024 * 1024;
-
     private readonly object _lock = new();
     private Socket? _socket;
     private bool _closed;
@@ -52,7 +49,6 @@ internal sealed class UdpLink(LinkOptions options, SenderFilter filter) : Link
 
     private LinkEnd Bind()
     {
-        IPAddress address = options.LocalAddress ?? IPAddress.Any;
         lock (_lock)
         {
             if (_closed)
@@ -60,12 +56,7 @@ internal sealed class UdpLink(LinkOptions options, SenderFilter filter) : Link
 
             try
             {
-                _socket = new Socket(address.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
-                _socket.ReceiveBufferSize = SocketBufferSize;
-                if (options.SharePort)
-                    _socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, optionValue: true);
-
-                _socket.Bind(new IPEndPoint(address, options.Port));
+                _socket = UdpSocket.Open(options);
                 LocalEndPoint = _socket.LocalEndPoint;
                 return LinkEnd.None;
             }

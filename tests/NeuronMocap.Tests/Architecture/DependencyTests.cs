@@ -15,7 +15,7 @@ public sealed class DependencyTests
         ["Frames"] = ["Protocol", "Skeleton"],
         ["Transport"] = ["Protocol"],
         ["Delivery"] = ["Frames", "Protocol", "Skeleton"],
-        ["Diagnostics"] = ["Protocol", "Transport"],
+        ["Diagnostics"] = ["Delivery", "Protocol", "Transport"],
         ["Telemetry"] = ["Delivery", "Transport", "Protocol"],
         ["Commands"] = ["Protocol"],
         ["Bvh"] = ["Frames", "Skeleton", "Protocol"],

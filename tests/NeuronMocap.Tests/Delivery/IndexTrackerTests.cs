@@ -81,6 +81,16 @@ public sealed class IndexTrackerTests
         Assert.Equal((sent.Length - received.Count, 2), (_tracker.Lost, _tracker.Step));
     }
 
+    // Each pair steps by 3, then back by 1. Whatever comes late was sent, so the even steps are no reduced frequency, and real losses stay.
+    [Fact]
+    public void Neighbours_that_arrive_swapped_are_no_reduced_frequency()
+    {
+        Feed([0, .. Enumerable.Range(1, 100).Select(i => (uint)i * 10).SelectMany(i => Enumerable.Range(1, 9).Select(n => i - 10 + (uint)n)), 1000]);
+        Assert.Equal((99, 99), (_tracker.Lost, _tracker.Gaps));
+        Feed(Enumerable.Range(0, 40).SelectMany(i => (uint[])[1002 + (2 * (uint)i), 1001 + (2 * (uint)i)]));
+        Assert.Equal((99, 99, 40, 1), (_tracker.Lost, _tracker.Gaps, _tracker.Disordered, _tracker.Step));
+    }
+
     [Fact]
     public void Changes_of_the_frequency_in_mid_stream_lose_nothing()
     {

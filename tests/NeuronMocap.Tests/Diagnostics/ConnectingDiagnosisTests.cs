@@ -63,6 +63,19 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         diagnosis.AssertFault(DiagnosisVerdict.LocalAddressUnavailable, "route", "192.0.2.77", "LocalAddress");
     }
 
+    [Theory]
+    [InlineData(ConnectionReason.AccessDenied, DiagnosisVerdict.AccessDenied, "does not allow")]
+    [InlineData(ConnectionReason.NetworkError, DiagnosisVerdict.NetworkError, "cannot send")]
+    [InlineData(ConnectionReason.Unreachable, DiagnosisVerdict.Unreachable, "no route")]
+    [InlineData(ConnectionReason.AddressUnavailable, DiagnosisVerdict.Unreachable, "no route")]
+    public void What_the_system_says_of_the_route_decides(ConnectionReason reason, DiagnosisVerdict expected, string said)
+    {
+        var task = new DiagnosisTask(new LinkOptions("127.255.255.255", 7001), new DiagnosisOptions(), new StepLog(progress: null), CancellationToken.None);
+        Finding finding = Assert.Single(TcpFaults.NoRoute(task, reason).Findings);
+        Assert.Equal(expected, finding.Verdict);
+        Assert.Contains(said, finding.Text, StringComparison.Ordinal);
+    }
+
     [Fact]
     public async Task Nothing_listening_names_the_broadcasting_settings_of_both_programs()
     {
@@ -119,6 +132,37 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         diagnosis.AssertFault(DiagnosisVerdict.OtherPort, "port", $"Use port {server.Port} here");
         Assert.Contains($"new NeuronReader(\"127.0.0.1\", {server.Port})", diagnosis.Code, StringComparison.Ordinal);
         Assert.Equal(StepOutcome.Warning, diagnosis.Step("other ports").Outcome);
+    }
+
+    // Without an end, the wait for the port that says nothing would be as long.
+    [Fact]
+    public async Task A_stream_that_is_found_does_not_prolong_the_search()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming();
+        using var silent = new ScriptedServer(static (_, stop) => Task.Delay(Timeout.Infinite, stop));
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Elsewhere = 0.03, Grace = TimeSpan.FromMinutes(20) });
+        how.UsualTcpPorts = [server.Port, silent.Port];
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
+        diagnosis.AssertFault(DiagnosisVerdict.OtherPort, "port", $"Use port {server.Port} here");
+    }
+
+    [Fact]
+    public async Task A_diagnosis_takes_no_thread_that_readers_share()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming();
+        int taken = 0;
+        var link = new LinkOptions("127.0.0.1", _refusing.Number)
+        {
+            TakeReceiver = () =>
+            {
+                Interlocked.Increment(ref taken);
+                return TcpReceivers.Shared.Take();
+            },
+        };
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient);
+        how.UsualTcpPorts = [server.Port];
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, how);
+        Assert.Equal((DiagnosisVerdict.OtherPort, 0), (diagnosis.Verdict, taken));
     }
 
     [Fact]

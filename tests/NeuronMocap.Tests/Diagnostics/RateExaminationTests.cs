@@ -51,6 +51,16 @@ public sealed class RateExaminationTests
         Assert.Contains(said, conclusion.Findings[0].Advice, StringComparison.Ordinal);
     }
 
+    // The account that the reader gives.
+    [Fact]
+    public void Frames_that_are_lost_from_a_take_that_loops_are_lost()
+    {
+        IEnumerable<(long Index, double Time)> sent = Enumerable.Range(0, 200).Select(static i => ((long)i % 100, i / 60.0));
+        Conclusion conclusion = Judge(sent.Where(static frame => frame.Index % 5 != 2));
+        Assert.Contains(DiagnosisVerdict.LosingFrames, Verdicts(conclusion));
+        Assert.Contains(conclusion.Findings, static finding => finding.Text.Contains("40 of 200 frames", StringComparison.Ordinal));
+    }
+
     [Fact]
     public void Frames_out_of_order_and_a_wrapping_index_are_not_lost()
     {

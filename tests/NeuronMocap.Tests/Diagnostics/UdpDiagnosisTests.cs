@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Diagnostics;
+using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 
@@ -104,6 +105,59 @@ public sealed class UdpDiagnosisTests
 
         diagnosis.AssertFault(DiagnosisVerdict.OtherPort, "first bytes", $"Use port {other} here");
         Assert.Contains($"Port = {other}", diagnosis.Code, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_port_that_another_program_shares_keeps_its_datagrams()
+    {
+        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, optionValue: true);
+        socket.Bind(new IPEndPoint(IPAddress.Any, 0));
+        int port = ((IPEndPoint)socket.LocalEndPoint!).Port;
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Silent);
+        how.UsualUdpPorts = [port];
+        StreamDiagnosis diagnosis =
+            await Diagnosing.RunAsync(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port, SharePort = true }, how);
+        Assert.Contains($"in use by another program: {port}", diagnosis.Step("other ports").Detail, StringComparison.Ordinal);
+    }
+
+    // Both are sent more than the system keeps for either, before they look.
+    [Fact]
+    public async Task As_many_datagrams_wait_for_a_diagnosis_as_for_a_reader()
+    {
+        var options = new LinkOptions("127.0.0.1", 0) { LocalAddress = IPAddress.Loopback };
+        using var link = new UdpLink(options, new SenderFilter([]));
+        var ofReader = new StreamSample(PacketKind.Calculation);
+        await link.OpenAsync(CancellationToken.None).Soon();
+        int port = ((IPEndPoint)link.LocalEndPoint!).Port;
+        long waiting = await CountWaitingAsync(port, ofReader, () => link.ReceiveAsync(ofReader), link.Close);
+
+        var ofDiagnosis = new StreamSample(PacketKind.Calculation);
+        using var listener = new UdpListener(options, new SenderFilter([]), ofDiagnosis);
+        Assert.Equal(ConnectionReason.None, listener.Open());
+        long found = await CountWaitingAsync(listener.Port, ofDiagnosis, listener.ReceiveAsync, listener.Dispose);
+        Assert.InRange(found, waiting * 9 / 10, waiting * 11 / 10);
+    }
+
+    // The sample ends with the first calculation frame, which nothing overtakes.
+    private static async Task<long> CountWaitingAsync(int port, StreamSample sample, Func<Task> receive, Action close)
+    {
+        using var sender = new DatagramSender();
+        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        for (int i = 0; i < 5000; i++)
+            socket.SendTo(TestPackets.Motion(i), new IPEndPoint(IPAddress.Loopback, port));
+
+        Task receiving = receive();
+        async Task<bool> IsEmptyAsync()
+        {
+            await sample.WantedFrame;
+            return true;
+        }
+
+        await sender.SendUntilAsync(IsEmptyAsync(), port, static i => [TestPackets.Calculation(i)]);
+        close();
+        await receiving.Soon();
+        return sample.Avatars.Single(static avatar => avatar.Kind == PacketKind.Motion).Frames;
     }
 
     private static byte[][] Halves(byte[] packet) => [packet[..1024], packet[1024..]];

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Net;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
@@ -129,6 +130,58 @@ public sealed class LinkActivityTests
         Assert.Contains("the rest is lost", _told[^1].Message, StringComparison.Ordinal);
         LinkEnd closed = new(ConnectionReason.ClosedByPeer, "closed");
         Assert.Equal(closed, _activity.Explain(closed));
+    }
+
+    [Theory]
+    [InlineData("220.5310 -3.12 4.00 5.5 ", "Binary")]
+    [InlineData("220 Char00 0.00 93.02 1.0", "Binary")]
+    [InlineData("220.53", "32 32 30 2E")]
+    [InlineData("220 mail.example.com ESMTP\r\n", "mail or FTP")]
+    [InlineData("220-Welcome\r\n", "mail or FTP")]
+    public void Numbers_are_no_greeting(string bytes, string expected)
+    {
+        FormatGuess guess = FormatGuess.Of(System.Text.Encoding.ASCII.GetBytes(bytes), SkipReason.NoTokens);
+        Assert.Contains(expected, guess.Description, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_stray_datagram_that_was_refused_is_no_advice_to_let_its_sender_in()
+    {
+        var filter = new SenderFilter([IPAddress.Loopback]);
+        LinkActivity activity = OverUdp(filter);
+        filter.CountRefused(Stray);
+        activity.Check(After(3.5));
+        Assert.Equal((ConnectionState.Silent, ConnectionReason.NoData), (_told[^1].State, _told[^1].Reason));
+        Assert.Contains("AllowedSenders does not list (1 in all)", _told[^1].Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_stream_that_is_refused_is_told_as_long_as_it_lasts()
+    {
+        var filter = new SenderFilter([IPAddress.Loopback]);
+        LinkActivity activity = OverUdp(filter);
+        var reasons = new List<ConnectionReason>();
+        for (double seconds = 0.5; seconds < 16; seconds += 0.5)
+        {
+            for (int i = 0; i < 30 && seconds is > 5 and < 11; i++)
+                filter.CountRefused(Stray);
+
+            activity.Check(After(seconds));
+            if (reasons.Count == 0 || _told[^1].Reason != reasons[^1])
+                reasons.Add(_told[^1].Reason);
+        }
+
+        Assert.Equal([ConnectionReason.None, ConnectionReason.NoData, ConnectionReason.SenderNotAllowed, ConnectionReason.NoData], reasons);
+    }
+
+    private static SocketAddress Stray => new IPEndPoint(IPAddress.Parse("192.0.2.1"), 40_000).Serialize();
+
+    private LinkActivity OverUdp(SenderFilter filter)
+    {
+        var activity = new LinkActivity(_status, TimeSpan.FromSeconds(3), filter);
+        activity.Begin("UDP port 7001");
+        activity.Check(After(0.1));
+        return activity;
     }
 
     private void Deliver(double seconds)

@@ -34,6 +34,17 @@ public sealed class TcpLinkTests
         Assert.Equal(ConnectionReason.HostNotFound, (await link.OpenAsync(CancellationToken.None).Soon()).Reason);
     }
 
+    [Theory]
+    [InlineData("::1", "127.0.0.1")]
+    [InlineData("127.0.0.1", "::1")]
+    public async Task A_local_address_of_another_kind_than_the_servers_says_so(string host, string local)
+    {
+        using var link = new TcpLink(new LinkOptions(host, 7001) { LocalAddress = IPAddress.Parse(local) });
+        LinkEnd end = await link.OpenAsync(CancellationToken.None).Soon();
+        Assert.Equal(ConnectionReason.AddressUnavailable, end.Reason);
+        Assert.Contains("of another kind (IPv4, IPv6)", end.Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public async Task Of_several_addresses_the_most_telling_failure_is_reported()
     {

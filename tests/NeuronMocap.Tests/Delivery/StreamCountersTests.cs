@@ -1,0 +1,90 @@
+using System.Diagnostics;
+using NeuronMocap.Delivery;
+using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Tests.Delivery;
+
+// Time is the test's own.
+public sealed class StreamCountersTests
+{
+    private readonly StreamCounters _counters = new();
+
+    [Fact]
+    public void Made_up_avatars_do_not_keep_a_real_one_from_being_counted()
+    {
+        Flood(first: 5000, count: 1100, seconds: 0);
+        for (int i = 0; i < 200; i++)
+        {
+            if (i % 5 != 2)
+                Deliver(frame: i, avatar: 0, seconds: 6 + (i / 60.0));
+        }
+
+        AvatarTracker real = Assert.Single(_counters.Trackers, static tracker => tracker.Avatar == 0);
+        Assert.Equal((160, 40), (real.Snapshot.Frames, real.Snapshot.Lost));
+        Assert.Equal((40, StreamCounters.MaxTrackers), (_counters.Snapshot().Lost, _counters.Trackers.Length));
+    }
+
+    [Fact]
+    public void A_flood_pushes_nobody_out_who_sends()
+    {
+        for (int i = 0; i < 600; i++)
+        {
+            if (i % 5 != 2)
+                Deliver(frame: i, avatar: 0, seconds: i / 60.0);
+
+            Flood(first: 5000 + (i * 10), count: 10, seconds: i / 60.0);
+        }
+
+        Assert.Equal(120, Assert.Single(_counters.Trackers, static tracker => tracker.Avatar == 0).Snapshot.Lost);
+    }
+
+    [Fact]
+    public void Totals_keep_the_losses_of_those_that_made_room()
+    {
+        Deliver(frame: 1, avatar: 0, seconds: 0);
+        Deliver(frame: 4, avatar: 0, seconds: 0.1);
+        Deliver(frame: 100_000, avatar: 0, seconds: 0.2);
+        for (int round = 0; round < 3; round++)
+            Flood(first: 5000 * (round + 1), count: 1100, seconds: 10 * (round + 1));
+
+        Assert.DoesNotContain(_counters.Trackers, static tracker => tracker.Avatar == 0);
+        ReaderStatistics statistics = _counters.Snapshot();
+        Assert.Equal((2, 1, 1), (statistics.Lost, statistics.Gaps, statistics.Restarts));
+    }
+
+    // The one before it still remembers whose turn came next.
+    [Fact]
+    public void An_avatar_that_made_room_and_comes_back_in_its_turn_is_counted_anew()
+    {
+        Deliver(frame: 1, avatar: 0, seconds: 0);
+        Deliver(frame: 1, avatar: 1, seconds: 0);
+        Flood(first: 5000, count: StreamCounters.MaxTrackers - 2, seconds: 1);
+        Deliver(frame: 2, avatar: 0, seconds: 4);
+        Flood(first: 9000, count: 1, seconds: 5.5);
+        Assert.DoesNotContain(_counters.Trackers, static tracker => tracker.Avatar == 1);
+
+        Deliver(frame: 3, avatar: 0, seconds: 7);
+        Deliver(frame: 20, avatar: 1, seconds: 7);
+        Assert.Equal(1, Assert.Single(_counters.Trackers, static tracker => tracker.Avatar == 1).Snapshot.Frames);
+    }
+
+    [Fact]
+    public void Avatars_for_which_there_is_no_room_allocate_nothing()
+    {
+        Flood(first: 5000, count: StreamCounters.MaxTrackers, seconds: 0);
+        ReceivedPacket packet = Packet(frame: 1, avatar: 1, seconds: 1);
+        Allocations.AssertNone(() => _counters.CountMotion(packet));
+    }
+
+    private void Flood(int first, int count, double seconds)
+    {
+        for (int i = 0; i < count; i++)
+            Deliver(frame: 1, first + i, seconds);
+    }
+
+    private void Deliver(int frame, int avatar, double seconds) => _counters.CountMotion(Packet(frame, avatar, seconds));
+
+    private static ReceivedPacket Packet(int frame, int avatar, double seconds) =>
+        new(PacketKind.Motion, TestPackets.Motion(frame, avatar, count: 6), (long)(seconds * Stopwatch.Frequency) + 1, source: 0);
+}

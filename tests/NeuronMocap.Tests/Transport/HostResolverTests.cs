@@ -1,0 +1,24 @@
+using System.Net;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Transport;
+
+public sealed class HostResolverTests
+{
+    // Other tests have timers of their own, but by far not as many.
+    [Fact]
+    public async Task A_name_that_is_found_leaves_no_timer_behind()
+    {
+        const int Names = 5000;
+        var options = new LinkOptions("studio", 7001)
+        {
+            ConnectTimeout = TimeSpan.FromMinutes(5),
+            Resolve = static _ => Task.FromResult<IPAddress[]>([IPAddress.Loopback]),
+        };
+        long before = Timer.ActiveCount;
+        for (int i = 0; i < Names; i++)
+            Assert.Equal([IPAddress.Loopback], await HostResolver.ResolveAsync(options, TestContext.Current.CancellationToken));
+
+        Assert.InRange(Timer.ActiveCount - before, long.MinValue, Names / 2);
+    }
+}
