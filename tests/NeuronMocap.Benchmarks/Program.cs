@@ -65,7 +65,7 @@ sinks.Add(connections);
 sinks.Add(idler);
 sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(connections), result.GetValue(idler)));
 
-return await new RootCommand("Measures the receive path as ratios to a floor that is measured in the same run.") 
+return await new RootCommand("Measures the receive path as ratios to a floor that is measured in the same run.")
     {
         throughput, latency, streams, avatars, consumers, broadcast, decode, micro, flood, pace, sinks,
     }

@@ -57,7 +57,7 @@ internal static class Advice
             ConnectionReason.AddressUnavailable when options.LocalAddress is null =>
                 $"This computer has no address from which {target} can be reached. Check the address and the network.",
             ConnectionReason.AddressUnavailable =>
-                $"The local address {options.LocalAddress} does not belong to this computer, or is of another kind (IPv4, IPv6) than the server's. "
+                $"The local address {options.LocalAddress} does not belong to this computer, or is of another kind (IPv4, IPv6) than {target}. "
                 + "Choose one that does, or none.",
             ConnectionReason.AccessDenied => $"This computer does not allow a connection to {target}. Check its firewall.",
             _ => $"The connection to {target} failed: {exception.Message}",
