@@ -83,6 +83,7 @@ internal static class LocalNetwork
         }
         catch (Exception exception) when (exception is NetworkInformationException or PlatformNotSupportedException or NotImplementedException)
         {
+            // Not every runtime and system lists its networks, Unity's players among them: the diagnosis then goes on and says less of the route.
             return [];
         }
     }
