@@ -188,7 +188,7 @@ public sealed class StreamDiagnosisTests
     public async Task An_old_command_packet_without_frames_is_no_data_port()
     {
         byte[] command = new byte[64];
-        new CommandHeader { CommandId = 5 }.Write(command);
+        new CommandHeader { CommandId = DataCommandId.AvatarCount }.Write(command);
         using ScriptedServer server = ScriptedServer.Saying(command);
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
         diagnosis.AssertFault(DiagnosisVerdict.CommandPort, "token", "sends commands");
