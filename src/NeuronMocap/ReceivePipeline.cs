@@ -1,6 +1,6 @@
 using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;
 
@@ -11,7 +11,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
 {
     private const string StreamName = "stream";
 
-    private readonly SkeletonFormat _format;
+    private readonly FrameFormat _format;
+    private readonly StreamRecognizer _recognizer;
     private readonly LinkActivity _activity;
     private readonly StatusBoard _status;
     private readonly SenderFilter _senders;
@@ -27,9 +28,16 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     private volatile bool _stopped;
 
     public ReceivePipeline(
-        SkeletonFormat format, LinkActivity activity, StatusBoard status, SenderFilter senders, ReaderMetrics metrics, Action<Exception> callbackFailed)
+        FrameFormat format,
+        StreamRecognizer recognizer,
+        LinkActivity activity,
+        StatusBoard status,
+        SenderFilter senders,
+        ReaderMetrics metrics,
+        Action<Exception> callbackFailed)
     {
         _format = format;
+        _recognizer = recognizer;
         _activity = activity;
         _status = status;
         _senders = senders;
@@ -56,9 +64,13 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
             return;
 
         DeliveringThread = Environment.CurrentManagedThreadId;
+        bool isNews = packet.IsFrame && _recognizer.OnFrame(packet);
         _activity.BeginDelivery(packet);
         try
         {
+            if (isNews)
+                _activity.Redescribe(packet.Timestamp);
+
             _dispatcher.Dispatch(packet);
         }
         finally
@@ -66,6 +78,12 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
             _activity.EndDelivery();
             DeliveringThread = 0;
         }
+    }
+
+    public void OnText(ReadOnlySpan<byte> bytes)
+    {
+        if (!_stopped)
+            _counters.CountText(bytes.Length);
     }
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
@@ -77,7 +95,11 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         _activity.OnSkipped(bytes, reason);
     }
 
-    public void OnLinkOpened() => _counters.Resume();
+    public void OnLinkOpened()
+    {
+        _recognizer.Reset();
+        _counters.Resume();
+    }
 
     // From here on nothing is delivered, even where the receive thread still holds bytes.
     public void Stop() => _stopped = true;
