@@ -75,7 +75,7 @@ public sealed class PacketScanner
         int position = 1;
         while (position < source.Length)
         {
-            int next = source[position..].IndexOf(ProtocolConstants.TokenStart);
+            int next = source[position..].IndexOfAny(ProtocolConstants.TokenStart, ProtocolConstants.StudioTokenStart);
             if (next < 0)
                 return new ScanResult(ScanStatus.Skipped, source.Length, Reason: reason);
 
@@ -95,14 +95,14 @@ public sealed class PacketScanner
         if (source.Length >= ProtocolConstants.HeaderSize)
             return PacketTokens.KindOf(source) != PacketKind.None;
 
-        return source[0] == ProtocolConstants.TokenStart
-            && (source.Length < 2 || PacketTokens.KindOf(source[1]) != PacketKind.None);
+        return source.Length < 2 ? PacketTokens.IsStart(source[0]) : PacketTokens.KindOf(source[0], source[1]) != PacketKind.None;
     }
 
     private static long PayloadSize(ReadOnlySpan<byte> header, PacketKind kind) => kind switch
     {
         PacketKind.Motion => sizeof(float) * (long)MotionHeader.ReadValueCount(header),
         PacketKind.Calculation => sizeof(float) * (long)CalculationHeader.ReadValueCount(header),
+        PacketKind.StudioCalculation => StudioCalculationHeader.ReadByteCount(header),
         _ => CommandHeader.Read(header).PayloadSize,
     };
 
