@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Runtime.CompilerServices;
+using NeuronMocap.Commands;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
@@ -39,7 +40,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     private readonly StatusBoard _status;
     private readonly LinkActivity _activity;
     private readonly SenderFilter _senders;
-    private readonly Func<Link> _createLink;
+    private readonly ConnectionSupervisor _supervisor;
     private Timer? _watchdog;
     private int _started;
     private int _disposed;
@@ -69,7 +70,6 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
             throw new ArgumentException(fault, nameof(options));
 
         _options = options.Copy();
-        _createLink = createLink ?? CreateLink;
         _statusHandlers = new HandlerList<ConnectionStatus>(OnCallbackFailed);
         _status = new StatusBoard(OnStatusChanged);
         _senders = new SenderFilter(_options.AllowedSenders);
@@ -77,7 +77,8 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
         _eventHandlers = new HandlerList<ReaderEvent>(OnCallbackFailed);
         _eventHandlers.Add(_options.CreateLog());
         _metrics = new ReaderMetrics(_options.DisplayName);
-        _pipeline = new ReceivePipeline(_options.Format, _activity, _status, _senders, _metrics, OnCallbackFailed);
+        _supervisor = new ConnectionSupervisor(createLink ?? CreateLink, _options.Reconnect, _status, _activity, new Random().NextDouble);
+        _pipeline = new ReceivePipeline(_options.Format, _activity, _status, _senders, _metrics, _supervisor.TrySend, OnCallbackFailed);
         _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke);
     }
 
@@ -137,6 +138,11 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     /// <see cref="Status"/> tells the reason.
     /// </summary>
     public Task Completion => _completion.Task;
+
+    /// <summary>
+    /// Commands that travel on this reader's own TCP connection, as servers of the time of b11 and b12 take them. Over UDP there are none.
+    /// </summary>
+    public DataCommands DataCommands => _pipeline.Commands;
 
     /// <summary>What was received so far. Also after the end.</summary>
     /// <returns>A snapshot.</returns>
@@ -257,12 +263,10 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
 
     private async Task RunAsync()
     {
-        var random = new Random();
-        var supervisor = new ConnectionSupervisor(_createLink, _options.Reconnect, _status, _activity, random.NextDouble);
         ConnectionStatus last;
         try
         {
-            last = await supervisor.RunAsync(_pipeline, _stop.Token).ConfigureAwait(false);
+            last = await _supervisor.RunAsync(_pipeline, _stop.Token).ConfigureAwait(false);
         }
         catch (Exception exception)
         {

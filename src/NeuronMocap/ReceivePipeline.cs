@@ -1,3 +1,4 @@
+using NeuronMocap.Commands;
 using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
@@ -27,7 +28,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     private volatile bool _stopped;
 
     public ReceivePipeline(
-        SkeletonFormat format, LinkActivity activity, StatusBoard status, SenderFilter senders, ReaderMetrics metrics, Action<Exception> callbackFailed)
+        SkeletonFormat format, LinkActivity activity, StatusBoard status, SenderFilter senders, ReaderMetrics metrics, DataCommands.TrySend trySend,
+        Action<Exception> callbackFailed)
     {
         _format = format;
         _activity = activity;
@@ -37,6 +39,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         _counters = new StreamCounters(metrics.Intervals);
         _dispatcher = new PacketDispatcher(_counters);
         Callbacks = new FrameCallbacks(format, callbackFailed);
+        Commands = new DataCommands(trySend, callbackFailed);
         _dispatcher.Add(Callbacks);
         metrics.Observe(this);
     }
@@ -46,6 +49,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     public long UnsettledLoss => _counters.Trackers.Sum(static tracker => tracker.Index.Unsettled);
 
     public FrameCallbacks Callbacks { get; }
+
+    public DataCommands Commands { get; }
 
     // The thread that is handing out a packet, or 0. Meant to be compared with the calling thread only.
     public int DeliveringThread { get; private set; }
@@ -60,6 +65,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         try
         {
             _dispatcher.Dispatch(packet);
+            if (packet.Kind == PacketKind.Command)
+                Commands.OnPacket(packet);
         }
         finally
         {
@@ -77,7 +84,11 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         _activity.OnSkipped(bytes, reason);
     }
 
-    public void OnLinkOpened() => _counters.Resume();
+    public void OnLinkOpened()
+    {
+        _counters.Resume();
+        Commands.OnLinkOpened();
+    }
 
     // From here on nothing is delivered, even where the receive thread still holds bytes.
     public void Stop() => _stopped = true;

@@ -17,7 +17,7 @@ public sealed class DependencyTests
         ["Delivery"] = ["Frames", "Protocol", "Skeleton"],
         ["Diagnostics"] = ["Delivery", "Protocol", "Transport"],
         ["Telemetry"] = ["Delivery", "Transport", "Protocol"],
-        ["Commands"] = ["Protocol"],
+        ["Commands"] = ["Delivery", "Protocol"],
         ["Bvh"] = ["Frames", "Skeleton", "Protocol"],
         ["Recording"] = ["Frames", "Skeleton", "Protocol"],
         ["Retargeting"] = ["Skeleton"],
