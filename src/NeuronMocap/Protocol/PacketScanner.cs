@@ -28,6 +28,8 @@ public sealed class PacketScanner
         _maxValues = maxValues;
     }
 
+    internal int MaxValues => _maxValues;
+
     /// <summary>Looks at the start of some bytes.</summary>
     /// <param name="source">Bytes in the order of their arrival; only read.</param>
     /// <returns>A packet, a number of bytes to wait for, or a number of bytes to skip; never a length of zero.</returns>
