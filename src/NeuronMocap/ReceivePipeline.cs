@@ -1,6 +1,7 @@
+using NeuronMocap.Commands;
 using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;
 
@@ -11,7 +12,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
 {
     private const string StreamName = "stream";
 
-    private readonly SkeletonFormat _format;
+    private readonly FrameFormat _format;
+    private readonly StreamRecognizer _recognizer;
     private readonly LinkActivity _activity;
     private readonly StatusBoard _status;
     private readonly SenderFilter _senders;
@@ -27,9 +29,17 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     private volatile bool _stopped;
 
     public ReceivePipeline(
-        SkeletonFormat format, LinkActivity activity, StatusBoard status, SenderFilter senders, ReaderMetrics metrics, Action<Exception> callbackFailed)
+        FrameFormat format,
+        StreamRecognizer recognizer,
+        LinkActivity activity,
+        StatusBoard status,
+        SenderFilter senders,
+        ReaderMetrics metrics,
+        DataCommands.TrySend trySend,
+        Action<Exception> callbackFailed)
     {
         _format = format;
+        _recognizer = recognizer;
         _activity = activity;
         _status = status;
         _senders = senders;
@@ -37,6 +47,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         _counters = new StreamCounters(metrics.Intervals);
         _dispatcher = new PacketDispatcher(_counters);
         Callbacks = new FrameCallbacks(format, callbackFailed);
+        Commands = new DataCommands(trySend, callbackFailed);
         _dispatcher.Add(Callbacks);
         metrics.Observe(this);
     }
@@ -47,6 +58,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
 
     public FrameCallbacks Callbacks { get; }
 
+    public DataCommands Commands { get; }
+
     // The thread that is handing out a packet, or 0. Meant to be compared with the calling thread only.
     public int DeliveringThread { get; private set; }
 
@@ -56,16 +69,28 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
             return;
 
         DeliveringThread = Environment.CurrentManagedThreadId;
+        bool isNews = packet.IsFrame && _recognizer.OnFrame(packet);
         _activity.BeginDelivery(packet);
         try
         {
+            if (isNews)
+                _activity.Redescribe(packet.Timestamp);
+
             _dispatcher.Dispatch(packet);
+            if (packet.Kind == PacketKind.Command)
+                Commands.OnPacket(packet);
         }
         finally
         {
             _activity.EndDelivery();
             DeliveringThread = 0;
         }
+    }
+
+    public void OnText(ReadOnlySpan<byte> bytes)
+    {
+        if (!_stopped)
+            _counters.CountText(bytes.Length);
     }
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
@@ -77,7 +102,12 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         _activity.OnSkipped(bytes, reason);
     }
 
-    public void OnLinkOpened() => _counters.Resume();
+    public void OnLinkOpened()
+    {
+        _recognizer.Reset();
+        _counters.Resume();
+        Commands.OnLinkOpened();
+    }
 
     // From here on nothing is delivered, even where the receive thread still holds bytes.
     public void Stop() => _stopped = true;

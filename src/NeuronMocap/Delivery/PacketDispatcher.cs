@@ -20,7 +20,7 @@ internal sealed class PacketDispatcher(StreamCounters counters)
             _consumers = [.. _consumers.Where(other => other != consumer)];
     }
 
-    // Commands, which the command channel will take, and packets of no values are only counted.
+    // Commands, which are not for consumers of frames, and packets of no values are only counted.
     public void Dispatch(in ReceivedPacket packet)
     {
         Count(packet);

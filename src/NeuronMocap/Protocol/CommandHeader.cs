@@ -3,28 +3,40 @@ using System.Buffers.Binary;
 namespace NeuronMocap.Protocol;
 
 /// <summary>
-/// The header of an old-generation command packet, which travels on the data connection between motion packets
-/// (protocol.md sections 2.6 and 7). Its parameters are the 40 bytes at offset 18 of the packet.
+/// The header of an old-generation command packet, which travels on the data connection between motion packets, in both directions
+/// (protocol.md sections 2.6 and 7). Of its 40 bytes of parameters two numbers are known; the vendor's client leaves the rest to chance.
 /// </summary>
 public readonly record struct CommandHeader
 {
+    // Bytes of an entry in a list of bone sizes: a name of 60, a length of 4.
+    internal const int BoneSizeEntry = 64;
+
     /// <summary>Makes the header that the vendor's b12 library sends: version 1.0.0.2, no payload.</summary>
     public CommandHeader() => Version = DataVersion.Old;
 
     /// <summary>Version of the data format.</summary>
     public DataVersion Version { get; init; }
 
-    /// <summary>Number of the command: 0 bone size to 8 unregister event (protocol.md section 2.4, "CmdId, OLD").</summary>
-    public int CommandId { get; init; }
+    /// <summary>What the command is about. Servers may send numbers that the enumeration lacks.</summary>
+    public DataCommandId CommandId { get; init; }
 
     /// <summary>Entries of the payload: 64-byte bone sizes for command 0, bytes of text for command 4, else without meaning.</summary>
     public uint DataCount { get; init; }
 
+    /// <summary>
+    /// The first parameter. In requests: the avatar, from 0, or for the two event commands the <see cref="DataCommandId"/> to watch. In
+    /// replies: the avatar (frequency, combination mode) or the number of avatars.
+    /// </summary>
+    public int Parameter { get; init; }
+
+    /// <summary>The second parameter, in replies only: frames per second, or the <see cref="SensorCombination"/>.</summary>
+    public int Value { get; init; }
+
     /// <summary>Bytes that follow the header, as command and count say; the length field on the wire is not reliable.</summary>
     public long PayloadSize => CommandId switch
     {
-        0 => DataCount * 64L,
-        4 => DataCount,
+        DataCommandId.BoneSize => DataCount * (long)BoneSizeEntry,
+        DataCommandId.BvhText => DataCount,
         _ => 0,
     };
 
@@ -42,7 +54,7 @@ public readonly record struct CommandHeader
         return true;
     }
 
-    /// <summary>Writes the 64 bytes of the header, with all parameters zero.</summary>
+    /// <summary>Writes the 64 bytes of the header; parameters without a name are zero.</summary>
     /// <param name="destination">At least 64 bytes.</param>
     public void Write(Span<byte> destination)
     {
@@ -52,13 +64,17 @@ public readonly record struct CommandHeader
         Version.Write(target[2..]);
         BinaryPrimitives.WriteUInt32LittleEndian(target[6..], (uint)(ProtocolConstants.HeaderSize + PayloadSize));
         BinaryPrimitives.WriteUInt32LittleEndian(target[10..], DataCount);
-        BinaryPrimitives.WriteInt32LittleEndian(target[14..], CommandId);
+        BinaryPrimitives.WriteInt32LittleEndian(target[14..], (int)CommandId);
+        BinaryPrimitives.WriteInt32LittleEndian(target[18..], Parameter);
+        BinaryPrimitives.WriteInt32LittleEndian(target[22..], Value);
     }
 
     internal static CommandHeader Read(ReadOnlySpan<byte> source) => new()
     {
         Version = DataVersion.Read(source[2..]),
         DataCount = BinaryPrimitives.ReadUInt32LittleEndian(source[10..]),
-        CommandId = BinaryPrimitives.ReadInt32LittleEndian(source[14..]),
+        CommandId = (DataCommandId)BinaryPrimitives.ReadInt32LittleEndian(source[14..]),
+        Parameter = BinaryPrimitives.ReadInt32LittleEndian(source[18..]),
+        Value = BinaryPrimitives.ReadInt32LittleEndian(source[22..]),
     };
 }

@@ -39,7 +39,7 @@ public static class ProtocolConstants
     /// </summary>
     public const int MaxCommandReply = 200_016;
 
-    // Both bytes of a token are given in wire order. Every token starts with 0xFF, which vectorises the search for one.
+    // Both bytes of a token are given in wire order. Two bytes start all tokens, which vectorises the search for one.
     internal const byte TokenStart = 0xFF;
     internal const byte MotionToken1 = 0xDD;
     internal const byte MotionToken2 = 0xEE;
@@ -47,4 +47,7 @@ public static class ProtocolConstants
     internal const byte CalculationToken2 = 0x99;
     internal const byte CommandToken1 = 0xAA;
     internal const byte CommandToken2 = 0xBB;
+    internal const byte StudioTokenStart = 0xCF;
+    internal const byte StudioToken1 = 0xDC;
+    internal const byte StudioToken2 = 0xEC;
 }

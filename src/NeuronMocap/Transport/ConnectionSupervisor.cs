@@ -10,6 +10,11 @@ internal sealed class ConnectionSupervisor(
     LinkActivity activity,
     Func<double> jitter)
 {
+    private volatile Link? _standing;
+
+    // To the server, when a connection stands. Any thread.
+    public bool TrySend(ReadOnlySpan<byte> bytes) => _standing?.TrySend(bytes) ?? false;
+
     // Completes with the status to end with, when stopped or, with reconnecting off, after the first link.
     public async Task<ConnectionStatus> RunAsync(IPacketReceiver receiver, CancellationToken stop)
     {
@@ -47,6 +52,7 @@ internal sealed class ConnectionSupervisor(
         }
         finally
         {
+            _standing = null;
             link?.Dispose();
         }
     }
@@ -57,6 +63,7 @@ internal sealed class ConnectionSupervisor(
         if (end.Reason != ConnectionReason.None)
             return (end, false);
 
+        _standing = link;
         activity.Begin(link.Target);
         receiver.OnLinkOpened();
         status.Set(new ConnectionStatus(ConnectionState.Connected, ConnectionReason.None, $"Connected to {link.Target}; waiting for frames.")

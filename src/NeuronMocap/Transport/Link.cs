@@ -21,6 +21,9 @@ internal abstract class Link : IDisposable
     // nothing that the network can cause.
     public abstract Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver);
 
+    // Sends a request to the other side, where there is one that takes requests. Any thread, while the link stands.
+    public virtual bool TrySend(ReadOnlySpan<byte> bytes) => false;
+
     public abstract void Close();
 
     public void Dispose() => Close();

@@ -4,10 +4,15 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// A TCP connection to a server that only sends (protocol.md section 4.1). How it waits for bytes: TcpReceivers.
+// A TCP connection to a server that sends without being asked (protocol.md section 4.1); only commands go the other way. How it waits for
+// bytes: TcpReceivers.
 internal sealed class TcpLink(LinkOptions options) : Link
 {
+    // A server that does not read commands does not get many before its buffers are full, and then holds up who sends them, never the frames.
+    private const int SendTimeoutMilliseconds = 1000;
+
     private readonly object _lock = new();
+    private readonly object _sending = new();
     private readonly TcpReceiver _receiver = options.TakeReceiver();
     private Socket? _socket;
     private bool _closed;
@@ -38,6 +43,23 @@ internal sealed class TcpLink(LinkOptions options) : Link
         finally
         {
             assembler.Abandon();
+        }
+    }
+
+    // Whole requests only: one at a time, and after half of one the server finds the next by its tokens.
+    public override bool TrySend(ReadOnlySpan<byte> bytes)
+    {
+        if (RemoteEndPoint is null)
+            return false;
+
+        try
+        {
+            lock (_sending)
+                return _socket!.Send(bytes, SocketFlags.None, out _) == bytes.Length;
+        }
+        catch (Exception exception) when (SocketErrors.IsExpected(exception))
+        {
+            return false;
         }
     }
 
@@ -100,7 +122,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
         timeout.CancelAfter(options.ConnectTimeout);
         try
         {
-            socket = new Socket(address.AddressFamily, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
+            socket = new Socket(address.AddressFamily, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true, SendTimeout = SendTimeoutMilliseconds };
             KeepAlive(socket);
             if (!Adopt(socket))
                 return LinkEnd.Requested;

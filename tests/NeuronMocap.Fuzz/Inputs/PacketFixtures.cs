@@ -74,7 +74,7 @@ internal static class PacketFixtures
 
     private static byte[] Command(int id, uint count)
     {
-        var header = new CommandHeader { CommandId = id, DataCount = count };
+        var header = new CommandHeader { CommandId = (DataCommandId)id, DataCount = count };
         byte[] packet = new byte[ProtocolConstants.HeaderSize + header.PayloadSize];
         header.Write(packet);
         packet.AsSpan(ProtocolConstants.HeaderSize).Fill((byte)'H');

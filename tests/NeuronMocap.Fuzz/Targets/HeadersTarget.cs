@@ -87,6 +87,8 @@ internal static class HeadersTarget
         AddVersion(ref digest, header.Version);
         digest.Add((long)header.CommandId);
         digest.Add((long)header.DataCount);
+        digest.Add((long)header.Parameter);
+        digest.Add((long)header.Value);
         digest.Add(header.PayloadSize);
     }
 

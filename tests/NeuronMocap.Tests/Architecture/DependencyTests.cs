@@ -18,7 +18,7 @@ public sealed class DependencyTests
         ["Diagnostics"] = ["Delivery", "Protocol", "Transport"],
         ["Telemetry"] = ["Delivery", "Transport", "Protocol"],
         // Text that a server sends is BVH; how to connect, and why that failed, is the same as for a stream.
-        ["Commands"] = ["Bvh", "Protocol", "Skeleton", "Transport"],
+        ["Commands"] = ["Bvh", "Delivery", "Protocol", "Skeleton", "Transport"],
         ["Bvh"] = ["Frames", "Skeleton", "Protocol"],
         ["Recording"] = ["Frames", "Skeleton", "Protocol"],
         ["Retargeting"] = ["Skeleton"],

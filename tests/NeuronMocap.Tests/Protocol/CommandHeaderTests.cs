@@ -10,7 +10,7 @@ public sealed class CommandHeaderTests
         Assert.True(CommandHeader.TryRead(GoldenPackets.Get("command").ByHand, out CommandHeader header));
 
         Assert.Equal(new DataVersion(1, 0, 0, 2), header.Version);
-        Assert.Equal(4, header.CommandId);
+        Assert.Equal(DataCommandId.BvhText, header.CommandId);
         Assert.Equal(5u, header.DataCount);
         Assert.Equal(5, header.PayloadSize);
     }
@@ -27,7 +27,7 @@ public sealed class CommandHeaderTests
     [InlineData(8, 3u, 0)]
     [InlineData(-1, 3u, 0)]
     public void Command_and_count_give_the_payload(int command, uint count, long expected) =>
-        Assert.Equal(expected, new CommandHeader { CommandId = command, DataCount = count }.PayloadSize);
+        Assert.Equal(expected, new CommandHeader { CommandId = (DataCommandId)command, DataCount = count }.PayloadSize);
 
     [Fact]
     public void No_truncated_header_is_read()
@@ -56,9 +56,25 @@ public sealed class CommandHeaderTests
     {
         byte[] written = new byte[64];
         written.AsSpan().Fill(0xCC);
-        new CommandHeader { CommandId = 5 }.Write(written);
+        new CommandHeader { CommandId = DataCommandId.AvatarCount }.Write(written);
 
         Assert.Equal(Convert.ToHexString(GoldenPackets.OldCommand(command: 5, count: 0, payload: 0)), Convert.ToHexString(written));
+    }
+
+    // Offsets 18 and 22, as protocol.md section 2.6 has them; written by hand.
+    [Fact]
+    public void The_two_known_parameters_stand_at_the_start_of_the_40_bytes()
+    {
+        byte[] packet = GoldenPackets.OldCommand(command: 3, count: 0, payload: 0);
+        new byte[] { 0x02, 0, 0, 0, 0x78, 0, 0, 0 }.CopyTo(packet.AsSpan(18));
+
+        Assert.True(CommandHeader.TryRead(packet, out CommandHeader header));
+        Assert.Equal(2, header.Parameter);
+        Assert.Equal(120, header.Value);
+
+        byte[] written = new byte[64];
+        header.Write(written);
+        Assert.Equal(Convert.ToHexString(packet), Convert.ToHexString(written));
     }
 
     [Fact]

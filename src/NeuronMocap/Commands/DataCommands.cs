@@ -1,0 +1,182 @@
+using NeuronMocap.Delivery;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Commands;
+
+/// <summary>
+/// The commands of the old generation, which share a reader's TCP connection with its frames (protocol.md section 7): servers of the time of
+/// the vendor's b11 and b12 libraries answer them; newer ones have a connection of their own for commands.
+/// <para>
+/// Requests are sent when asked for; replies come whenever the server likes, between frames. Take them as they come with
+/// <see cref="Received"/>, or await one value with the methods that fetch. All members may be called from any thread.
+/// </para>
+/// </summary>
+public sealed class DataCommands
+{
+    private readonly TrySend _trySend;
+    private readonly HandlerList<DataCommandReply> _handlers;
+    private readonly ReplyWaiters _waiters = new();
+    private readonly object _lock = new();
+    private readonly SortedSet<DataCommandId> _registered = [];
+
+    internal DataCommands(TrySend trySend, Action<Exception> failed)
+    {
+        _trySend = trySend;
+        _handlers = new HandlerList<DataCommandReply>(failed);
+    }
+
+    /// <summary>How long the methods that fetch wait for a reply, counted from the sending: 3 s unless set.</summary>
+    public TimeSpan Timeout { get; set; } = TimeSpan.FromSeconds(3);
+
+    // False where no connection stands that commands can travel on, or where it takes no more bytes for a second.
+    internal delegate bool TrySend(ReadOnlySpan<byte> bytes);
+
+    /// <summary>Called with every reply, on the receive thread, in the order of arrival. While a handler runs, nothing is received.</summary>
+    public event Action<DataCommandReply>? Received
+    {
+        add => _handlers.Add(value);
+        remove => _handlers.Remove(value);
+    }
+
+    /// <summary>Asks for a value that is not an avatar's own. The reply comes to <see cref="Received"/>.</summary>
+    /// <param name="id">What to ask for.</param>
+    /// <returns>False when the request could not be sent: no connection stands, or frames come over UDP.</returns>
+    public bool TryFetch(DataCommandId id) => TryFetch(id, avatar: 0);
+
+    /// <summary>Asks for a value of an avatar. The reply comes to <see cref="Received"/>.</summary>
+    /// <param name="id">What to ask for.</param>
+    /// <param name="avatar">Number of the avatar on the server, from 0.</param>
+    /// <returns>False when the request could not be sent: no connection stands, or frames come over UDP.</returns>
+    public bool TryFetch(DataCommandId id, int avatar) => TryRequest(id, avatar);
+
+    /// <summary>
+    /// Asks the server to send a value whenever it changes ("auto-sync"); it comes to <see cref="Received"/>. Asked for again by itself
+    /// after every reconnect, until <see cref="TryUnregister"/>.
+    /// </summary>
+    /// <param name="id">What to watch.</param>
+    /// <returns>False when the request could not be sent; then nothing is registered.</returns>
+    public bool TryRegister(DataCommandId id)
+    {
+        lock (_lock)
+        {
+            bool sent = TryRequest(DataCommandId.RegisterEvent, (int)id);
+            if (sent)
+                _registered.Add(id);
+
+            return sent;
+        }
+    }
+
+    /// <summary>Asks the server to send a value no more by itself.</summary>
+    /// <param name="id">What was watched.</param>
+    /// <returns>False when the request could not be sent; it is not registered again after a reconnect all the same.</returns>
+    public bool TryUnregister(DataCommandId id)
+    {
+        lock (_lock)
+        {
+            _registered.Remove(id);
+            return TryRequest(DataCommandId.UnregisterEvent, (int)id);
+        }
+    }
+
+    /// <summary>
+    /// Fetches names and lengths of an avatar's bones. Replies do not say whose they are: ask for one avatar after the other, and after a
+    /// time-out connect anew, or a late reply may be taken for the next avatar's.
+    /// </summary>
+    /// <param name="avatar">Number of the avatar on the server, from 0.</param>
+    /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
+    /// <returns>The bones in the order of the server.</returns>
+    /// <exception cref="NeuronCommandException">The request could not be sent, or no reply came in time.</exception>
+    public async Task<IReadOnlyList<BoneSize>> FetchBoneSizesAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
+        (await FetchAsync(DataCommandId.BoneSize, avatar, cancellationToken).ConfigureAwait(false)).BoneSizes!;
+
+    /// <summary>Fetches an avatar's hierarchy; whose it is, see <see cref="FetchBoneSizesAsync"/>.</summary>
+    /// <param name="avatar">Number of the avatar on the server, from 0.</param>
+    /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
+    /// <returns>The text of a BVH file's hierarchy, as the server sent it.</returns>
+    /// <exception cref="NeuronCommandException">The request could not be sent, or no reply came in time.</exception>
+    public async Task<string> FetchBvhTextAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
+        (await FetchAsync(DataCommandId.BvhText, avatar, cancellationToken).ConfigureAwait(false)).BvhText!;
+
+    /// <summary>Fetches the number of avatars on the server.</summary>
+    /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
+    /// <returns>The number as the server sent it.</returns>
+    /// <exception cref="NeuronCommandException">The request could not be sent, or no reply came in time.</exception>
+    public async Task<int> FetchAvatarCountAsync(CancellationToken cancellationToken = default) =>
+        (await FetchAsync(DataCommandId.AvatarCount, avatar: 0, cancellationToken).ConfigureAwait(false)).AvatarCount!.Value;
+
+    /// <summary>Fetches an avatar's frequency. A reply for another avatar is passed over.</summary>
+    /// <param name="avatar">Number of the avatar on the server, from 0.</param>
+    /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
+    /// <returns>Frames per second.</returns>
+    /// <exception cref="NeuronCommandException">The request could not be sent, or no reply came in time.</exception>
+    public async Task<int> FetchFrequencyAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
+        (await FetchAsync(DataCommandId.DataFrequency, avatar, cancellationToken).ConfigureAwait(false)).Frequency!.Value;
+
+    /// <summary>Fetches which sensors an avatar wears. A reply for another avatar is passed over.</summary>
+    /// <param name="avatar">Number of the avatar on the server, from 0.</param>
+    /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
+    /// <returns>The mode; servers may send numbers that the enumeration lacks.</returns>
+    /// <exception cref="NeuronCommandException">The request could not be sent, or no reply came in time.</exception>
+    public async Task<SensorCombination> FetchCombinationModeAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
+        (await FetchAsync(DataCommandId.CombinationMode, avatar, cancellationToken).ConfigureAwait(false)).CombinationMode!.Value;
+
+    // Receive thread.
+    internal void OnPacket(in ReceivedPacket packet)
+    {
+        if (_handlers.IsEmpty && _waiters.IsEmpty)
+            return;
+
+        var reply = new DataCommandReply(packet.Bytes);
+        _waiters.Complete(reply);
+        _handlers.Invoke(reply);
+    }
+
+    // A connection stands, which knows of no registration.
+    internal void OnLinkOpened()
+    {
+        lock (_lock)
+        {
+            foreach (DataCommandId id in _registered)
+                TryRequest(DataCommandId.RegisterEvent, (int)id);
+        }
+    }
+
+    private async Task<DataCommandReply> FetchAsync(DataCommandId id, int avatar, CancellationToken cancellation)
+    {
+        cancellation.ThrowIfCancellationRequested();
+        ReplyWaiters.Waiter waiter = _waiters.Add(reply => reply.Id == id && (reply.AvatarIndex ?? avatar) == avatar);
+        try
+        {
+            if (!TryFetch(id, avatar))
+            {
+                throw new NeuronCommandException(
+                    CommandFailure.NotConnected,
+                    "The command could not be sent: it needs a reader that is connected over TCP. Start the reader first, and wait for its connection.");
+            }
+
+            using var giveUp = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+            giveUp.CancelAfter(Timeout);
+            using (giveUp.Token.Register(() => waiter.Reply.TrySetCanceled(giveUp.Token)))
+                return await waiter.Reply.Task.ConfigureAwait(false);
+        }
+        catch (OperationCanceledException) when (!cancellation.IsCancellationRequested)
+        {
+            throw new NeuronCommandException(
+                CommandFailure.TimedOut,
+                $"No reply to the command {id} came within {Timeout.TotalSeconds:0.#} s. Servers newer than b12 do not take commands on the data "
+                + "connection: use the command port, by default 8013.");
+        }
+        finally
+        {
+            _waiters.Remove(waiter);
+        }
+    }
+
+    private bool TryRequest(DataCommandId id, int parameter)
+    {
+        Span<byte> request = stackalloc byte[ProtocolConstants.HeaderSize];
+        new CommandHeader { CommandId = id, Parameter = parameter }.Write(request);
+        return _trySend(request);
+    }
+}

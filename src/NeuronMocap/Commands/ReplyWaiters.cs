@@ -1,0 +1,56 @@
+namespace NeuronMocap.Commands;
+
+// Who waits for which reply. The receive thread completes, anyone else waits. A reply completes the one that has waited longest of those that
+// it fits: a server answers in the order of the requests.
+internal sealed class ReplyWaiters
+{
+    private readonly object _lock = new();
+    private readonly List<Waiter> _waiters = [];
+    private volatile bool _isEmpty = true;
+
+    public bool IsEmpty => _isEmpty;
+
+    public Waiter Add(Func<DataCommandReply, bool> fits)
+    {
+        var waiter = new Waiter(fits);
+        lock (_lock)
+        {
+            _waiters.Add(waiter);
+            _isEmpty = false;
+        }
+
+        return waiter;
+    }
+
+    public void Remove(Waiter waiter)
+    {
+        lock (_lock)
+        {
+            _waiters.Remove(waiter);
+            _isEmpty = _waiters.Count == 0;
+        }
+    }
+
+    public void Complete(DataCommandReply reply)
+    {
+        Waiter? found;
+        lock (_lock)
+        {
+            found = _waiters.Find(waiter => waiter.Fits(reply));
+            if (found is null)
+                return;
+
+            _waiters.Remove(found);
+            _isEmpty = _waiters.Count == 0;
+        }
+
+        found.Reply.TrySetResult(reply);
+    }
+
+    internal sealed class Waiter(Func<DataCommandReply, bool> fits)
+    {
+        public TaskCompletionSource<DataCommandReply> Reply { get; } = new(TaskCreationOptions.RunContinuationsAsynchronously);
+
+        public bool Fits(DataCommandReply reply) => fits(reply);
+    }
+}

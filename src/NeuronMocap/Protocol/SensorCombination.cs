@@ -1,0 +1,14 @@
+namespace NeuronMocap.Protocol;
+
+/// <summary>Which sensors an avatar wears: the vendor's "SensorCombinationModes" (protocol.md section 2.4).</summary>
+public enum SensorCombination
+{
+    /// <summary>One arm.</summary>
+    ArmOnly = 0,
+
+    /// <summary>The upper body.</summary>
+    UpperBody = 1,
+
+    /// <summary>The whole body.</summary>
+    FullBody = 2,
+}

@@ -1,0 +1,203 @@
+using System.Net.Sockets;
+using NeuronMocap.Commands;
+using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Commands;
+
+public sealed class DataCommandsTests : IDisposable
+{
+    private readonly TestServer _server = new();
+
+    public void Dispose() => _server.Dispose();
+
+    [Fact]
+    public async Task Requests_are_the_64_bytes_that_the_vendors_library_sends()
+    {
+        await using NeuronReader reader = await ConnectAsync();
+        using TestConnection connection = await _server.AcceptAsync();
+
+        Assert.True(reader.DataCommands.TryFetch(DataCommandId.AvatarCount));
+        Assert.True(reader.DataCommands.TryFetch(DataCommandId.BoneSize, avatar: 2));
+        Assert.True(reader.DataCommands.TryRegister(DataCommandId.CombinationMode));
+        Assert.True(reader.DataCommands.TryUnregister(DataCommandId.CombinationMode));
+
+        Assert.Equal(Request(id: 5, parameter: 0), await ReadRequestAsync(connection));
+        Assert.Equal(Request(id: 0, parameter: 2), await ReadRequestAsync(connection));
+        Assert.Equal(Request(id: 7, parameter: 6), await ReadRequestAsync(connection));
+        Assert.Equal(Request(id: 8, parameter: 6), await ReadRequestAsync(connection));
+    }
+
+    [Fact]
+    public async Task Replies_and_pushes_come_between_frames_and_each_way_of_asking_gets_its_own()
+    {
+        await using NeuronReader reader = await ConnectAsync();
+        using TestConnection connection = await _server.AcceptAsync();
+        List<DataCommandId> received = [];
+        reader.DataCommands.Received += _ => throw new InvalidOperationException("A handler of the user's.");
+        reader.DataCommands.Received += reply => received.Add(reply.Id);
+
+        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.FetchBoneSizesAsync();
+        Task<int> count = reader.DataCommands.FetchAvatarCountAsync();
+        Task<string> text = reader.DataCommands.FetchBvhTextAsync();
+        Task<SensorCombination> mode = reader.DataCommands.FetchCombinationModeAsync(avatar: 1);
+        await connection.SendPiecesAsync(
+            TestPackets.Join(
+                DataReplies.CombinationMode(avatar: 0, mode: 1),
+                TestPackets.Motion(1),
+                DataReplies.BoneSizes(("Hips", 0.5f)),
+                DataReplies.AvatarCount(2),
+                TestPackets.Motion(2),
+                DataReplies.CombinationMode(avatar: 1, mode: 2),
+                DataReplies.BvhText("HIERARCHY")),
+            size: 37);
+
+        Assert.Equal([new BoneSize("Hips", 0.5f)], await sizes.Soon());
+        Assert.Equal(2, await count.Soon());
+        Assert.Equal("HIERARCHY", await text.Soon());
+        Assert.Equal(SensorCombination.FullBody, await mode.Soon());
+        await Limits.UntilAsync(() => reader.GetStatistics().CommandPackets == 5);
+        Assert.Equal((2L, 0L, 5L), (reader.GetStatistics().MotionFrames, reader.GetStatistics().SkippedBytes, reader.GetStatistics().CallbackFailures));
+        Assert.Equal(
+            [DataCommandId.CombinationMode, DataCommandId.BoneSize, DataCommandId.AvatarCount, DataCommandId.CombinationMode, DataCommandId.BvhText],
+            received);
+    }
+
+    [Fact]
+    public async Task Many_at_once_get_each_their_own_avatars_answer()
+    {
+        const int Avatars = 50;
+        await using NeuronReader reader = await ConnectAsync();
+        using TestConnection connection = await _server.AcceptAsync();
+
+        Task<int>[] frequencies = [.. Enumerable.Range(0, Avatars).Select(avatar => Task.Run(() => reader.DataCommands.FetchFrequencyAsync(avatar)))];
+        for (int i = 0; i < Avatars; i++)
+            await ReadRequestAsync(connection);
+        await connection.SendAsync(TestPackets.Join(Enumerable.Range(0, Avatars).Reverse().Select(avatar => DataReplies.Frequency(avatar, 1000 + avatar))));
+
+        Assert.Equal(Enumerable.Range(1000, Avatars), await Task.WhenAll(frequencies).Soon());
+    }
+
+    [Fact]
+    public async Task A_server_that_does_not_answer_is_told_and_the_next_question_gets_its_answer()
+    {
+        await using NeuronReader reader = await ConnectAsync();
+        using TestConnection connection = await _server.AcceptAsync();
+        reader.DataCommands.Timeout = TimeSpan.FromMilliseconds(50);
+
+        NeuronCommandException exception = await Assert.ThrowsAsync<NeuronCommandException>(() => reader.DataCommands.FetchAvatarCountAsync().Soon());
+        Assert.Equal(CommandFailure.TimedOut, exception.Reason);
+        Assert.Contains("8013", exception.Message, StringComparison.Ordinal);
+
+        reader.DataCommands.Timeout = TimeSpan.FromMinutes(1);
+        Task<int> count = reader.DataCommands.FetchAvatarCountAsync();
+        await connection.SendAsync(DataReplies.AvatarCount(4));
+        Assert.Equal(4, await count.Soon());
+    }
+
+    [Fact]
+    public async Task A_wait_can_be_cancelled()
+    {
+        await using NeuronReader reader = await ConnectAsync();
+        using TestConnection connection = await _server.AcceptAsync();
+        using var cancellation = new CancellationTokenSource();
+
+        Task<string> text = reader.DataCommands.FetchBvhTextAsync(cancellationToken: cancellation.Token);
+        await ReadRequestAsync(connection);
+        cancellation.Cancel();
+
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => text.Soon());
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => reader.DataCommands.FetchBvhTextAsync(cancellationToken: cancellation.Token).Soon());
+    }
+
+    [Fact]
+    public async Task Without_a_connection_over_TCP_nothing_can_be_asked()
+    {
+        using var idle = new NeuronReader(_server.Options());
+        Assert.False(idle.DataCommands.TryFetch(DataCommandId.AvatarCount));
+        Assert.False(idle.DataCommands.TryRegister(DataCommandId.AvatarCount));
+        Assert.False(idle.DataCommands.TryUnregister(DataCommandId.AvatarCount));
+
+        await using var udp = new NeuronReader(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = 0 });
+        await udp.StartAsync(TestContext.Current.CancellationToken).Soon();
+        NeuronCommandException exception = await Assert.ThrowsAsync<NeuronCommandException>(() => udp.DataCommands.FetchAvatarCountAsync().Soon());
+        Assert.Equal(CommandFailure.NotConnected, exception.Reason);
+    }
+
+    [Fact]
+    public async Task What_was_registered_is_registered_again_on_every_new_connection()
+    {
+        await using NeuronReader reader = await ConnectAsync(reconnect: true);
+        using (TestConnection first = await _server.AcceptAsync())
+        {
+            Assert.True(reader.DataCommands.TryRegister(DataCommandId.CombinationMode));
+            Assert.True(reader.DataCommands.TryRegister(DataCommandId.BoneSize));
+            Assert.True(reader.DataCommands.TryRegister(DataCommandId.AvatarCount));
+            Assert.True(reader.DataCommands.TryUnregister(DataCommandId.BoneSize));
+            for (int i = 0; i < 4; i++)
+                await ReadRequestAsync(first);
+        }
+
+        using TestConnection second = await _server.AcceptAsync();
+        Assert.Equal(Request(id: 7, parameter: 5), await ReadRequestAsync(second));
+        Assert.Equal(Request(id: 7, parameter: 6), await ReadRequestAsync(second));
+    }
+
+    [Fact]
+    public async Task A_server_that_reads_no_commands_holds_up_who_sends_them_and_no_frame()
+    {
+        await using NeuronReader reader = await ConnectAsync();
+        using TestConnection connection = await _server.AcceptAsync();
+
+        Task<bool> sending = Task.Run(() =>
+        {
+            while (reader.DataCommands.TryFetch(DataCommandId.AvatarCount))
+            {
+            }
+
+            return true;
+        });
+        for (int frame = 0; !sending.IsCompleted; frame++)
+        {
+            await connection.SendAsync(TestPackets.Motion(frame));
+            await reader.WaitForFramesAsync(frame + 1);
+        }
+
+        Assert.True(await sending);
+        Assert.True(reader.Status.IsConnected);
+    }
+
+    [Fact]
+    public async Task Requests_can_be_sent_from_the_handler_of_a_reply()
+    {
+        await using NeuronReader reader = await ConnectAsync();
+        using TestConnection connection = await _server.AcceptAsync();
+        reader.DataCommands.Received += reply => reader.DataCommands.TryFetch(DataCommandId.DataFrequency, reply.AvatarCount ?? 0);
+
+        await connection.SendAsync(DataReplies.AvatarCount(7));
+        Assert.Equal(Request(id: 3, parameter: 7), await ReadRequestAsync(connection));
+    }
+
+    private async Task<NeuronReader> ConnectAsync(bool reconnect = false)
+    {
+        var reader = new NeuronReader(_server.Options(reconnect));
+        await reader.StartAsync(TestContext.Current.CancellationToken).Soon();
+        return reader;
+    }
+
+    private static string Request(int id, int parameter) => Convert.ToHexString(DataReplies.Make(id, dataCount: 0, parameter, value: 0, []));
+
+    private static async Task<string> ReadRequestAsync(TestConnection connection)
+    {
+        byte[] request = new byte[64];
+        for (int length = 0; length < request.Length;)
+        {
+            int count = await connection.Socket.ReceiveAsync(request.AsMemory(length), SocketFlags.None).AsTask().Soon();
+            Assert.NotEqual(0, count);
+            length += count;
+        }
+
+        return Convert.ToHexString(request);
+    }
+}
