@@ -6,6 +6,9 @@ internal enum CorpusKind
     /// <summary>Packets of the stream.</summary>
     Packets,
 
+    /// <summary>Replies of a command server.</summary>
+    Commands,
+
     /// <summary>BVH text.</summary>
     Bvh,
 }
