@@ -6,6 +6,9 @@ internal enum CorpusKind
     /// <summary>Packets of the stream.</summary>
     Packets,
 
+    /// <summary>Lines of the text stream.</summary>
+    Text,
+
     /// <summary>BVH text.</summary>
     Bvh,
 }
