@@ -16,6 +16,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
     // Of each kind, the newest frame's version and first reserved field: what the format and the rotation order follow from.
     private readonly ulong[] _keys = new ulong[(int)PacketKind.StudioCalculation + 1];
     private volatile int _recognized;
+    private volatile Described? _described;
     private int _source;
     private long _seen;
 
@@ -35,9 +36,19 @@ internal sealed class StreamRecognizer(FrameFormat format)
         return (_keys[(int)packet.Kind] != key || _recognized == 0) && Recognize(packet, key);
     }
 
+    // Often asked and seldom new: the words are made once.
     public StreamDescription Describe()
     {
-        var stream = Recognized.FromNumber(_recognized);
+        (int recognized, RotationOrder? learnt) = (_recognized, format.LearntOrder);
+        Described? described = _described;
+        if (described is null || described.Recognized != recognized || described.Learnt != learnt)
+            _described = described = new Described(recognized, learnt, Describe(Recognized.FromNumber(recognized), learnt));
+
+        return described.Description;
+    }
+
+    private StreamDescription Describe(Recognized stream, RotationOrder? learntOrder)
+    {
         if (stream.Format == StreamFormat.Unknown)
             return default;
 
@@ -52,17 +63,17 @@ internal sealed class StreamRecognizer(FrameFormat format)
             return new StreamDescription(stream.Format, ConnectionReason.None, $": {text}, calculation data.");
 
         if (format.OptionOrder is { } option)
-            return DescribeOption(stream, text, option);
+            return DescribeOption(stream, text, option, learntOrder);
 
         string order = stream.Order is { } told ? $"rotation order {told}, as the stream says"
-            : format.LearntOrder is { } learnt ? $"rotation order {learnt}, as the command channel says"
+            : learntOrder is { } learnt ? $"rotation order {learnt}, as the command channel says"
             : $"rotation order {SkeletonFormat.Default.RotationOrder} assumed, the stream does not say";
         return new StreamDescription(stream.Format, ConnectionReason.None, $": {text}; {order}.");
     }
 
-    private StreamDescription DescribeOption(Recognized stream, string text, RotationOrder option)
+    private static StreamDescription DescribeOption(Recognized stream, string text, RotationOrder option, RotationOrder? learnt)
     {
-        (RotationOrder? told, string teller) = stream.Order is { } order ? (order, "the stream") : (format.LearntOrder, "the command channel");
+        (RotationOrder? told, string teller) = stream.Order is { } order ? (order, "the stream") : (learnt, "the command channel");
         return told is null || told == option
             ? new StreamDescription(stream.Format, ConnectionReason.None, $": {text}; rotation order {option}, as the options say.")
             : new StreamDescription(
@@ -109,6 +120,8 @@ internal sealed class StreamRecognizer(FrameFormat format)
             _ => StreamFormat.Binary,
         };
     }
+
+    private sealed record Described(int Recognized, RotationOrder? Learnt, StreamDescription Description);
 
     // One whole number, so that whoever reads it sees all of it: 0 for nothing.
     private readonly record struct Recognized(StreamFormat Format, bool IsMotion, RotationOrder? Order)

@@ -16,6 +16,7 @@ internal sealed record Corpus(IReadOnlyList<byte[]> Fixtures, int OwnCount, IRea
     {
         CorpusKind.Packets => With(PacketFixtures.Create(), PacketFixtures.Words, Find(data, "*.bin")),
         CorpusKind.Commands => With(CommandFixtures.Create(), CommandFixtures.Words, []),
+        CorpusKind.Text => With(TextFixtures.Create(), TextFixtures.Words, Find(data, "text*.bin")),
         CorpusKind.Bvh => With(BvhFixtures.Create(), BvhFixtures.Words, Find(data, "*.bvh")),
         _ => throw new ArgumentOutOfRangeException(nameof(kind)),
     };

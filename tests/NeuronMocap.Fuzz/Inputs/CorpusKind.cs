@@ -9,6 +9,9 @@ internal enum CorpusKind
     /// <summary>Replies of a command server.</summary>
     Commands,
 
+    /// <summary>Lines of the text stream.</summary>
+    Text,
+
     /// <summary>BVH text.</summary>
     Bvh,
 }
