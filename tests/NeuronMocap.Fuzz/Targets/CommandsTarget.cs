@@ -85,7 +85,7 @@ internal sealed class CommandsTarget
                     return (packets, reader.Skipped, digest.Value);
 
                 digest.Add((long)header.CommandId);
-                    digest.Add(payload);
+                digest.Add(payload);
 
                 packets++;
             }
