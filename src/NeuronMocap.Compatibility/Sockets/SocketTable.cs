@@ -1,0 +1,54 @@
+namespace NeuronMocap.Compatibility.Sockets;
+
+// All handles of the process.
+internal static class SocketTable
+{
+    private static readonly object Lock = new();
+    private static readonly Dictionary<IntPtr, VendorSocket> Sockets = [];
+    private static int _lastHandle;
+
+    // The handle of the socket, or of one that already is what it shall become, or zero.
+    public static IntPtr Open(VendorSocket socket)
+    {
+        if (FindSame(socket) is { } other)
+            return other.WaitUntilOpen() ? other.Handle : IntPtr.Zero;
+
+        if (socket.Open())
+            return socket.Handle;
+
+        Remove(socket);
+        return IntPtr.Zero;
+    }
+
+    public static VendorSocket? Find(IntPtr handle)
+    {
+        lock (Lock)
+            return Sockets.TryGetValue(handle, out VendorSocket? socket) ? socket : null;
+    }
+
+    public static void Remove(VendorSocket socket)
+    {
+        lock (Lock)
+            Sockets.Remove(socket.Handle);
+    }
+
+    // Enters the socket where there is none, and forgets dead ones that it replaces: their handles then mean nothing, and are never used again.
+    private static VendorSocket? FindSame(VendorSocket socket)
+    {
+        lock (Lock)
+        {
+            foreach (VendorSocket other in Sockets.Values.Where(socket.IsTo).ToArray())
+            {
+                if (other.State != Callbacks.SocketState.OffWork)
+                    return other;
+
+                Sockets.Remove(other.Handle);
+            }
+
+            _lastHandle++;
+            socket.Handle = (IntPtr)_lastHandle;
+            Sockets.Add(socket.Handle, socket);
+            return null;
+        }
+    }
+}
