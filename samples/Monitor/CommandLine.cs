@@ -68,7 +68,7 @@ internal sealed class CommandLine
     private readonly Option<RotationOrder?> _order = new("--order")
     {
         HelpName = string.Join('|', Orders),
-        Description = "Order of the rotation values: the server's setting, which the stream does not carry. Default YXZ.",
+        Description = "Order of the rotation values, a setting of the server. Default: what the stream says, which only Axis Studio's does, or YXZ.",
         CustomParser = result => Parse<RotationOrder?>(
             result,
             text => Array.FindIndex(Orders, name => name.Equals(text, StringComparison.OrdinalIgnoreCase)) is >= 0 and var index
@@ -242,7 +242,7 @@ internal sealed class CommandLine
         Diagnose = result.GetResult(_diagnose) is { Implicit: false },
         UdpPort = result.GetValue(_udp),
         AllowedSenders = result.GetValue(_allowSender) ?? [],
-        RotationOrder = result.GetValue(_order) ?? RotationOrder.YXZ,
+        RotationOrder = result.GetValue(_order),
         Once = result.GetValue(_once),
         Frames = result.GetValue(_frames),
         Duration = result.GetValue(_duration),

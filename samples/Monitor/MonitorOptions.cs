@@ -35,7 +35,8 @@ internal sealed record MonitorOptions
     /// <summary>Whether a simulator inside this process is the server.</summary>
     public bool IsDemo => Server is null && UdpPort is null;
 
-    public RotationOrder RotationOrder { get; init; } = RotationOrder.YXZ;
+    /// <summary>Null to find it out; the demo then has YXZ.</summary>
+    public RotationOrder? RotationOrder { get; init; }
 
     public bool Once { get; init; }
 

@@ -2,6 +2,7 @@ using NeuronMocap.Delivery;
 using NeuronMocap.Monitor.Output;
 using NeuronMocap.Monitor.Terminal;
 using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor;
@@ -17,7 +18,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
     {
         try
         {
-            using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder) : null;
+            using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder ?? RotationOrder.YXZ) : null;
             return await RunAsync(demo?.Address ?? options.Server, cancelled);
         }
         catch (BroadcasterException exception)
@@ -49,7 +50,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         output.Finish(statistics);
         if (output.Failure is { } failure)
             return await FailAsync($"standard output cannot be written: {failure.Message}");
-        if (asked || statistics.MotionFrames + statistics.CalculationFrames > 0)
+        if (asked || statistics.MotionFrames + statistics.CalculationFrames + statistics.StudioCalculationFrames > 0)
             return CommandLine.Done;
 
         return await FailAsync(_failure.Describe(status, statistics));
@@ -87,6 +88,14 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
                 return;
 
             output.OnCalculation(frame);
+            Count(reader);
+        };
+        reader.StudioCalculationReceived += frame =>
+        {
+            if (_enough.Task.IsCompleted)
+                return;
+
+            output.OnStudioCalculation(frame);
             Count(reader);
         };
     }

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using System.Runtime.CompilerServices;
 using NeuronMocap.Commands;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
@@ -15,15 +14,15 @@ namespace NeuronMocap;
 /// Make one, choose how frames shall arrive, start it, dispose of it at the end:
 /// <see cref="OpenQueue"/> gives every frame to a thread of yours when you ask for them (a main loop);
 /// <see cref="OpenLatest"/> gives the newest frame of each avatar (a renderer);
-/// <see cref="MotionReceived"/> and <see cref="CalculationReceived"/> call you on the receive thread (the shortest way);
-/// <see cref="ReadMotionAsync"/> and <see cref="ReadCalculationAsync"/> are for code that awaits.
+/// <see cref="MotionReceived"/>, <see cref="CalculationReceived"/> and <see cref="StudioCalculationReceived"/> call you on the receive thread (the
+/// shortest way); <see cref="ReadMotionAsync"/> and its like are for code that awaits.
 /// They can be mixed, and opened and closed while the reader runs. All but the last allocate nothing per frame.
 /// </para>
 /// <para>
 /// One reader has one connection, or one UDP port; a program may have any number of readers. All members may be called from any thread.
 /// </para>
 /// </summary>
-public sealed class NeuronReader : IDisposable, IAsyncDisposable
+public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 {
     // Longest wait for a handler that is running while the reader is disposed of.
     private static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(2);
@@ -32,6 +31,7 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     private readonly CancellationTokenSource _stop = new();
     private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private readonly TaskCompletionSource<bool> _connected = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly FrameFormat _format;
     private readonly ReaderMetrics _metrics;
     private readonly ReceivePipeline _pipeline;
     private readonly HandlerList<ReaderEvent> _eventHandlers;
@@ -73,12 +73,15 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
         _statusHandlers = new HandlerList<ConnectionStatus>(OnCallbackFailed);
         _status = new StatusBoard(OnStatusChanged);
         _senders = new SenderFilter(_options.AllowedSenders);
-        _activity = new LinkActivity(_status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp ? _senders : null);
+        _format = _options.Format;
+        var recognizer = new StreamRecognizer(_format);
+        _activity = new LinkActivity(
+            _status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp ? _senders : null, recognizer.Describe);
         _eventHandlers = new HandlerList<ReaderEvent>(OnCallbackFailed);
         _eventHandlers.Add(_options.CreateLog());
         _metrics = new ReaderMetrics(_options.DisplayName);
         _supervisor = new ConnectionSupervisor(createLink ?? CreateLink, _options.Reconnect, _status, _activity, new Random().NextDouble);
-        _pipeline = new ReceivePipeline(_options.Format, _activity, _status, _senders, _metrics, _supervisor.TrySend, OnCallbackFailed);
+        _pipeline = new ReceivePipeline(_format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, OnCallbackFailed);
         _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke);
     }
 
@@ -90,24 +93,6 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     {
         add => _statusHandlers.Add(value);
         remove => _statusHandlers.Remove(value);
-    }
-
-    /// <summary>
-    /// Called with every motion frame, on the receive thread. The frame lies in the receive buffer and is valid during the call. While a
-    /// handler runs, nothing more is received: over TCP the server then waits and nothing is lost, over UDP datagrams may be. For work
-    /// that takes long, open a queue.
-    /// </summary>
-    public event Action<MotionFrame>? MotionReceived
-    {
-        add => _pipeline.Callbacks.Motion.Add(value);
-        remove => _pipeline.Callbacks.Motion.Remove(value);
-    }
-
-    /// <summary>Called with every calculation frame; otherwise as <see cref="MotionReceived"/>.</summary>
-    public event Action<CalculationFrame>? CalculationReceived
-    {
-        add => _pipeline.Callbacks.Calculation.Add(value);
-        remove => _pipeline.Callbacks.Calculation.Remove(value);
     }
 
     /// <summary>
@@ -151,42 +136,6 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     /// <summary>What was received so far of each avatar, in the order in which they appeared; at most 1024. Also after the end.</summary>
     /// <returns>A snapshot.</returns>
     public IReadOnlyList<AvatarStatistics> GetAvatarStatistics() => _pipeline.GetAvatarStatistics();
-
-    /// <summary>
-    /// Opens a queue of all frames that arrive from now on. To get the first one too, open it before the reader is started.
-    /// </summary>
-    /// <param name="capacity">Largest number of frames that can wait, 1 to 1,048,576; rounded up to a power of two.</param>
-    /// <param name="name">What metrics and logs call the queue; those of one name are counted together. Names shall be few and lasting.</param>
-    /// <returns>A queue of its own; dispose of it when it is no longer pumped.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The capacity is out of range.</exception>
-    /// <exception cref="ArgumentException">The name is empty.</exception>
-    public FrameQueue OpenQueue(int capacity = FrameQueue.DefaultCapacity, string name = FrameQueue.DefaultName)
-    {
-        if (string.IsNullOrWhiteSpace(name))
-            throw new ArgumentException("A queue has a name, or is opened without one.", nameof(name));
-
-        return _pipeline.OpenQueue(capacity, name);
-    }
-
-    /// <summary>Opens a view of the newest frame of each avatar, from now on.</summary>
-    /// <returns>A view of its own, for one thread; dispose of it when it is no longer used.</returns>
-    public LatestFrames OpenLatest() => _pipeline.OpenLatest();
-
-    /// <summary>Enumerates motion frames as they arrive, starting the reader if it was not. Each frame is a copy that stays valid.</summary>
-    /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader goes on.</param>
-    /// <returns>
-    /// Frames until the reader stops. Up to 512 wait for a slow loop; more are dropped and counted in <see cref="ReaderStatistics.Dropped"/>.
-    /// </returns>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was cut off.</exception>
-    public IAsyncEnumerable<MotionFrame> ReadMotionAsync(CancellationToken cancellationToken = default) =>
-        ReadAsync<MotionFrame>(PacketKind.Motion, cancellationToken);
-
-    /// <summary>Enumerates calculation frames as they arrive; otherwise as <see cref="ReadMotionAsync"/>.</summary>
-    /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader goes on.</param>
-    /// <returns>Frames until the reader stops.</returns>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was cut off.</exception>
-    public IAsyncEnumerable<CalculationFrame> ReadCalculationAsync(CancellationToken cancellationToken = default) =>
-        ReadAsync<CalculationFrame>(PacketKind.Calculation, cancellationToken);
 
     /// <summary>Starts connecting and receiving, and returns at once. Starting again does nothing.</summary>
     /// <exception cref="ObjectDisposedException">The reader was disposed of.</exception>
@@ -308,22 +257,6 @@ public sealed class NeuronReader : IDisposable, IAsyncDisposable
     }
 
     private Link CreateLink() => _options.Transport == TransportKind.Tcp ? new TcpLink(_options.Link) : new UdpLink(_options.Link, _senders);
-
-    private async IAsyncEnumerable<TFrame> ReadAsync<TFrame>(PacketKind kind, [EnumeratorCancellation] CancellationToken cancellation)
-        where TFrame : AvatarFrame
-    {
-        FrameStream stream = _pipeline.OpenStream(kind, out FrameQueue queue);
-        using (queue)
-        {
-            Start();
-            while (await stream.ReadAsync(cancellation).ConfigureAwait(false) is { } frame)
-                yield return (TFrame)frame;
-        }
-
-        ConnectionStatus last = _status.Current;
-        if (last.Reason is not (ConnectionReason.Requested or ConnectionReason.ClosedByPeer))
-            throw new NeuronConnectionException(last.Reason, last.Message);
-    }
 
     private void OnStatusChanged(ConnectionStatus status)
     {

@@ -1,4 +1,5 @@
 using System.Net;
+using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
@@ -56,11 +57,18 @@ public sealed partial class NeuronReaderOptions
     /// <summary>Whether and when to try again after a connection failed or ended.</summary>
     public ReconnectPolicy Reconnect { get; set; } = new();
 
-    /// <summary>Order of the rotation values: the server's setting, which the stream does not carry. YXZ unless set, as in Axis Neuron.</summary>
-    public RotationOrder RotationOrder { get; set; } = RotationOrder.YXZ;
+    /// <summary>
+    /// Order of the rotation values, a setting of the server. Null, the default, to take it from where it can be found: each frame of Axis Studio
+    /// says it, and the command channel answers it; where neither does it is YXZ, Axis Neuron's default. A value holds for all frames; a stream that says
+    /// otherwise is reported once per connection, with <see cref="ConnectionReason.RotationOrderMismatch"/>.
+    /// </summary>
+    public RotationOrder? RotationOrder { get; set; }
 
-    /// <summary>Naming of spine and neck on the server. The manual's Appendix A unless set.</summary>
-    public SkeletonVariant SkeletonVariant { get; set; } = SkeletonVariant.Neck1;
+    /// <summary>
+    /// Naming of spine and neck on the server. Null, the default, to take it from the BVH header that the command channel answers; where there is
+    /// none it is that of the manual's Appendix A.
+    /// </summary>
+    public SkeletonVariant? SkeletonVariant { get; set; }
 
     /// <summary>
     /// Largest number of values that a packet may announce, 1 to 1,000,000; larger ones are skipped and counted. 10,224 unless set, the most
@@ -70,7 +78,7 @@ public sealed partial class NeuronReaderOptions
 
     internal string DisplayName => Name ?? (Transport == TransportKind.Udp ? $"UDP port {Port}" : Link.Target);
 
-    internal SkeletonFormat Format => new(RotationOrder, SkeletonVariant);
+    internal FrameFormat Format => new(RotationOrder, SkeletonVariant);
 
     internal LinkOptions Link => new(Host, Port)
     {
@@ -105,10 +113,10 @@ public sealed partial class NeuronReaderOptions
             return $"ConnectTimeout is {ConnectTimeout}; it must be more than zero and at most 5 minutes.";
         if (SilenceTimeout < TimeSpan.FromSeconds(0.1) || SilenceTimeout > TimeSpan.FromHours(1))
             return $"SilenceTimeout is {SilenceTimeout}; it must be 0.1 s to an hour.";
-        if (!Enum.IsDefined(typeof(RotationOrder), RotationOrder))
-            return $"RotationOrder is {RotationOrder}; it must be one of the six orders.";
-        if (!Enum.IsDefined(typeof(SkeletonVariant), SkeletonVariant))
-            return $"SkeletonVariant is {SkeletonVariant}; it must be Neck1 or Spine3.";
+        if (RotationOrder is { } order && !Enum.IsDefined(typeof(RotationOrder), order))
+            return $"RotationOrder is {order}; it must be one of the six orders, or null.";
+        if (SkeletonVariant is { } variant && !Enum.IsDefined(typeof(SkeletonVariant), variant))
+            return $"SkeletonVariant is {variant}; it must be Neck1, Spine3 or null.";
         if (MaxValues is < 1 or > 1_000_000)
             return $"MaxValues is {MaxValues}; it must be 1 to 1,000,000.";
         if (AllowedSenders?.Contains(null!) == true)

@@ -1,6 +1,5 @@
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap;
@@ -10,7 +9,12 @@ internal static class ReaderCode
 {
     public static string For(NeuronReaderOptions options, StreamPlace place, PacketKind wanted)
     {
-        string method = wanted == PacketKind.Motion ? nameof(NeuronReader.ReadMotionAsync) : nameof(NeuronReader.ReadCalculationAsync);
+        string method = wanted switch
+        {
+            PacketKind.Motion => nameof(NeuronReader.ReadMotionAsync),
+            PacketKind.Calculation => nameof(NeuronReader.ReadCalculationAsync),
+            _ => nameof(NeuronReader.ReadStudioCalculationAsync),
+        };
         return $"""
             await using var reader = new NeuronReader({ArgumentsOf(options, place)});
             await foreach (var frame in reader.{method}())
@@ -32,8 +36,8 @@ internal static class ReaderCode
             parts.Add($"LocalAddress = IPAddress.Parse(\"{address}\")");
         if (options.SharePort && place.Transport == TransportKind.Udp)
             parts.Add("SharePort = true");
-        if (options.RotationOrder != RotationOrder.YXZ)
-            parts.Add($"RotationOrder = RotationOrder.{options.RotationOrder}");
+        if (options.RotationOrder is { } order)
+            parts.Add($"RotationOrder = RotationOrder.{order}");
 
         return place.Transport == TransportKind.Tcp && parts.Count == essential
             ? $"\"{place.Host}\", {place.Port}"

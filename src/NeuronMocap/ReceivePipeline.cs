@@ -1,7 +1,7 @@
 using NeuronMocap.Commands;
 using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;
 
@@ -12,7 +12,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
 {
     private const string StreamName = "stream";
 
-    private readonly SkeletonFormat _format;
+    private readonly FrameFormat _format;
+    private readonly StreamRecognizer _recognizer;
     private readonly LinkActivity _activity;
     private readonly StatusBoard _status;
     private readonly SenderFilter _senders;
@@ -28,10 +29,17 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     private volatile bool _stopped;
 
     public ReceivePipeline(
-        SkeletonFormat format, LinkActivity activity, StatusBoard status, SenderFilter senders, ReaderMetrics metrics, DataCommands.TrySend trySend,
+        FrameFormat format,
+        StreamRecognizer recognizer,
+        LinkActivity activity,
+        StatusBoard status,
+        SenderFilter senders,
+        ReaderMetrics metrics,
+        DataCommands.TrySend trySend,
         Action<Exception> callbackFailed)
     {
         _format = format;
+        _recognizer = recognizer;
         _activity = activity;
         _status = status;
         _senders = senders;
@@ -61,9 +69,13 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
             return;
 
         DeliveringThread = Environment.CurrentManagedThreadId;
+        bool isNews = packet.IsFrame && _recognizer.OnFrame(packet);
         _activity.BeginDelivery(packet);
         try
         {
+            if (isNews)
+                _activity.Redescribe(packet.Timestamp);
+
             _dispatcher.Dispatch(packet);
             if (packet.Kind == PacketKind.Command)
                 Commands.OnPacket(packet);
@@ -73,6 +85,12 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
             _activity.EndDelivery();
             DeliveringThread = 0;
         }
+    }
+
+    public void OnText(ReadOnlySpan<byte> bytes)
+    {
+        if (!_stopped)
+            _counters.CountText(bytes.Length);
     }
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
@@ -86,6 +104,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
 
     public void OnLinkOpened()
     {
+        _recognizer.Reset();
         _counters.Resume();
         Commands.OnLinkOpened();
     }

@@ -1,6 +1,7 @@
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Monitor.Output;
 using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Diagnosis;
@@ -12,7 +13,7 @@ internal sealed class DiagnosisRun(MonitorOptions options, StandardStreams strea
     {
         try
         {
-            using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder) : null;
+            using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder ?? RotationOrder.YXZ) : null;
             return await RunAsync(demo?.Address ?? options.Server, cancelled);
         }
         catch (BroadcasterException exception)

@@ -9,6 +9,7 @@ internal static class DiagnosisTitles
     {
         DiagnosisVerdict.Receiving => "FRAMES ARRIVE",
         DiagnosisVerdict.OldHeader => "FRAMES ARRIVE, WITH THE OLD HEADER",
+        DiagnosisVerdict.TextFormat => "FRAMES ARRIVE, AS TEXT",
         DiagnosisVerdict.UnusualValueCount => "FRAMES ARRIVE, OF ANOTHER SKELETON",
         DiagnosisVerdict.ForeignBytes => "FRAMES ARRIVE, AND OTHER BYTES BETWEEN THEM",
         DiagnosisVerdict.SeveralSenders => "FRAMES ARRIVE, FROM SEVERAL PROGRAMS",
@@ -30,8 +31,8 @@ internal static class DiagnosisTitles
         DiagnosisVerdict.NoValues => "EMPTY FRAMES",
         DiagnosisVerdict.CalculationOnly => "CALCULATION DATA ONLY",
         DiagnosisVerdict.MotionOnly => "MOTION DATA ONLY",
-        DiagnosisVerdict.TextFormat => "TEXT INSTEAD OF BINARY",
-        DiagnosisVerdict.StudioCalculation => "AXIS STUDIO'S CALCULATION DATA",
+        DiagnosisVerdict.StudioCalculationOnly => "AXIS STUDIO'S CALCULATION DATA ONLY",
+        DiagnosisVerdict.MalformedText => "TEXT THAT IS NO FRAMES",
         DiagnosisVerdict.UnknownVersion => "A FORMAT VERSION THAT IS NOT KNOWN",
         DiagnosisVerdict.TooManyValues => "FRAMES THAT ARE TOO LARGE",
         DiagnosisVerdict.IncompletePackets => "FRAMES THAT ARE CUT OFF",

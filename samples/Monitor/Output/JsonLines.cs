@@ -4,6 +4,7 @@ using System.Text.Json;
 using NeuronMocap.Delivery;
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Frames;
+using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Output;
@@ -42,11 +43,28 @@ internal sealed class JsonLines
         return End();
     }
 
+    /// <summary>Of the 59 bones the 20 numbers of each, and which of them have lost their sensor; of another layout all there is, as numbers.</summary>
+    public ReadOnlySpan<byte> StudioCalculation(StudioCalculationFrame frame)
+    {
+        Begin("studioCalculation"u8);
+        WriteAvatar(frame, frame.Header.AvatarIndex);
+        _json.WriteNumber("category"u8, frame.Header.Category);
+        _json.WriteNumber("dataMask"u8, frame.Header.DataMask);
+        _json.WriteNumber("bones"u8, frame.HasSkeleton ? BoneHierarchy.BoneCount : 0);
+        if (frame.HasSkeleton)
+            WriteBones(frame);
+        else
+            WriteValues(frame.Values);
+
+        return End();
+    }
+
     public ReadOnlySpan<byte> Status(ConnectionStatus status)
     {
         Begin("status"u8);
         _json.WriteString("state"u8, status.State.ToString());
         _json.WriteString("message"u8, status.Message);
+        _json.WriteString("format"u8, status.Format.ToString());
         return End();
     }
 
@@ -62,6 +80,7 @@ internal sealed class JsonLines
         _json.WriteNumber("gaps"u8, statistics.Gaps);
         _json.WriteNumber("restarts"u8, statistics.Restarts);
         _json.WriteNumber("reconnects"u8, statistics.Reconnects);
+        _json.WriteNumber("studioCalculationFrames"u8, statistics.StudioCalculationFrames);
         return End();
     }
 
@@ -135,13 +154,38 @@ internal sealed class JsonLines
     {
         _json.WriteStartArray("values"u8);
         foreach (float value in values)
+            WriteValue(value);
+
+        _json.WriteEndArray();
+    }
+
+    private void WriteValue(float value)
+    {
+        if (value == 0 && float.IsNegative(value))
+            _json.WriteRawValue("-0.0"u8, skipInputValidation: true); // many a reader takes -0 for the integer 0
+        else if (float.IsFinite(value))
+            _json.WriteNumberValue(value);
+        else
+            _json.WriteStringValue(float.IsNaN(value) ? NotANumber : value > 0 ? PositiveInfinity : NegativeInfinity);
+    }
+
+    // The last of a bone's 21 values is the flag.
+    private void WriteBones(StudioCalculationFrame frame)
+    {
+        int perBone = frame.Values.Length / BoneHierarchy.BoneCount;
+        _json.WriteStartArray("values"u8);
+        for (int i = 0; i < frame.Values.Length; i++)
         {
-            if (value == 0 && float.IsNegative(value))
-                _json.WriteRawValue("-0.0"u8, skipInputValidation: true); // many a reader takes -0 for the integer 0
-            else if (float.IsFinite(value))
-                _json.WriteNumberValue(value);
-            else
-                _json.WriteStringValue(float.IsNaN(value) ? NotANumber : value > 0 ? PositiveInfinity : NegativeInfinity);
+            if (i % perBone < perBone - 1)
+                WriteValue(frame.Values[i]);
+        }
+
+        _json.WriteEndArray();
+        _json.WriteStartArray("sensorsLost"u8);
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            if (frame.IsSensorLost(bone))
+                _json.WriteNumberValue((int)bone);
         }
 
         _json.WriteEndArray();

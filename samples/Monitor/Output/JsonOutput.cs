@@ -30,6 +30,12 @@ internal sealed class JsonOutput(Stream output) : MonitorOutput
             Write(_lines.Calculation(frame));
     }
 
+    public override void OnStudioCalculation(StudioCalculationFrame frame)
+    {
+        lock (_lock)
+            Write(_lines.StudioCalculation(frame));
+    }
+
     public override void OnStatus(ConnectionStatus status)
     {
         lock (_lock)

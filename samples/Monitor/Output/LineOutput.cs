@@ -31,7 +31,7 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : MonitorOu
 
     public static string DescribeEnd(ReaderStatistics statistics) => string.Create(
         CultureInfo.InvariantCulture,
-        $"{statistics.MotionFrames} motion and {statistics.CalculationFrames} calculation frames in {statistics.Duration.TotalSeconds:0.0} s; "
+        $"{statistics.MotionFrames} motion and {statistics.CalculationFrames + statistics.StudioCalculationFrames} calculation frames in {statistics.Duration.TotalSeconds:0.0} s; "
         + $"lost {statistics.Lost}, dropped {statistics.Dropped}, skipped {statistics.SkippedBytes} bytes.");
 
     private static string Describe(ConnectionStatus status, ReaderStatistics statistics, IEnumerable<AvatarStatistics> avatars)
@@ -43,7 +43,12 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : MonitorOu
 
         foreach (AvatarStatistics avatar in avatars)
         {
-            string kind = avatar.Kind == PacketKind.Motion ? "motion" : "calculation";
+            string kind = avatar.Kind switch
+            {
+                PacketKind.Motion => "motion",
+                PacketKind.Calculation => "calculation",
+                _ => "studio calculation",
+            };
             string name = TerminalText.Clean(avatar.AvatarName);
             string reduction = avatar.FrequencyReduction > 1 ? $" (1 of {avatar.FrequencyReduction} frames)" : string.Empty;
             line.Append(CultureInfo.InvariantCulture, $"  {(uint)avatar.AvatarIndex} {name} {kind} {avatar.Rate:0.0} Hz{reduction} {avatar.Frames} frames");

@@ -20,6 +20,11 @@ internal abstract class MonitorOutput
     {
     }
 
+    /// <summary>As <see cref="OnMotion"/>.</summary>
+    public virtual void OnStudioCalculation(StudioCalculationFrame frame)
+    {
+    }
+
     /// <summary>Any thread, one call at a time.</summary>
     public virtual void OnStatus(ConnectionStatus status)
     {

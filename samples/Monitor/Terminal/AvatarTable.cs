@@ -80,7 +80,7 @@ internal static class AvatarTable
         return
         [
             new StyledLine().Add(name, isSelected ? Palette.StrongStyle : Style.Plain),
-            new Text(isMotion ? "motion" : isWide ? "calculation" : "calc"),
+            new Text(NameOf(avatar.Kind, isWide)),
             isStale ? new Text("0", new Style(Palette.Bad)) : new Text(DescribeRate(avatar)),
             new Text(isStale ? "-" : Quantity.Format($"{avatar.Jitter.TotalMilliseconds:0.0} ms")),
             new Text(Quantity.Count(avatar.Frames)),
@@ -89,9 +89,16 @@ internal static class AvatarTable
             Alarm(avatar.Disordered),
             .. hasExtra ? [new Text(Quantity.Count(avatar.Restarts))] : Array.Empty<IRenderable>(),
             new Text(Quantity.Age(age), isStale ? new Style(Palette.Bad) : Style.Plain),
-            isMotion ? Text.Empty : Feet(state.GetContacts(avatar.AvatarIndex)),
+            avatar.Kind != PacketKind.Calculation ? Text.Empty : Feet(state.GetContacts(avatar.AvatarIndex)),
         ];
     }
+
+    private static string NameOf(PacketKind kind, bool isWide) => kind switch
+    {
+        PacketKind.Motion => "motion",
+        PacketKind.Calculation => isWide ? "calculation" : "calc",
+        _ => isWide ? "studio calc" : "stud",
+    };
 
     // "30.0/2": every second frame.
     private static string DescribeRate(AvatarStatistics avatar) =>

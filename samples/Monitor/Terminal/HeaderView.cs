@@ -55,20 +55,24 @@ internal static class HeaderView
 
     private static StyledLine Stream(LiveState state)
     {
-        string order = $"{state.Options.RotationOrder} assumed";
         if (state.Pose is not { } pose)
-            return new StyledLine().Add($"stream: no motion frame yet · {order}", Palette.DimStyle);
+            return new StyledLine().Add("stream: no motion frame yet", Palette.DimStyle);
 
         MotionHeader header = pose.Header;
-        string layout = header.Layout == HeaderLayout.New ? "NEW" : "OLD";
+        string version = header.Version == DataVersion.None ? "text" : $"{header.Version} {(header.Layout == HeaderLayout.New ? "NEW" : "OLD")}";
         return new StyledLine()
             .Add("stream ", Palette.DimStyle)
-            .Add($"{header.Version} {layout}")
+            .Add(version)
             .Add(" · ", Palette.DimStyle)
             .Add($"{header.ValueCount} values")
             .Add($" · displacement {OnOff(header.HasDisplacement)} · reference {OnOff(header.HasReference)}", Palette.DimStyle)
-            .Add($" · {order}", Palette.DimStyle);
+            .Add($" · {DescribeOrder(state.Options.RotationOrder is not null, pose)}", Palette.DimStyle);
     }
+
+    // Axis Studio's stream says its order; a wrong guess is what makes a body fold up.
+    private static string DescribeOrder(bool isOption, Pose pose) => isOption ? $"{pose.Format.RotationOrder} by --order"
+        : pose.Header.Version == DataVersion.Studio ? $"{pose.Format.RotationOrder} as the stream says"
+        : $"{pose.Format.RotationOrder} assumed";
 
     private static string OnOff(bool on) => on ? "on" : "off";
 }

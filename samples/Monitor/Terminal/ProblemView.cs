@@ -37,7 +37,7 @@ internal static class ProblemView
                 Palette.Warning);
         }
 
-        bool hasCalculation = state.Counters.Avatars.Any(avatar => avatar.Kind == PacketKind.Calculation);
+        bool hasCalculation = state.Counters.Avatars.Any(avatar => avatar.Kind is PacketKind.Calculation or PacketKind.StudioCalculation);
         return hasCalculation
             ? (
                 "CALCULATION DATA ONLY",

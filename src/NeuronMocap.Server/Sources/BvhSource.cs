@@ -6,10 +6,13 @@ namespace NeuronMocap.Server.Sources;
 
 /// <summary>
 /// A take from a BVH file of Neuron's 59 bones, one row for each frame. Values are broadcast as they stand in the file, bit for bit, where the
-/// broadcast has the file's rotation order; positions that the file has no channels for are its OFFSETs.
+/// broadcast has the file's rotation order; positions that the file has no channels for are its OFFSETs. A broadcast without the Reference node
+/// that a file has gets the hips relative to the world.
 /// </summary>
 public sealed class BvhSource : MotionSource
 {
+    private const int ReferenceValues = 6;
+
     private readonly BvhSkeletonMap _map;
     private readonly Lazy<FootContactEstimate> _contacts;
 
@@ -44,7 +47,13 @@ public sealed class BvhSource : MotionSource
     public RotationOrder RotationOrder => _map.Format.RotationOrder;
 
     /// <inheritdoc/>
-    public override void GetPose(long frame, Span<BoneTransform> pose) => _map.CopyLocalTransforms(checked((int)frame), pose);
+    public override void GetPose(long frame, Span<BoneTransform> pose)
+    {
+        int row = checked((int)frame);
+        _map.CopyLocalTransforms(row, pose);
+        if (_map.Layout.HasReference)
+            pose[0] = _map.GetReference(row).Apply(pose[0]);
+    }
 
     /// <summary>Which feet are on the ground, estimated from their height and speed: a file does not say. The first call reads the whole take.</summary>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
@@ -54,7 +63,7 @@ public sealed class BvhSource : MotionSource
     /// <inheritdoc/>
     public override void WriteValues(long frame, ChannelLayout layout, RotationOrder order, Span<float> values)
     {
-        if (order != RotationOrder)
+        if (order != RotationOrder || (_map.Layout.HasReference && !layout.HasReference))
         {
             base.WriteValues(frame, layout, order, values);
             return;
@@ -63,6 +72,9 @@ public sealed class BvhSource : MotionSource
         Span<float> row = stackalloc float[_map.Layout.ValueCount];
         _map.CopyValues(checked((int)frame), row);
         values[..layout.ValueCount].Clear();
+        if (_map.Layout.HasReference)
+            row[..ReferenceValues].CopyTo(values);
+
         foreach (Bone bone in BoneHierarchy.Bones)
         {
             int position = layout.PositionIndex(bone);

@@ -6,12 +6,17 @@ namespace NeuronMocap.Bvh;
 // Finds, for every value of a motion packet, the value of the row that it is.
 internal sealed class BvhBoneColumns
 {
-    private readonly BvhJoint[] _joints;
+    private const int ReferencePosition = 0;
+    private const int ReferenceRotation = 3;
 
-    public BvhBoneColumns(BvhJoint[] joints)
+    private readonly BvhJoint[] _joints;
+    private readonly BvhJoint? _reference;
+
+    public BvhBoneColumns(BvhJoint[] joints, BvhJoint? reference)
     {
         _joints = joints;
-        Layout = new ChannelLayout(hasDisplacement: joints[(int)Bone.Spine].Channels.Any(IsPosition), hasReference: false);
+        _reference = reference;
+        Layout = new ChannelLayout(joints[(int)Bone.Spine].Channels.Any(IsPosition), hasReference: reference is not null);
         Indices = new int[Layout.ValueCount];
     }
 
@@ -25,7 +30,13 @@ internal sealed class BvhBoneColumns
     {
         reason = null;
         foreach (Bone bone in BoneHierarchy.Bones)
-            reason ??= ReadPositions(bone) ?? ReadRotations(bone);
+        {
+            BvhJoint joint = _joints[(int)bone];
+            reason ??= ReadPositions(joint, Layout.PositionIndex(bone)) ?? ReadRotations(joint, Layout.RotationIndex(bone));
+        }
+
+        if (_reference is not null)
+            reason ??= ReadPositions(_reference, ReferencePosition) ?? ReadRotations(_reference, ReferenceRotation);
 
         return reason is null;
     }
@@ -35,10 +46,8 @@ internal sealed class BvhBoneColumns
     private static bool IsRotation(BvhChannel channel) => channel is >= BvhChannel.Xrotation and <= BvhChannel.Zrotation;
 
     // In the packet always X, Y, Z, whatever the order of the file.
-    private string? ReadPositions(Bone bone)
+    private string? ReadPositions(BvhJoint joint, int index)
     {
-        BvhJoint joint = _joints[(int)bone];
-        int index = Layout.PositionIndex(bone);
         int count = joint.Channels.Count(IsPosition);
         if (count != (index < 0 ? 0 : 3))
             return $"Joint {joint.Name} has {count} position channels; a packet has 3 for the hips, and 3 or none for all the others.";
@@ -55,18 +64,16 @@ internal sealed class BvhBoneColumns
         return null;
     }
 
-    private string? ReadRotations(Bone bone)
+    private string? ReadRotations(BvhJoint joint, int index)
     {
-        BvhJoint joint = _joints[(int)bone];
         int[] places = [.. Enumerable.Range(0, joint.Channels.Count).Where(place => IsRotation(joint.Channels[place]))];
         if (places.Length != 3 || !TryGetOrder([.. places.Select(place => joint.Channels[place])], out RotationOrder order))
             return $"Joint {joint.Name} does not have one rotation channel for each of the three axes.";
-        if (bone == Bone.Hips)
+        if (joint == _joints[(int)Bone.Hips])
             RotationOrder = order;
         if (order != RotationOrder)
             return $"The rotation order of joint {joint.Name} is {order}, that of the hips {RotationOrder}; a packet has one for all.";
 
-        int index = Layout.RotationIndex(bone);
         for (int i = 0; i < 3; i++)
             Indices[index + i] = joint.FirstChannel + places[i];
 

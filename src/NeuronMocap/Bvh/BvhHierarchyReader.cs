@@ -1,5 +1,6 @@
 using System.Numerics;
 using System.Text;
+using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Bvh;
 
@@ -190,7 +191,7 @@ internal ref struct BvhHierarchyReader
     private float ReadCoordinate()
     {
         ReadOnlySpan<byte> word = _text.PeekWord();
-        if (!BvhNumber.TryParse(word, out float value))
+        if (!TextNumber.TryParse(word, out float value))
         {
             _repairs.Add(_line, $"The OFFSET in {Describe(_open!)} lacks a number; it is taken as zero.");
             return 0;
@@ -207,7 +208,7 @@ internal ref struct BvhHierarchyReader
     private void ReadChannels()
     {
         ReadOnlySpan<byte> word = _text.PeekWord();
-        bool hasCount = BvhNumber.TryParse(word, out float count);
+        bool hasCount = TextNumber.TryParse(word, out float count);
         if (hasCount)
             _text.ReadWord();
 

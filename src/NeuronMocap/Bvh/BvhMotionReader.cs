@@ -1,3 +1,5 @@
+using NeuronMocap.Protocol;
+
 namespace NeuronMocap.Bvh;
 
 /// <summary>
@@ -151,13 +153,13 @@ internal ref struct BvhMotionReader
 
         _framesLine = _line;
         _framesWord = word;
-        _frames = BvhNumber.TryParse(word, out double frames, out _) ? frames : -1;
+        _frames = TextNumber.TryParse(word, out double frames, out _) ? frames : -1;
     }
 
     private void ReadFrameTime(ReadOnlySpan<byte> word)
     {
         LeaveOutOpenLines();
-        if (!BvhNumber.TryParse(word, out double time, out int lastDigit) || !BvhFrameRate.IsUsable(time))
+        if (!TextNumber.TryParse(word, out double time, out int lastDigit) || !BvhFrameRate.IsUsable(time))
         {
             _repairs.Add(_line, $"{BvhText.Quote(word)} is not a frame time; it is ignored.");
         }
@@ -185,7 +187,7 @@ internal ref struct BvhMotionReader
         ReadOnlySpan<byte> word = BvhText.TakeWord(ref line);
         for (; !word.IsEmpty; word = BvhText.TakeWord(ref line))
         {
-            if (!BvhNumber.TryParse(word, out float value))
+            if (!TextNumber.TryParse(word, out float value))
             {
                 _valueEnd = start;
                 LeaveOutOpenLines();

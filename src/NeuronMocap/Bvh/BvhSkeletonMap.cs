@@ -6,10 +6,13 @@ namespace NeuronMocap.Bvh;
 
 /// <summary>
 /// Neuron's 59 bones in a BVH file: which joint each of them is, and where its values stand. The joints may come in any order and among
-/// others; names and parents have to be those of one <see cref="SkeletonVariant"/>. Immutable; thread-safe.
+/// others; names and parents have to be those of one <see cref="SkeletonVariant"/>. The hips are a root, or hang from a root named Reference.
+/// Immutable; thread-safe.
 /// </summary>
 public sealed class BvhSkeletonMap
 {
+    internal const string ReferenceName = "Reference";
+
     private readonly BvhJoint[] _joints;
     private readonly int[] _columns;
 
@@ -29,8 +32,8 @@ public sealed class BvhSkeletonMap
     public SkeletonFormat Format { get; }
 
     /// <summary>
-    /// The motion packet that the file's values fill: 354 when every bone has position channels, 180 when only the hips have. The
-    /// Reference node is not part of a file.
+    /// The motion packet that the file's values fill: 354 when every bone has position channels, 180 when only the hips have; six more
+    /// where the hips hang from a Reference node, whose values come first.
     /// </summary>
     public ChannelLayout Layout { get; }
 
@@ -58,7 +61,7 @@ public sealed class BvhSkeletonMap
         if (!TryFindJoints(document, variant, out BvhJoint[] joints, out reason))
             return false;
 
-        var columns = new BvhBoneColumns(joints);
+        var columns = new BvhBoneColumns(joints, joints[(int)Bone.Hips].Parent);
         if (!columns.TryRead(out reason))
             return false;
 
@@ -83,8 +86,8 @@ public sealed class BvhSkeletonMap
     }
 
     /// <summary>
-    /// Writes the transforms of all bones relative to their parents. A position is that of the row where it has one, else the joint's
-    /// <see cref="BvhJoint.Offset"/>.
+    /// Writes the transforms of all bones relative to their parents, of the hips to the Reference node where there is one
+    /// (<see cref="GetReference"/>). A position is that of the row where it has one, else the joint's <see cref="BvhJoint.Offset"/>.
     /// </summary>
     /// <param name="frame">Number of the frame, from 0.</param>
     /// <param name="destination">Room for 59, in <see cref="Bone"/> order; centimetres, as the file's own unit is taken to be.</param>
@@ -104,6 +107,18 @@ public sealed class BvhSkeletonMap
                 position < 0 ? _joints[(int)bone].Offset : ReadVector(row, position),
                 EulerAngles.ToQuaternion(angles, Format.RotationOrder));
         }
+    }
+
+    /// <summary>The transform that the hips are relative to.</summary>
+    /// <param name="frame">Number of the frame, from 0.</param>
+    /// <returns>That of the Reference node, or none where the file has no such node; centimetres.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
+    public BoneTransform GetReference(int frame)
+    {
+        ReadOnlySpan<float> row = Document.GetFrame(frame);
+        return Layout.HasReference
+            ? new BoneTransform(ReadVector(row, 0), EulerAngles.ToQuaternion(ReadVector(row, 3), Format.RotationOrder))
+            : BoneTransform.Identity;
     }
 
     private static bool TryFindJoints(
@@ -142,11 +157,13 @@ public sealed class BvhSkeletonMap
 
         Bone? parent = BoneHierarchy.GetParent(bone, variant);
         string? expected = parent is { } known ? BoneHierarchy.GetName(known, variant) : null;
-        if (string.Equals(joint.Parent?.Name, expected, StringComparison.Ordinal))
+        if (string.Equals(joint.Parent?.Name, expected, StringComparison.Ordinal) || (parent is null && IsReference(joint.Parent)))
             return null;
 
         return $"Joint {name} should {Hang(expected)}, and does {Hang(joint.Parent?.Name)}.";
     }
+
+    private static bool IsReference(BvhJoint? joint) => joint is { Parent: null, Name: ReferenceName };
 
     private static string Hang(string? parent) => parent is null ? "hang from nothing" : $"hang from {parent}";
 

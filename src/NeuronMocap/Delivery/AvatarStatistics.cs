@@ -9,7 +9,7 @@ namespace NeuronMocap.Delivery;
 /// </summary>
 public readonly record struct AvatarStatistics
 {
-    /// <summary><see cref="PacketKind.Motion"/> or <see cref="PacketKind.Calculation"/>.</summary>
+    /// <summary><see cref="PacketKind.Motion"/>, <see cref="PacketKind.Calculation"/> or <see cref="PacketKind.StudioCalculation"/>.</summary>
     public PacketKind Kind { get; init; }
 
     /// <summary>Which sender: see <see cref="Frames.AvatarFrame.Source"/>.</summary>

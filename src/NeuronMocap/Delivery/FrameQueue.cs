@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Delivery;
 
@@ -28,6 +27,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     private readonly PacketRing _ring;
     private readonly MotionFrame _motion;
     private readonly CalculationFrame _calculation = new();
+    private readonly StudioCalculationFrame _studio = new();
     private readonly Action<FrameQueue> _closed;
     private readonly IDurationRecorder? _handOver;
     private long _dropped;
@@ -35,7 +35,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     private volatile bool _disposed;
 
     internal FrameQueue(
-        int capacity, SkeletonFormat format, Action<FrameQueue> closed, string name = DefaultName, IDurationRecorder? handOver = null)
+        int capacity, FrameFormat format, Action<FrameQueue> closed, string name = DefaultName, IDurationRecorder? handOver = null)
     {
         if (capacity is < 1 or > 1 << 20)
             throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "A queue holds 1 to 1,048,576 frames.");
@@ -65,11 +65,16 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     /// </summary>
     /// <param name="onMotion">Called with each motion frame; null to pass them over. The frame is valid during the call.</param>
     /// <param name="onCalculation">Called with each calculation frame; null to pass them over. The frame is valid during the call.</param>
+    /// <param name="onStudioCalculation">Called with each of Axis Studio's calculation frames; null to pass them over. The frame is valid during the call.</param>
     /// <param name="maxFrames">Return after this many frames, so that a backlog cannot hold up the caller.</param>
     /// <returns>Number of frames taken out.</returns>
     /// <exception cref="InvalidOperationException">Another thread is pumping this queue, or a handler pumps it.</exception>
     /// <remarks>An exception of a handler comes out of this call; the frame it was called with counts as taken.</remarks>
-    public int Pump(Action<MotionFrame>? onMotion, Action<CalculationFrame>? onCalculation = null, int maxFrames = int.MaxValue)
+    public int Pump(
+        Action<MotionFrame>? onMotion,
+        Action<CalculationFrame>? onCalculation = null,
+        Action<StudioCalculationFrame>? onStudioCalculation = null,
+        int maxFrames = int.MaxValue)
     {
         if (Interlocked.Exchange(ref _pumping, 1) != 0)
             throw new InvalidOperationException("One thread at a time may pump a queue, and its handlers may not. Open a queue for each thread.");
@@ -85,7 +90,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
 
                 try
                 {
-                    Handle(packet, onMotion, onCalculation);
+                    Handle(packet, onMotion, onCalculation, onStudioCalculation);
                 }
                 finally
                 {
@@ -117,17 +122,26 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
             Volatile.Write(ref _dropped, _dropped + 1);
     }
 
-    private void Handle(in ReceivedPacket packet, Action<MotionFrame>? onMotion, Action<CalculationFrame>? onCalculation)
+    private void Handle(
+        in ReceivedPacket packet,
+        Action<MotionFrame>? onMotion,
+        Action<CalculationFrame>? onCalculation,
+        Action<StudioCalculationFrame>? onStudioCalculation)
     {
         if (packet.Kind == PacketKind.Motion)
         {
             _motion.Borrow(packet);
             onMotion?.Invoke(_motion);
         }
-        else
+        else if (packet.Kind == PacketKind.Calculation)
         {
             _calculation.Borrow(packet);
             onCalculation?.Invoke(_calculation);
+        }
+        else
+        {
+            _studio.Borrow(packet);
+            onStudioCalculation?.Invoke(_studio);
         }
     }
 }

@@ -38,7 +38,12 @@ internal sealed class FrameStream(FrameQueue queue, PacketKind kind) : IPacketCo
                 return frame;
 
             bool ended = _ended;
-            if (queue.Pump(motion => _taken.Enqueue(motion.Clone()), calculation => _taken.Enqueue(calculation.Clone()), maxFrames: 16) > 0)
+            int taken = queue.Pump(
+                motion => _taken.Enqueue(motion.Clone()),
+                calculation => _taken.Enqueue(calculation.Clone()),
+                studio => _taken.Enqueue(studio.Clone()),
+                maxFrames: 16);
+            if (taken > 0)
                 continue;
             if (ended)
                 return null;

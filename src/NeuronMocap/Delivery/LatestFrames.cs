@@ -2,7 +2,6 @@ using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Delivery;
 
@@ -19,14 +18,15 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
     /// <summary>Number of avatars that are kept apart, from 0; frames of higher numbers do not appear here.</summary>
     public const int MaxAvatars = 256;
 
-    private readonly SkeletonFormat _format;
+    private readonly FrameFormat _format;
     private readonly Action<LatestFrames> _closed;
     private readonly IDurationRecorder? _handOver;
     private readonly Slot<MotionFrame>?[] _motion = new Slot<MotionFrame>?[MaxAvatars];
     private readonly Slot<CalculationFrame>?[] _calculation = new Slot<CalculationFrame>?[MaxAvatars];
+    private readonly Slot<StudioCalculationFrame>?[] _studio = new Slot<StudioCalculationFrame>?[MaxAvatars];
     private volatile bool _disposed;
 
-    internal LatestFrames(SkeletonFormat format, Action<LatestFrames> closed, IDurationRecorder? handOver = null)
+    internal LatestFrames(FrameFormat format, Action<LatestFrames> closed, IDurationRecorder? handOver = null)
     {
         _format = format;
         _closed = closed;
@@ -48,6 +48,12 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
     /// <returns>True when the frame is new since the last call.</returns>
     public bool TryTakeCalculation(int avatar, [NotNullWhen(true)] out CalculationFrame? frame) => TryTake(_calculation, avatar, out frame);
 
+    /// <summary>Takes the newest of an avatar's Axis Studio calculation frames, when there is one that was not taken before.</summary>
+    /// <param name="avatar">Number of the avatar, from 0.</param>
+    /// <param name="frame">As for <see cref="TryTakeMotion"/>.</param>
+    /// <returns>True when the frame is new since the last call.</returns>
+    public bool TryTakeStudioCalculation(int avatar, [NotNullWhen(true)] out StudioCalculationFrame? frame) => TryTake(_studio, avatar, out frame);
+
     /// <summary>Takes this view off its reader. Any thread, any number of times.</summary>
     public void Dispose()
     {
@@ -62,12 +68,14 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
     {
         if (packet.Kind == PacketKind.Motion)
             Publish(_motion, MotionHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static format => new MotionFrame(format));
-        else
+        else if (packet.Kind == PacketKind.Calculation)
             Publish(_calculation, CalculationHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static _ => new CalculationFrame());
+        else
+            Publish(_studio, StudioCalculationHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static _ => new StudioCalculationFrame());
     }
 
     private static void Publish<TFrame>(
-        Slot<TFrame>?[] slots, uint avatar, in ReceivedPacket packet, SkeletonFormat format, Func<SkeletonFormat, TFrame> create)
+        Slot<TFrame>?[] slots, uint avatar, in ReceivedPacket packet, FrameFormat format, Func<FrameFormat, TFrame> create)
         where TFrame : AvatarFrame
     {
         if (avatar >= MaxAvatars)

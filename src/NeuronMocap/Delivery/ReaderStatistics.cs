@@ -14,6 +14,9 @@ public readonly record struct ReaderStatistics
     /// <summary>Calculation frames delivered.</summary>
     public long CalculationFrames { get; init; }
 
+    /// <summary>Axis Studio's calculation frames delivered.</summary>
+    public long StudioCalculationFrames { get; init; }
+
     /// <summary>Old-generation command packets, which are recognised and passed over (protocol.md section 7).</summary>
     public long CommandPackets { get; init; }
 

@@ -13,7 +13,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     // Longer than a suit that sends is ever silent: whoever sends now cannot be pushed out by any flood.
     public static readonly long StaleAfter = 5 * Stopwatch.Frequency;
 
-    private readonly long[] _skippedByReason = new long[(int)SkipReason.Incomplete + 1];
+    private readonly long[] _skippedByReason = new long[(int)SkipReason.MalformedLine + 1];
     private readonly Dictionary<(PacketKind Kind, int Source, uint Avatar), AvatarTracker> _trackers = [];
     private volatile AvatarTracker[] _published = [];
     private AvatarTracker? _last;
@@ -21,6 +21,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     private long _bytes;
     private long _motionFrames;
     private long _calculationFrames;
+    private long _studioFrames;
     private long _commandPackets;
     private long _emptyPackets;
     private long _skippedBytes;
@@ -52,10 +53,15 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
             ?.OnFrame(MotionHeader.ReadAvatarName(header), MotionHeader.ReadFrameIndex(header), packet.Timestamp);
     }
 
+    // Axis Neuron's or Axis Studio's, whose headers have these fields in the same places.
     public void CountCalculation(in ReceivedPacket packet)
     {
         ReadOnlySpan<byte> header = packet.Bytes;
-        Volatile.Write(ref _calculationFrames, _calculationFrames + 1);
+        if (packet.Kind == PacketKind.Calculation)
+            Volatile.Write(ref _calculationFrames, _calculationFrames + 1);
+        else
+            Volatile.Write(ref _studioFrames, _studioFrames + 1);
+
         CountBytes(packet);
         Find(packet, CalculationHeader.ReadAvatarIndex(header))
             ?.OnFrame(CalculationHeader.ReadAvatarName(header), CalculationHeader.ReadFrameIndex(header), packet.Timestamp);
@@ -73,6 +79,9 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
         Volatile.Write(ref _bytes, _bytes + bytes);
     }
 
+    // Of the text stream, as they came.
+    public void CountText(int bytes) => Volatile.Write(ref _bytes, _bytes + bytes);
+
     public void CountSkipped(int bytes, SkipReason reason)
     {
         Volatile.Write(ref _skippedBytes, _skippedBytes + bytes);
@@ -89,6 +98,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
         BytesReceived = Volatile.Read(ref _bytes),
         MotionFrames = Volatile.Read(ref _motionFrames),
         CalculationFrames = Volatile.Read(ref _calculationFrames),
+        StudioCalculationFrames = Volatile.Read(ref _studioFrames),
         CommandPackets = Volatile.Read(ref _commandPackets),
         EmptyPackets = Volatile.Read(ref _emptyPackets),
         SkippedBytes = Volatile.Read(ref _skippedBytes),
@@ -104,7 +114,9 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
 
     private void CountBytes(in ReceivedPacket packet)
     {
-        Volatile.Write(ref _bytes, _bytes + packet.Length);
+        if (!packet.IsText)
+            Volatile.Write(ref _bytes, _bytes + packet.Length);
+
         Volatile.Write(ref _lastFrame, packet.Timestamp);
         if (_firstFrame == 0)
             Volatile.Write(ref _firstFrame, packet.Timestamp);

@@ -62,8 +62,10 @@ internal sealed class AvatarSample(PacketKind kind, int source, uint index)
     {
         if (kind == PacketKind.Motion)
             Read(MotionHeader.Read(packet.Bytes));
-        else
+        else if (kind == PacketKind.Calculation)
             Read(CalculationHeader.Read(packet.Bytes));
+        else
+            Read(StudioCalculationHeader.Read(packet.Bytes));
 
         ReadOnlySpan<byte> values = packet.Bytes[ProtocolConstants.HeaderSize..];
         if (Frames == 0)
@@ -114,6 +116,12 @@ internal sealed class AvatarSample(PacketKind kind, int source, uint index)
     private void Read(in CalculationHeader header)
     {
         (Name, Version, ValueCount) = (header.AvatarName, header.Version, header.ValueCount);
+        Count(Version == DataVersion.None ? null : header.FrameIndex);
+    }
+
+    private void Read(in StudioCalculationHeader header)
+    {
+        (Name, Version, ValueCount) = (header.AvatarName, header.Version, header.ByteCount / sizeof(float));
         Count(header.FrameIndex);
     }
 

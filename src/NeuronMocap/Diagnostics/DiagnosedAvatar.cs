@@ -5,7 +5,7 @@ namespace NeuronMocap.Diagnostics;
 /// <summary>What arrived of one kind of frame of one avatar while a diagnosis looked.</summary>
 public sealed record DiagnosedAvatar
 {
-    /// <summary><see cref="PacketKind.Motion"/> or <see cref="PacketKind.Calculation"/>.</summary>
+    /// <summary><see cref="PacketKind.Motion"/>, <see cref="PacketKind.Calculation"/> or <see cref="PacketKind.StudioCalculation"/>.</summary>
     public PacketKind Kind { get; init; }
 
     /// <summary>Number of the avatar on the server, as its 32 bits are.</summary>
@@ -14,7 +14,7 @@ public sealed record DiagnosedAvatar
     /// <summary>Name of the avatar.</summary>
     public string Name { get; init; } = string.Empty;
 
-    /// <summary>Data version of its newest frame.</summary>
+    /// <summary>Data version of its newest frame; <see cref="DataVersion.None"/> when it came as text.</summary>
     public DataVersion Version { get; init; }
 
     /// <summary>Values of its newest frame.</summary>

@@ -12,7 +12,7 @@ public sealed class DiagnosisOptions
     /// </summary>
     public TimeSpan Timeout { get; set; } = TimeSpan.FromSeconds(10);
 
-    /// <summary>The frames that the application wants: <see cref="PacketKind.Motion"/> unless set, or <see cref="PacketKind.Calculation"/>.</summary>
+    /// <summary>The frames that the application wants: <see cref="PacketKind.Motion"/> unless set, <see cref="PacketKind.Calculation"/> or <see cref="PacketKind.StudioCalculation"/>.</summary>
     public PacketKind Wanted { get; set; } = PacketKind.Motion;
 
     /// <summary>
@@ -36,8 +36,8 @@ public sealed class DiagnosisOptions
     {
         if (Timeout < TimeSpan.FromSeconds(1) || Timeout > TimeSpan.FromMinutes(5))
             return $"Timeout is {Timeout}; it must be 1 s to 5 minutes.";
-        if (Wanted is not (PacketKind.Motion or PacketKind.Calculation))
-            return $"Wanted is {Wanted}; it must be Motion or Calculation.";
+        if (Wanted is not (PacketKind.Motion or PacketKind.Calculation or PacketKind.StudioCalculation))
+            return $"Wanted is {Wanted}; it must be Motion, Calculation or StudioCalculation.";
 
         return null;
     }

@@ -9,6 +9,9 @@ public enum DiagnosisVerdict
     /// <summary>Frames arrive with the old header (data version 1.0), which has no frame index: losses cannot be seen.</summary>
     OldHeader,
 
+    /// <summary>Frames arrive as lines of text ("String"), which have no frame index and few digits: losses cannot be seen.</summary>
+    TextFormat,
+
     /// <summary>Frames arrive whose number of values is none of those of the 59-bone skeleton.</summary>
     UnusualValueCount,
 
@@ -75,11 +78,11 @@ public enum DiagnosisVerdict
     /// <summary>Only motion frames arrive where calculation frames were asked for.</summary>
     MotionOnly,
 
-    /// <summary>The stream is text ("String"), not binary.</summary>
-    TextFormat,
+    /// <summary>Only Axis Studio's calculation frames arrive where others were asked for.</summary>
+    StudioCalculationOnly,
 
-    /// <summary>Axis Studio's calculation data, which this library does not read.</summary>
-    StudioCalculation,
+    /// <summary>The stream is text ("String"), but no line of it holds the values of the 59 bones.</summary>
+    MalformedText,
 
     /// <summary>Packets of a data version that this library does not know.</summary>
     UnknownVersion,

@@ -22,8 +22,7 @@ internal static class ForeignBytes
             ForeignFormat.UnknownVersion => (DiagnosisVerdict.UnknownVersion, guess.Advice),
             ForeignFormat.TooManyValues => (DiagnosisVerdict.TooManyValues, TooManyAdvice),
             ForeignFormat.Incomplete => (DiagnosisVerdict.IncompletePackets, IncompleteAdvice(place)),
-            ForeignFormat.Text => (DiagnosisVerdict.TextFormat, ServerSettings.Binary),
-            ForeignFormat.StudioCalculation => (DiagnosisVerdict.StudioCalculation, ServerSettings.Enable(Protocol.PacketKind.Motion)),
+            ForeignFormat.Text => (DiagnosisVerdict.MalformedText, $"{ServerSettings.Skeleton} Or change to binary. {ServerSettings.Binary}"),
             ForeignFormat.CommandReply => (DiagnosisVerdict.CommandPort, guess.Advice),
             ForeignFormat.OtherProgram => (DiagnosisVerdict.OtherProgram, OtherProgramAdvice),
             _ => (DiagnosisVerdict.UnknownFormat, $"{OtherProgramAdvice} {ServerSettings.Binary}"),
@@ -35,7 +34,7 @@ internal static class ForeignBytes
     private static string StepOf(ForeignFormat format) => format switch
     {
         ForeignFormat.UnknownVersion => "version",
-        ForeignFormat.TooManyValues or ForeignFormat.Incomplete => "format",
+        ForeignFormat.TooManyValues or ForeignFormat.Incomplete or ForeignFormat.Text => "format",
         _ => "token",
     };
 

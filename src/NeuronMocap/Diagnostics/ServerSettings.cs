@@ -34,9 +34,16 @@ internal static class ServerSettings
         $"In Axis Neuron open File > Settings > Broadcasting, choose UDP, and tick Enable under BVH, with {destination} as the client. In Axis "
         + $"Studio open Settings > BVH Broadcasting, switch it on, set Protocol to UDP and Destination Address to {destination}.";
 
-    public static string Enable(PacketKind kind) => kind == PacketKind.Motion
-        ? $"In Axis Neuron open File > Settings > Broadcasting, tick Enable under BVH, and connect to the port that stands there (usually "
-            + $"{ProtocolConstants.DefaultPort}); Calculation has a port of its own. In Axis Studio switch on Settings > BVH Broadcasting."
-        : "In Axis Neuron open File > Settings > Broadcasting, tick Enable under Calculation, and connect to the port that stands there "
-            + "(usually 7003). Axis Studio's calculation data have another format, which this library does not read.";
+    public static string Enable(PacketKind kind) => kind switch
+    {
+        PacketKind.Motion =>
+            $"In Axis Neuron open File > Settings > Broadcasting, tick Enable under BVH, and connect to the port that stands there (usually "
+            + $"{ProtocolConstants.DefaultPort}); Calculation has a port of its own. In Axis Studio switch on Settings > BVH Broadcasting.",
+        PacketKind.Calculation =>
+            "In Axis Neuron open File > Settings > Broadcasting, tick Enable under Calculation, and connect to the port that stands there "
+            + "(usually 7003). Axis Studio's calculation data have another format: ask for StudioCalculation.",
+        _ =>
+            "In Axis Studio switch the broadcasting of calculation data on in the settings, and connect to the port that stands there. Axis Neuron's "
+            + "calculation data have another format: ask for Calculation.",
+    };
 }

@@ -9,15 +9,17 @@ internal static class StreamExamination
     // So many bytes between the frames are no accident of joining in the middle of one.
     private const long FewForeignBytes = 4096;
 
-    private const string AllIsWell =
-        "All is well. Not in the stream is the rotation order: it must be the same in the program and on the server (default YXZ).";
+    private const string AllIsWell = "All is well.";
+
+    private const string OrderIsNotSaid = "Not in the stream is the rotation order: it must be the same in the program and on the server (default YXZ).";
+
+    private const string OrderIsSaid = "The stream says its rotation order, which the reader follows.";
 
     public static Conclusion Judge(DiagnosisTask task, StreamSample sample, StreamPlace place)
     {
-        PacketKind other = task.Wanted == PacketKind.Motion ? PacketKind.Calculation : PacketKind.Motion;
         if (sample.Has(task.Wanted))
             return JudgeFrames(task, sample, place);
-        if (sample.Has(other))
+        if (sample.Avatars.Any())
             return JudgeOtherKind(task, sample, place);
         if (sample.Packets > 0)
             return JudgeEmpty(task.Log, sample, place);
@@ -37,7 +39,7 @@ internal static class StreamExamination
         string summary = $"Frames arrive on {place}: {StreamText.Describe(avatars)}.";
         if (findings.Count == 0)
         {
-            return new Conclusion([new Finding(DiagnosisVerdict.Receiving, $"{summary} {AllIsWell}")], sample, place);
+            return new Conclusion([new Finding(DiagnosisVerdict.Receiving, $"{summary} {AllIsWell} {(avatars[0].Version == DataVersion.Studio ? OrderIsSaid : OrderIsNotSaid)}")], sample, place);
         }
 
         findings.Sort(static (left, right) => right.Verdict.CompareTo(left.Verdict));
@@ -48,10 +50,13 @@ internal static class StreamExamination
     private static Conclusion JudgeOtherKind(DiagnosisTask task, StreamSample sample, StreamPlace place)
     {
         task.Log.Failed("token", $"{DescribeTokens(sample)} only");
-        (DiagnosisVerdict verdict, string seen, string wanted) = task.Wanted == PacketKind.Motion
-            ? (DiagnosisVerdict.CalculationOnly, "calculation data", "motion (BVH) data")
-            : (DiagnosisVerdict.MotionOnly, "motion (BVH) data", "calculation data");
-        string text = $"Frames arrive on {place}, but they are {seen}; no {wanted} among them.";
+        DiagnosisVerdict verdict = (sample.Has(PacketKind.Motion), sample.Has(PacketKind.Calculation)) switch
+        {
+            (true, _) => DiagnosisVerdict.MotionOnly,
+            (_, true) => DiagnosisVerdict.CalculationOnly,
+            _ => DiagnosisVerdict.StudioCalculationOnly,
+        };
+        string text = $"Frames arrive on {place}, but they are {StreamText.KindsOf(sample)}; no {StreamText.NameOf(task.Wanted)} among them.";
         return new Conclusion([new Finding(verdict, text, ServerSettings.Enable(task.Wanted))], sample);
     }
 
@@ -73,6 +78,17 @@ internal static class StreamExamination
 
     private static void JudgeVersion(StepLog log, AvatarSample avatar, List<Finding> findings)
     {
+        if (avatar.Version == DataVersion.None)
+        {
+            log.Warning("version", "none: text, which has no frame index");
+            findings.Add(new Finding(
+                DiagnosisVerdict.TextFormat,
+                "Text is read as well as binary packets, but it has no frame index, so that lost frames cannot be counted, few digits, and takes more "
+                + "of the network and of both computers.",
+                ServerSettings.Binary));
+            return;
+        }
+
         if (avatar.Kind == PacketKind.Motion && avatar.Version.Layout == HeaderLayout.Old)
         {
             log.Warning("version", $"{avatar.Version}, the old header, which has no frame index");
@@ -123,18 +139,29 @@ internal static class StreamExamination
             log.Ok("format", detail);
     }
 
-    private static bool IsUsual(AvatarSample avatar) => avatar.Kind == PacketKind.Motion
-        ? avatar.ValueCount is 180 or 186 or 354 or 360
-        : avatar.ValueCount is 338 or 946;
-
-    private static string UsualCounts(PacketKind kind) => kind == PacketKind.Motion ? "180, 186, 354 or 360" : "338 or 946";
-
-    private static string DescribeTokens(StreamSample sample) => (sample.Has(PacketKind.Motion), sample.Has(PacketKind.Calculation)) switch
+    private static bool IsUsual(AvatarSample avatar) => avatar.Kind switch
     {
-        (true, true) => $"0xDDFF and 0x88FF: {StreamText.KindsOf(sample)}",
-        (true, false) => $"0xDDFF: {StreamText.KindsOf(sample)}",
-        _ => $"0x88FF: {StreamText.KindsOf(sample)}",
+        PacketKind.Motion => avatar.ValueCount is 180 or 186 or 354 or 360,
+        PacketKind.Calculation => avatar.ValueCount is 338 or 946,
+        _ => avatar.ValueCount == 1239,
     };
+
+    private static string UsualCounts(PacketKind kind) => kind switch
+    {
+        PacketKind.Motion => "180, 186, 354 or 360",
+        PacketKind.Calculation => "338 or 946",
+        _ => "1239",
+    };
+
+    private static string DescribeTokens(StreamSample sample)
+    {
+        (PacketKind Kind, string Token)[] tokens =
+            [(PacketKind.Motion, "0xDDFF"), (PacketKind.Calculation, "0x88FF"), (PacketKind.StudioCalculation, "0xDCCF")];
+        string kinds = StreamText.KindsOf(sample);
+        return sample.IsText
+            ? $"lines of text: {kinds}"
+            : $"{string.Join(" and ", tokens.Where(token => sample.Has(token.Kind)).Select(static token => token.Token))}: {kinds}";
+    }
 
     private static string Capital(StreamPlace place)
     {

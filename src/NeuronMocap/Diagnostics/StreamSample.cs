@@ -34,6 +34,9 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
 
     public long Commands { get; private set; }
 
+    // Whether every frame came as text.
+    public bool IsText => _avatars.Count > 0 && _avatars.Values.All(static avatar => avatar.Version == DataVersion.None);
+
     public long SkippedBytes => _skipped.Values.Sum(static skipped => skipped.Bytes);
 
     public IEnumerable<AvatarSample> Avatars => _avatars.Values.OrderBy(static avatar => avatar.Index);
@@ -56,8 +59,12 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
 
     public void OnPacket(in ReceivedPacket packet)
     {
-        Begin(packet.Bytes);
-        Bytes += packet.Length;
+        if (!packet.IsText)
+        {
+            Begin(packet.Bytes);
+            Bytes += packet.Length;
+        }
+
         Packets++;
         if (packet.Kind == PacketKind.Command)
             Commands++;
@@ -71,6 +78,12 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
             avatar.OnFrame(packet);
         if (packet.Kind == wanted)
             _wantedFrame.TrySetResult(true);
+    }
+
+    public void OnText(ReadOnlySpan<byte> bytes)
+    {
+        Begin(bytes);
+        Bytes += bytes.Length;
     }
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)

@@ -11,10 +11,10 @@ internal static class StreamText
     public static string Describe(AvatarSample[] avatars)
     {
         AvatarSample first = avatars[0];
-        string kind = first.Kind == PacketKind.Motion ? "motion (BVH) data" : "calculation data";
         double rate = avatars.Min(static avatar => avatar.Rate);
         string frequency = rate > 0 ? Invariant($", {rate:0.0} frames per second{(avatars.Length > 1 ? " of each" : string.Empty)}") : string.Empty;
-        return $"{kind}, version {first.Version}, {DescribeFormat(first)}; {DescribeAvatars(avatars)}{frequency}";
+        string version = first.Version == DataVersion.None ? "as text" : $"version {first.Version}";
+        return $"{NameOf(first.Kind)}, {version}, {DescribeFormat(first)}; {DescribeAvatars(avatars)}{frequency}";
     }
 
     public static string DescribeFormat(AvatarSample avatar) => avatar.Kind == PacketKind.Motion
@@ -34,11 +34,20 @@ internal static class StreamText
         ? string.Empty
         : avatar.Version == DataVersion.Studio ? ", as Axis Studio sends" : ", the new header";
 
-    public static string KindsOf(StreamSample sample) => (sample.Has(PacketKind.Motion), sample.Has(PacketKind.Calculation)) switch
+    // "motion (BVH) data", or "motion (BVH) and calculation data".
+    public static string KindsOf(StreamSample sample)
     {
-        (true, true) => "motion (BVH) and calculation data",
-        (true, false) => "motion (BVH) data",
-        _ => "calculation data",
+        PacketKind[] kinds = [.. ((PacketKind[])[PacketKind.Motion, PacketKind.Calculation, PacketKind.StudioCalculation]).Where(sample.Has)];
+        return string.Join(" and ", kinds.Select(WordsOf)) + " data";
+    }
+
+    public static string NameOf(PacketKind kind) => WordsOf(kind) + " data";
+
+    private static string WordsOf(PacketKind kind) => kind switch
+    {
+        PacketKind.Motion => "motion (BVH)",
+        PacketKind.Calculation => "calculation",
+        _ => "Axis Studio's calculation",
     };
 
     public static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);

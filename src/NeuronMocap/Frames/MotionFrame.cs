@@ -14,23 +14,26 @@ namespace NeuronMocap.Frames;
 /// </summary>
 public sealed class MotionFrame : AvatarFrame
 {
-    private readonly SkeletonFormat _format;
+    private readonly FrameFormat _source;
+    private SkeletonFormat _format;
     private ChannelLayout _layout;
 
     /// <summary>Makes a frame that owns its memory: to test code that takes frames, or to feed one from another source.</summary>
     /// <param name="header">The header; its count is replaced by the number of values.</param>
     /// <param name="values">The values in wire order; copied.</param>
-    /// <param name="format">How the values are to be understood; null for YXZ and Appendix A.</param>
+    /// <param name="format">
+    /// How the values are to be understood; null for the rotation order that the header of an Axis Studio frame says, else YXZ, and Appendix A.
+    /// </param>
     /// <exception cref="InvalidOperationException">There are more values than the header's layout can count.</exception>
     public MotionFrame(in MotionHeader header, ReadOnlySpan<float> values, SkeletonFormat? format = null)
-        : this(format ?? SkeletonFormat.Default)
+        : this(format ?? new FrameFormat(order: null, variant: null))
     {
         byte[] packet = new byte[(header with { ValueCount = values.Length }).PacketSize];
         PacketEncoder.WriteMotion(packet, header, values);
         Borrow(new ReceivedPacket(PacketKind.Motion, packet, Stopwatch.GetTimestamp(), source: 0));
     }
 
-    internal MotionFrame(SkeletonFormat format) => _format = format;
+    internal MotionFrame(FrameFormat format) => _source = format;
 
     /// <summary>All fields of the packet's header, reserved ones included.</summary>
     public MotionHeader Header => MotionHeader.Read(_data.Header);
@@ -44,8 +47,14 @@ public sealed class MotionFrame : AvatarFrame
     /// <inheritdoc/>
     public override uint? FrameIndex => MotionHeader.ReadFrameIndex(_data.Header);
 
-    /// <summary>How the values are understood: the reader's options.</summary>
+    /// <summary>
+    /// How the values are understood: as the reader's options say; where they leave it open, as this frame says (Axis Studio), as the server
+    /// answered on its command channel, or YXZ and Appendix A.
+    /// </summary>
     public SkeletonFormat Format => _format;
+
+    /// <summary>The timecode that the server stamped the frame with; null where it does not (all but Axis Studio): <see cref="MotionHeader.Timecode"/>.</summary>
+    public Timecode? Timecode => Header.Timecode;
 
     /// <summary>
     /// Whether the values are those of the 59 bones: 180, 186, 354 or 360 of them. Without, only <see cref="AvatarFrame.Values"/> and the
@@ -131,12 +140,17 @@ public sealed class MotionFrame : AvatarFrame
     /// <returns>A frame equal to this one, time of receipt included.</returns>
     public MotionFrame Clone()
     {
-        var clone = new MotionFrame(_format);
+        var clone = new MotionFrame(_source);
         clone.CopyFrom(this);
+        clone._format = _format;
         return clone;
     }
 
-    private protected override void OnData() => HasSkeleton = ChannelLayout.TryFromValueCount(_data.ValueCount, out _layout);
+    private protected override void OnData()
+    {
+        HasSkeleton = ChannelLayout.TryFromValueCount(_data.ValueCount, out _layout);
+        _format = _source.Of(_data.Header);
+    }
 
     private static InvalidOperationException NoSkeleton() =>
         new("The frame does not hold the 59 bones; see HasSkeleton.");

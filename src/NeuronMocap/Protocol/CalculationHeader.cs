@@ -89,5 +89,6 @@ public readonly record struct CalculationHeader
 
     internal static AvatarName ReadAvatarName(ReadOnlySpan<byte> source) => AvatarName.Read(source[14..]);
 
-    internal static uint ReadFrameIndex(ReadOnlySpan<byte> source) => BinaryPrimitives.ReadUInt32LittleEndian(source[46..]);
+    internal static uint? ReadFrameIndex(ReadOnlySpan<byte> source) =>
+        TextLine.IsImage(source) ? null : BinaryPrimitives.ReadUInt32LittleEndian(source[46..]);
 }

@@ -22,6 +22,14 @@ public readonly record struct DataVersion(byte Major, byte Minor, byte Revision,
     /// <summary>1.0.0.3: the version that the manual's example gives for calculation packets (section 2.1.4).</summary>
     public static DataVersion Calculation => new(1, 0, 0, 3);
 
+    /// <summary>2.0.0.0: Axis Studio's calculation packets (protocol.md section 9).</summary>
+    public static DataVersion StudioCalculation => new(2, 0, 0, 0);
+
+    /// <summary>
+    /// 0.0.0.0: there is none, because the frame came as text (protocol.md section 8). Never on the wire: motion packets that say so are refused.
+    /// </summary>
+    public static DataVersion None => default;
+
     /// <summary>Finds the layout of the motion header that this version announces.</summary>
     /// <param name="layout">The layout, when the version is known.</param>
     /// <returns>False for every version but 1.0 and 1.1, whose headers nobody has documented.</returns>
@@ -35,9 +43,10 @@ public readonly record struct DataVersion(byte Major, byte Minor, byte Revision,
     /// <returns>Four numbers, major first.</returns>
     public override string ToString() => $"{Major}.{Minor}.{Revision}.{Build}";
 
-    internal HeaderLayout Layout => this is { Major: 1, Minor: 0 } ? HeaderLayout.Old : HeaderLayout.New;
+    // What has no version has no frame index either, as the Old layout.
+    internal HeaderLayout Layout => this is { Major: <= 1, Minor: 0 } ? HeaderLayout.Old : HeaderLayout.New;
 
-    internal static bool IsOld(ReadOnlySpan<byte> source) => source[3] == 1 && source[2] == 0;
+    internal static bool IsOld(ReadOnlySpan<byte> source) => source[3] <= 1 && source[2] == 0;
 
     internal static bool IsKnown(ReadOnlySpan<byte> source) => source[3] == 1 && source[2] <= 1;
 

@@ -8,5 +8,8 @@ internal interface IPacketReceiver
 
     void OnPacket(in ReceivedPacket packet);
 
+    // Bytes of the text stream, before OnPacket where they are a line with a frame; else what stands between lines.
+    void OnText(ReadOnlySpan<byte> bytes);
+
     void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason);
 }

@@ -44,6 +44,12 @@ public readonly record struct MotionHeader
     /// <summary>Third reserved field. Axis Studio writes the timecode's sub-frame here.</summary>
     public uint Reserved2 { get; init; }
 
+    /// <summary>
+    /// The timecode that Axis Studio writes into the reserved fields; null for other data versions than 1.1.0.1, where the fields hold no time of
+    /// day, and where both are 0, as a server without a clock leaves them.
+    /// </summary>
+    public Timecode? Timecode => Version == DataVersion.Studio ? Protocol.Timecode.Read(Reserved1, Reserved2) : null;
+
     /// <summary>The layout that <see cref="Version"/> announces.</summary>
     public HeaderLayout Layout => Version.Layout;
 

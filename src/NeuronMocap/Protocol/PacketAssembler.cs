@@ -1,11 +1,12 @@
 namespace NeuronMocap.Protocol;
 
-// Joins the pieces in which one sender's bytes arrive. Packets that lie whole in a piece are handed over in place; only the unfinished tail
+// Joins the pieces in which one sender's bytes arrive. Packets and lines that lie whole in a piece are read in place; only the unfinished tail
 // of a piece is copied, and grows by no more than the scanner asked for until it is a packet or is known to be none. Not thread-safe.
 internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver receiver, int source = 0)
 {
     private const int InitialCapacity = 4096;
 
+    private readonly StreamScanner _scanner = new(scanner);
     private byte[] _tail = [];
     private int _tailLength;
     private int _needed;
@@ -19,7 +20,7 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
     {
         while (_tailLength > 0 && piece.Count > 0)
         {
-            int taken = Math.Min(_needed - _tailLength, piece.Count);
+            int taken = _scanner.Wanted(piece, _tailLength, _needed);
             Append(piece.Slice(0, taken));
             piece = piece.Slice(taken);
             if (_tailLength < _needed)
@@ -32,45 +33,60 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
             KeepTail(Deliver(piece.Array!, piece.Offset, piece.Count, timestamp));
     }
 
+    // Whether a piece begins with a line of text of its own while the tail is an unfinished one. A tail of digits alone may be the start of the
+    // piece's first number.
+    public bool StartsAnew(ReadOnlySpan<byte> piece) => _scanner.IsInsideLine && TextLine.BeginsTelling(piece);
+
     // Gives up the unfinished tail: what follows it is known to be missing.
     public void Abandon()
     {
-        if (_tailLength == 0)
-            return;
-
         int length = _tailLength;
         _tailLength = 0;
-        receiver.OnSkipped(_tail.AsSpan(0, length), SkipReason.Incomplete);
+        _scanner.Restart();
+        if (length > 0)
+            receiver.OnSkipped(_tail.AsSpan(0, length), SkipReason.Incomplete);
     }
+
+    // For a sender that was heard too late to know whether its first bytes begin anything.
+    public void JoinLate() => _scanner.Restart();
 
     // Returns what no packet was found in yet.
     private ArraySegment<byte> Deliver(byte[] bytes, int offset, int count, long timestamp)
     {
         while (count > 0)
         {
-            ScanResult result = scanner.Scan(bytes.AsSpan(offset, count));
-            if (result.Status == ScanStatus.NeedMore)
+            StreamScan scan = _scanner.Scan(bytes.AsSpan(offset, count));
+            if (scan.Part == StreamPart.NeedMore)
             {
-                _needed = result.Length;
+                _needed = scan.Length;
                 break;
             }
 
-            if (result.Status == ScanStatus.Packet)
-                receiver.OnPacket(new ReceivedPacket(result.Kind, bytes, offset, result.Length, timestamp, source));
+            if (scan.Part == StreamPart.Packet)
+                receiver.OnPacket(new ReceivedPacket(scan.Kind, bytes, offset, scan.Length, timestamp, source));
+            else if (scan.Part == StreamPart.Skipped)
+                receiver.OnSkipped(bytes.AsSpan(offset, scan.Length), scan.Reason);
             else
-                receiver.OnSkipped(bytes.AsSpan(offset, result.Length), result.Reason);
+                DeliverText(scan, bytes.AsSpan(offset, scan.Length), timestamp);
 
-            offset += result.Length;
-            count -= result.Length;
+            offset += scan.Length;
+            count -= scan.Length;
         }
 
         return new ArraySegment<byte>(bytes, offset, count);
     }
 
+    private void DeliverText(in StreamScan scan, ReadOnlySpan<byte> bytes, long timestamp)
+    {
+        receiver.OnText(bytes);
+        if (scan.Part == StreamPart.Line)
+            receiver.OnPacket(new ReceivedPacket(scan.Kind, _scanner.Image, 0, _scanner.ImageLength, timestamp, source));
+    }
+
     // The rest may lie inside the tail itself; the copy handles the overlap.
     private void KeepTail(ArraySegment<byte> rest)
     {
-        if (rest.Count > 0)
+        if (rest.Count > 0 && (rest.Array != _tail || rest.Offset > 0))
         {
             Reserve(rest.Count);
             Buffer.BlockCopy(rest.Array!, rest.Offset, _tail, 0, rest.Count);

@@ -37,6 +37,25 @@ public static class PacketEncoder
         return length;
     }
 
+    /// <summary>Writes a calculation packet of Axis Studio.</summary>
+    /// <param name="destination">Room for 64 bytes and the payload.</param>
+    /// <param name="header">The header; its count is replaced by the number of bytes.</param>
+    /// <param name="payload">
+    /// What follows the header, as it shall stand on the wire: for each of the 59 bones 20 binary32 values and a 32-bit flag, little-endian.
+    /// </param>
+    /// <returns>Number of bytes written.</returns>
+    /// <exception cref="ArgumentException">The destination is too short.</exception>
+    public static int WriteStudioCalculation(Span<byte> destination, in StudioCalculationHeader header, ReadOnlySpan<byte> payload)
+    {
+        int length = ProtocolConstants.HeaderSize + payload.Length;
+        if (destination.Length < length)
+            throw new ArgumentException($"A packet of {payload.Length} bytes needs {length} bytes; there are {destination.Length}.", nameof(destination));
+
+        (header with { ByteCount = payload.Length }).Write(destination);
+        payload.CopyTo(destination[ProtocolConstants.HeaderSize..]);
+        return length;
+    }
+
     private static int RequireRoom(Span<byte> destination, int valueCount)
     {
         int length = ProtocolConstants.HeaderSize + (valueCount * sizeof(float));

@@ -14,4 +14,7 @@ public enum PacketKind : byte
 
     /// <summary>A command of the old generation, token 0xAAFF, which shares the data connection (protocol.md section 7).</summary>
     Command,
+
+    /// <summary>Axis Studio's calculation data, token 0xDCCF: what each sensor and each bone of one avatar does at one instant (protocol.md section 9).</summary>
+    StudioCalculation,
 }

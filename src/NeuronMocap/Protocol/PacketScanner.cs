@@ -28,6 +28,8 @@ public sealed class PacketScanner
         _maxValues = maxValues;
     }
 
+    internal int MaxValues => _maxValues;
+
     /// <summary>Looks at the start of some bytes.</summary>
     /// <param name="source">Bytes in the order of their arrival; only read.</param>
     /// <returns>A packet, a number of bytes to wait for, or a number of bytes to skip; never a length of zero.</returns>
@@ -75,7 +77,7 @@ public sealed class PacketScanner
         int position = 1;
         while (position < source.Length)
         {
-            int next = source[position..].IndexOf(ProtocolConstants.TokenStart);
+            int next = source[position..].IndexOfAny(ProtocolConstants.TokenStart, ProtocolConstants.StudioTokenStart);
             if (next < 0)
                 return new ScanResult(ScanStatus.Skipped, source.Length, Reason: reason);
 
@@ -95,14 +97,14 @@ public sealed class PacketScanner
         if (source.Length >= ProtocolConstants.HeaderSize)
             return PacketTokens.KindOf(source) != PacketKind.None;
 
-        return source[0] == ProtocolConstants.TokenStart
-            && (source.Length < 2 || PacketTokens.KindOf(source[1]) != PacketKind.None);
+        return source.Length < 2 ? PacketTokens.IsStart(source[0]) : PacketTokens.KindOf(source[0], source[1]) != PacketKind.None;
     }
 
     private static long PayloadSize(ReadOnlySpan<byte> header, PacketKind kind) => kind switch
     {
         PacketKind.Motion => sizeof(float) * (long)MotionHeader.ReadValueCount(header),
         PacketKind.Calculation => sizeof(float) * (long)CalculationHeader.ReadValueCount(header),
+        PacketKind.StudioCalculation => StudioCalculationHeader.ReadByteCount(header),
         _ => CommandHeader.Read(header).PayloadSize,
     };
 

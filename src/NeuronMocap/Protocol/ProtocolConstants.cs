@@ -19,6 +19,12 @@ public static class ProtocolConstants
     public const int DefaultPort = 7001;
 
     /// <summary>
+    /// TCP port of the command channel unless told otherwise. A setting of the server, which the manual gives no default for: 8013 is the port that
+    /// a public client names (protocol.md section 4.3).
+    /// </summary>
+    public const int DefaultCommandPort = 8013;
+
+    /// <summary>
     /// Floats in the largest packet that the vendor's library can deliver (a receive buffer of 40,960 bytes, protocol.md section 5).
     /// Real packets carry at most 946; a header that announces more than the limit is garbage or an attack.
     /// </summary>
@@ -27,7 +33,13 @@ public static class ProtocolConstants
     /// <summary>Largest payload of a command packet, in bytes: the vendor's MAX_PACKETSIZE.</summary>
     public const int MaxCommandPayload = 100_000;
 
-    // Both bytes of a token are given in wire order. Every token starts with 0xFF, which vectorises the search for one.
+    /// <summary>
+    /// Largest payload of a reply on the command channel that the vendor's library takes anywhere, in bytes: its command packet where a long has
+    /// 8 bytes (protocol.md section 2.5).
+    /// </summary>
+    public const int MaxCommandReply = 200_016;
+
+    // Both bytes of a token are given in wire order. Two bytes start all tokens, which vectorises the search for one.
     internal const byte TokenStart = 0xFF;
     internal const byte MotionToken1 = 0xDD;
     internal const byte MotionToken2 = 0xEE;
@@ -35,4 +47,7 @@ public static class ProtocolConstants
     internal const byte CalculationToken2 = 0x99;
     internal const byte CommandToken1 = 0xAA;
     internal const byte CommandToken2 = 0xBB;
+    internal const byte StudioTokenStart = 0xCF;
+    internal const byte StudioToken1 = 0xDC;
+    internal const byte StudioToken2 = 0xEC;
 }

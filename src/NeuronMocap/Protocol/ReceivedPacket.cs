@@ -30,6 +30,9 @@ internal readonly struct ReceivedPacket(PacketKind kind, byte[] array, int offse
         get => Array.AsSpan(Offset, Length);
     }
 
+    // Whether it came as a line of text: the bytes are then what TextLine made of it, and lack the second token of what comes off the wire.
+    public bool IsText => TextLine.IsImage(Bytes);
+
     // Whether it carries values: commands do not, and a server may send packets of none.
     public bool IsFrame => Kind != PacketKind.Command && Length > ProtocolConstants.HeaderSize;
 }

@@ -27,6 +27,11 @@ public enum SkipReason
 
     /// <summary>The start of a packet whose rest never came: a lost datagram, or a connection that ended.</summary>
     Incomplete,
+
+    /// <summary>
+    /// A line of the text stream with another number of values than the 59 bones have, or with a word that is no number: protocol.md section 8.
+    /// </summary>
+    MalformedLine,
 }
 
 /// <summary>What <see cref="PacketScanner"/> found at the start of the bytes it was given.</summary>

@@ -10,6 +10,7 @@ internal sealed class DurationRecorder(Histogram<double> histogram, params KeyVa
 {
     private readonly KeyValuePair<string, object?>[] _motion = [.. tags, MeterTags.Motion];
     private readonly KeyValuePair<string, object?>[] _calculation = [.. tags, MeterTags.Calculation];
+    private readonly KeyValuePair<string, object?>[] _studio = [.. tags, MeterTags.StudioCalculation];
 
     public bool IsEnabled => histogram.Enabled;
 
@@ -17,11 +18,18 @@ internal sealed class DurationRecorder(Histogram<double> histogram, params KeyVa
     {
         try
         {
-            histogram.Record(ticks / (double)Stopwatch.Frequency, kind == PacketKind.Motion ? _motion : _calculation);
+            histogram.Record(ticks / (double)Stopwatch.Frequency, TagsOf(kind));
         }
         catch (Exception)
         {
             // A listener of the application's threw. The meter has no place for that, and the receive loop goes on.
         }
     }
+
+    private KeyValuePair<string, object?>[] TagsOf(PacketKind kind) => kind switch
+    {
+        PacketKind.Motion => _motion,
+        PacketKind.Calculation => _calculation,
+        _ => _studio,
+    };
 }

@@ -18,6 +18,7 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
         (SkipReason.UnknownVersion, nameof(SkipReason.UnknownVersion)),
         (SkipReason.TooLarge, nameof(SkipReason.TooLarge)),
         (SkipReason.Incomplete, nameof(SkipReason.Incomplete)),
+        (SkipReason.MalformedLine, nameof(SkipReason.MalformedLine)),
     ];
 
     private readonly object _lock = new();
@@ -179,6 +180,7 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
         SkipReason.UnknownVersion => "a data version other than 1.0 and 1.1",
         SkipReason.TooLarge => "more values than MaxValues allows",
         SkipReason.Incomplete => "packets whose rest never came",
+        SkipReason.MalformedLine => "lines of text that are no frames of 59 bones",
         _ => "no tokens of a packet",
     };
 

@@ -11,4 +11,5 @@ internal static class MeterTags
 
     public static readonly KeyValuePair<string, object?> Motion = new(Kind, "motion");
     public static readonly KeyValuePair<string, object?> Calculation = new(Kind, "calculation");
+    public static readonly KeyValuePair<string, object?> StudioCalculation = new(Kind, "studio_calculation");
 }

@@ -22,6 +22,7 @@ internal static class NeuronMeter
         (SkipReason.UnknownVersion, "unknown_version"),
         (SkipReason.TooLarge, "too_large"),
         (SkipReason.Incomplete, "incomplete"),
+        (SkipReason.MalformedLine, "malformed_line"),
     ];
 
     private static readonly (ConnectionState State, string Tag)[] States =
@@ -69,7 +70,12 @@ internal static class NeuronMeter
         AddCounter("frames", "{frame}", "Frames received.", static (reader, figures) =>
         {
             ReaderStatistics statistics = figures.GetStatistics();
-            return [reader.Measure(statistics.MotionFrames, MeterTags.Motion), reader.Measure(statistics.CalculationFrames, MeterTags.Calculation)];
+            return
+            [
+                reader.Measure(statistics.MotionFrames, MeterTags.Motion),
+                reader.Measure(statistics.CalculationFrames, MeterTags.Calculation),
+                reader.Measure(statistics.StudioCalculationFrames, MeterTags.StudioCalculation),
+            ];
         });
         AddCounter("io", "By", "Bytes of the stream, delivered or skipped.", Total(static total => total.BytesReceived));
         AddCounter("skipped", "By", "Bytes that belong to no packet.", static (reader, figures) => SkipReasons.Select(

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using NeuronMocap.Protocol;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Telemetry;
@@ -14,6 +15,7 @@ internal sealed class StatusLevels
     private readonly Dictionary<(ConnectionState State, ConnectionReason Reason), (long Time, int Reception)> _told = [];
     private int _receptions;
     private ConnectionState _lastLine = ConnectionState.Created;
+    private StreamFormat _lastFormat;
 
     public ReaderEventLevel LevelOf(in ConnectionStatus status)
     {
@@ -22,7 +24,8 @@ internal sealed class StatusLevels
 
         ReaderEventLevel level = status.State switch
         {
-            ConnectionState.Receiving when _lastLine != ConnectionState.Receiving => ReaderEventLevel.Information,
+            ConnectionState.Receiving when status.Reason != ConnectionReason.None && IsNew(status) => ReaderEventLevel.Warning,
+            ConnectionState.Receiving when _lastLine != ConnectionState.Receiving || _lastFormat != status.Format => ReaderEventLevel.Information,
             ConnectionState.Connected when IsNew(status) => ReaderEventLevel.Information,
             ConnectionState.Silent or ConnectionState.Waiting when IsNew(status) => ReaderEventLevel.Warning,
             ConnectionState.Stopped when status.Reason is ConnectionReason.Requested or ConnectionReason.ClosedByPeer => ReaderEventLevel.Information,
@@ -30,7 +33,10 @@ internal sealed class StatusLevels
             _ => ReaderEventLevel.Debug,
         };
         if (level != ReaderEventLevel.Debug)
+        {
             _lastLine = status.State;
+            _lastFormat = status.Format;
+        }
 
         return level;
     }

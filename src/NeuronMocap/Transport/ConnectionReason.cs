@@ -45,6 +45,12 @@ public enum ConnectionReason
     /// <summary>Datagrams arrive, but only from senders that AllowedSenders does not list.</summary>
     SenderNotAllowed,
 
+    /// <summary>
+    /// Frames arrive, but the rotation order of the reader's options is not the one that the server says it sends: all poses come out wrong
+    /// unless the option is right.
+    /// </summary>
+    RotationOrderMismatch,
+
     /// <summary>Another error of the network; the message carries the system's words.</summary>
     NetworkError,
 }

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Net;
+using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
@@ -14,6 +15,12 @@ public readonly record struct ConnectionStatus(ConnectionState State, Connection
 
     /// <summary>The server's side of a TCP connection; null while there is none, and for UDP.</summary>
     public EndPoint? RemoteEndPoint { get; init; }
+
+    /// <summary>
+    /// What the server sends, as the frames of this connection show; <see cref="StreamFormat.Unknown"/> before the first one. When it changes in
+    /// the middle of a connection, a status of the same state tells it.
+    /// </summary>
+    public StreamFormat Format { get; init; }
 
     /// <summary>Number of attempts since frames last arrived, the running one included.</summary>
     public int Attempt { get; init; }

@@ -10,7 +10,6 @@ internal enum ForeignFormat
     TooManyValues,
     Incomplete,
     Text,
-    StudioCalculation,
     CommandReply,
     OtherProgram,
 }
@@ -56,14 +55,6 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
                 ForeignFormat.Incomplete, "only the first part of each packet; the rest is lost on the way", "Check the firewall, or use TCP.");
         }
 
-        if (start.Length >= 2 && start[0] == 0xCF && start[1] == 0xDC)
-        {
-            return new(
-                ForeignFormat.StudioCalculation,
-                "Axis Studio's calculation data, which this reader does not read",
-                "Broadcast BVH data to this port.");
-        }
-
         if (start.Length >= 2 && start[0] == ProtocolConstants.TokenStart && start[1] == ProtocolConstants.CommandToken1)
         {
             return new(
@@ -95,13 +86,16 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
     }
 
     private static FormatGuess? OfText(ReadOnlySpan<byte> start) => NumericText.IsAt(start)
-        ? new(ForeignFormat.Text, "text", "In the server's broadcasting settings set the format (block type) to Binary.")
+        ? new(
+            ForeignFormat.Text,
+            "text, but no line of it holds the values of the 59 bones (180, 186, 354 or 360 of motion, 338 or 946 of calculation data)",
+            "In Axis Studio's BVH broadcasting settings set Skeleton to \"Axis Studio\", or set the format (block type) to Binary.")
         : null;
 
     private static FormatGuess Unknown(ReadOnlySpan<byte> start) => new(
         ForeignFormat.Unknown,
         $"of no format known here; it starts with {ToHex(start)}",
-        "Check the port, and that the server's format is Binary.");
+        "Check the port; Axis Neuron's default is 7001.");
 
     private static bool StartsWith(ReadOnlySpan<byte> bytes, string beginning)
     {

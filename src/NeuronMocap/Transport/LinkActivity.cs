@@ -5,8 +5,11 @@ namespace NeuronMocap.Transport;
 
 // Knows what the running link has brought, and turns it into the states Receiving and Silent. The receive loop writes, a timer reads; every
 // field stands alone and a check that sees an older value only comes to its conclusion one period later.
-internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderFilter? udpSenders)
+internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderFilter? udpSenders, Func<StreamDescription>? describe = null)
 {
+    // A server that changes its format with every frame does not change the status with every frame.
+    private static readonly long DescriptionPeriod = Stopwatch.Frequency;
+
     // So many refused datagrams in one period of silence are a stream. Fewer are strays, such as those of a port scan, and no reason to tell
     // anybody to let their sender in.
     private const int FewestRefused = 3;
@@ -22,6 +25,7 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
     private volatile int _frames;
     private int _framesSeen;
     private long _quietSince;
+    private long _described;
 
     // Timer: refused datagrams before the present period of silence, when it began, and whether they came in a stream in the one before.
     private long _refusedBefore;
@@ -63,17 +67,39 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
     private void Resume(long timestamp)
     {
         _hasPackets = true;
+        StreamDescription stream = Describe();
+        Volatile.Write(ref _described, timestamp);
         status.TrySet(
             current => current.IsConnected && current.State != ConnectionState.Receiving,
             current => current with
             {
                 State = ConnectionState.Receiving,
-                Reason = ConnectionReason.None,
-                Message = $"Receiving from {_target}.",
+                Format = stream.Format,
+                Reason = stream.Reason,
+                Message = MessageOf(stream),
                 Attempt = 0,
                 Timestamp = timestamp,
             });
     }
+
+    // Receive loop, when what arrives has become something else; and timer, which also finds what was learnt otherwise.
+    public void Redescribe(long timestamp)
+    {
+        if (status.State != ConnectionState.Receiving || timestamp - Volatile.Read(ref _described) < DescriptionPeriod)
+            return;
+
+        StreamDescription stream = Describe();
+        string message = MessageOf(stream);
+        bool isTold = status.TrySet(
+            current => current.State == ConnectionState.Receiving && (current.Format != stream.Format || !string.Equals(current.Message, message, StringComparison.Ordinal)),
+            current => current with { Format = stream.Format, Reason = stream.Reason, Message = message, Timestamp = timestamp });
+        if (isTold)
+            Volatile.Write(ref _described, timestamp);
+    }
+
+    private StreamDescription Describe() => describe?.Invoke() ?? default;
+
+    private string MessageOf(in StreamDescription stream) => $"Receiving from {_target}{stream.Text ?? "."}";
 
     // Receive loop, for bytes that are no packets.
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
@@ -99,6 +125,7 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
         if (status.State is not (ConnectionState.Connected or ConnectionState.Receiving or ConnectionState.Silent))
             return;
 
+        Redescribe(now);
         int frames = _frames;
         if (_delivering || frames != _framesSeen)
         {

@@ -178,7 +178,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
     }
 
     // Of several addresses, the one whose answer says most about the server.
-    private static int Weight(ConnectionReason reason) => reason switch
+    internal static int Weight(ConnectionReason reason) => reason switch
     {
         ConnectionReason.Refused => 3,
         ConnectionReason.TimedOut => 2,

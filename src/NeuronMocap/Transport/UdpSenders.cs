@@ -10,6 +10,9 @@ internal sealed class UdpSenders(PacketScanner scanner, IPacketReceiver receiver
     // Anyone can send from thousands of forged addresses; the one that was silent longest makes room.
     public const int Limit = 64;
 
+    // Servers that cut frames up cut them into pieces of this size (protocol.md sections 4.2 and 8): a larger datagram begins with a frame.
+    private const int PieceSize = 1024;
+
     private readonly Dictionary<SocketAddress, Sender> _senders = [];
     private int _nextSource;
     private long _clock;
@@ -27,13 +30,15 @@ internal sealed class UdpSenders(PacketScanner scanner, IPacketReceiver receiver
             }
 
             sender = Add(address);
+            if (datagram.Count <= PieceSize)
+                sender.Assembler.JoinLate();
         }
 
         sender.LastUsed = ++_clock;
 
         // A datagram that begins with a header cannot be the rest of the packet before it: that rest was lost. Joining the two would give
         // one frame made of two.
-        if (sender.Assembler.PendingBytes > 0 && scanner.StartsPacket(datagram))
+        if (sender.Assembler.PendingBytes > 0 && (scanner.StartsPacket(datagram) || sender.Assembler.StartsAnew(datagram)))
             sender.Assembler.Abandon();
 
         sender.Assembler.Push(datagram, timestamp);

@@ -31,8 +31,24 @@ internal sealed class StreamReading : IPacketReceiver
     {
     }
 
+    public void OnText(ReadOnlySpan<byte> bytes)
+    {
+        WrongResultException.ThrowUnless(
+            bytes.Length > 0 && bytes.Length <= _stream.Count - Position && bytes.SequenceEqual(_stream.AsSpan(Position, bytes.Length)),
+            "The text is not what the stream has at its place.");
+        Position += bytes.Length;
+    }
+
     public void OnPacket(in ReceivedPacket packet)
     {
+        if (packet.IsText)
+        {
+            _digest.Add((long)Position);
+            _digest.Add(packet.Bytes);
+            Packets++;
+            return;
+        }
+
         int length = packet.Length;
         WrongResultException.ThrowUnless(length <= _stream.Count - Position, "A packet is longer than what has arrived.");
         WrongResultException.ThrowUnless(

@@ -62,8 +62,14 @@ internal sealed class UdpTarget
         {
             _digest.Add((long)packet.Source);
             _digest.Add(packet.Bytes);
-            Bytes += packet.Length;
+            Bytes += packet.IsText ? 0 : packet.Length;
             Packets++;
+        }
+
+        public void OnText(ReadOnlySpan<byte> bytes)
+        {
+            _digest.Add(bytes);
+            Bytes += bytes.Length;
         }
 
         public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)

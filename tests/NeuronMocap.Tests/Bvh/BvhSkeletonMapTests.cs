@@ -144,13 +144,36 @@ public class BvhSkeletonMapTests
     }
 
     [Fact]
-    public void Hips_that_hang_from_another_joint_are_not_neurons()
+    public void Hips_that_hang_from_another_joint_are_not_neurons() => Assert.Equal(
+        "Joint Hips should hang from nothing, and does hang from Stage.",
+        Refuse(UnderRoot("Stage", "6 Xposition Yposition Zposition Yrotation Xrotation Zrotation")));
+
+    [Fact]
+    public void Hips_may_hang_from_a_reference_node_whose_values_come_first()
     {
-        string text = Neuron()
-            .Replace("ROOT Hips", "ROOT Reference\n{\nOFFSET 0 0 0\nJOINT Hips", StringComparison.Ordinal)
-            .Replace("MOTION", "}\nMOTION", StringComparison.Ordinal);
-        Assert.Equal("Joint Hips should hang from nothing, and does hang from Reference.", Refuse(text));
+        BvhSkeletonMap map = Create(UnderRoot("Reference", "6 Xposition Yposition Zposition Yrotation Xrotation Zrotation"));
+        float[] values = new float[186];
+        map.CopyValues(0, values);
+        BoneTransform[] pose = new BoneTransform[59];
+        map.CopyLocalTransforms(0, pose);
+
+        Assert.Equal(new ChannelLayout(hasDisplacement: false, hasReference: true), map.Layout);
+        AssertBits(map.Document.GetFrame(0), values);
+        Assert.Equal(
+            new BoneTransform(new Vector3(-6, -5, -4), EulerAngles.ToQuaternion(new Vector3(-3, -2, -1), RotationOrder.YXZ)),
+            map.GetReference(0));
+        Assert.Equal(new Vector3(0, 1, 2), pose[0].Position);
     }
+
+    [Fact]
+    public void A_file_without_a_reference_node_is_relative_to_the_world() =>
+        Assert.Equal(BoneTransform.Identity, Create(Neuron()).GetReference(0));
+
+    [Theory]
+    [InlineData("3 Yrotation Xrotation Zrotation", "Joint Reference has 0 position channels")]
+    [InlineData("6 Xposition Yposition Zposition Xrotation Yrotation Zrotation", "rotation order of joint Reference is XYZ, that of the hips YXZ")]
+    public void A_reference_node_of_other_channels_is_not_neurons(string channels, string told) =>
+        Assert.Contains(told, Refuse(UnderRoot("Reference", channels)), StringComparison.Ordinal);
 
     [Fact]
     public void Wrong_arguments_are_refused()
@@ -163,6 +186,16 @@ public class BvhSkeletonMapTests
         Assert.Throws<ArgumentOutOfRangeException>(() => map.CopyValues(1, new float[180]));
         Assert.Throws<ArgumentException>(() => map.CopyLocalTransforms(0, new BoneTransform[58]));
         Assert.Throws<ArgumentOutOfRangeException>(() => map.CopyLocalTransforms(-1, new BoneTransform[59]));
+    }
+
+    // The root's own values are negative: the others keep their index.
+    private static string UnderRoot(string name, string channels)
+    {
+        int count = channels[0] - '0';
+        return Neuron()
+            .Replace("ROOT Hips", $"ROOT {name}\n{{\nOFFSET 0 0 0\nCHANNELS {channels}\nJOINT Hips", StringComparison.Ordinal)
+            .Replace("MOTION", "}\nMOTION", StringComparison.Ordinal)
+            .Replace("0.017\n", $"0.017\n{string.Join(' ', Enumerable.Range(-count, count))} ", StringComparison.Ordinal);
     }
 
     private static BvhSkeletonMap Create(string text)

@@ -87,7 +87,7 @@ public sealed class DataCommandsTests : IDisposable
         reader.DataCommands.Timeout = TimeSpan.FromMilliseconds(50);
 
         NeuronCommandException exception = await Assert.ThrowsAsync<NeuronCommandException>(() => reader.DataCommands.FetchAvatarCountAsync().Soon());
-        Assert.Equal(CommandFailure.TimedOut, exception.Failure);
+        Assert.Equal(CommandFailure.TimedOut, exception.Reason);
         Assert.Contains("8013", exception.Message, StringComparison.Ordinal);
 
         reader.DataCommands.Timeout = TimeSpan.FromMinutes(1);
@@ -122,7 +122,7 @@ public sealed class DataCommandsTests : IDisposable
         await using var udp = new NeuronReader(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = 0 });
         await udp.StartAsync(TestContext.Current.CancellationToken).Soon();
         NeuronCommandException exception = await Assert.ThrowsAsync<NeuronCommandException>(() => udp.DataCommands.FetchAvatarCountAsync().Soon());
-        Assert.Equal(CommandFailure.NotConnected, exception.Failure);
+        Assert.Equal(CommandFailure.NotConnected, exception.Reason);
     }
 
     [Fact]

@@ -77,12 +77,11 @@ public sealed class StreamDiagnosisTests
     }
 
     [Theory]
-    [InlineData("0 Char00 0.00 93.02 0.00 -1.5 || \r\n", DiagnosisVerdict.TextFormat, "token", "set Format to Binary")]
+    [InlineData("0 Char00 0.00 93.02 0.00 -1.5 || \r\n", DiagnosisVerdict.MalformedText, "format", "set Format to Binary")]
     [InlineData("SSH-2.0-OpenSSH_9.6\r\n", DiagnosisVerdict.OtherProgram, "token", "SSH server (\"SSH-2.0-OpenSSH_9.6\")")]
     [InlineData("HTTP/1.1 400 Bad Request\r\n\r\n", DiagnosisVerdict.OtherProgram, "token", "web server")]
     [InlineData("\u0015\u0003\u0003\0\u0002\u0002\u0046", DiagnosisVerdict.OtherProgram, "token", "TLS")]
     [InlineData("220 mail.example ESMTP\r\n", DiagnosisVerdict.OtherProgram, "token", "mail or FTP")]
-    [InlineData("\u00CF\u00DC\0\0\0\u0002", DiagnosisVerdict.StudioCalculation, "token", "BVH Broadcasting")]
     [InlineData("\u0001\u0002\u0003\u0004", DiagnosisVerdict.UnknownFormat, "token", "01 02 03 04")]
     public async Task Bytes_that_are_no_packets_are_named(string bytes, DiagnosisVerdict verdict, string step, string said)
     {

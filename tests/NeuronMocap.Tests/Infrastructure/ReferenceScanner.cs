@@ -3,48 +3,120 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Tests.Infrastructure;
 
 /// <summary>What <see cref="ReferenceScanner"/> found.</summary>
-/// <param name="Packets">The packets, in order.</param>
-/// <param name="Trace">The same lines as those of a <see cref="StreamTrace"/>.</param>
-/// <param name="Skipped">Bytes of no packet.</param>
-/// <param name="Pending">Bytes at the end that may still become a packet.</param>
-internal sealed record ReferenceReading(List<FoundPacket> Packets, List<string> Trace, long Skipped, int Pending);
+/// <param name="packets">The packets, in order; of lines of text their images.</param>
+/// <param name="trace">The same lines as those of a <see cref="StreamTrace"/>.</param>
+/// <param name="place">What the position is to the text format.</param>
+internal sealed class ReferenceReading(List<FoundPacket> packets, List<string> trace, ReferencePlace place)
+{
+    public List<FoundPacket> Packets => packets;
+
+    public List<string> Trace => trace;
+
+    public ReferencePlace Place { get; set; } = place;
+
+    public int At { get; set; }
+
+    /// <summary>Bytes of no packet and no line.</summary>
+    public long Skipped { get; set; }
+
+    /// <summary>Bytes of lines, and between them.</summary>
+    public long Text { get; set; }
+
+    /// <summary>Bytes at the end that may still become a packet or a line.</summary>
+    public int Pending { get; set; }
+}
 
 /// <summary>
 /// The rules of the stream, told slowly and over the whole of the bytes at once: what <see cref="PacketScanner"/> is compared with.
 /// </summary>
 internal static class ReferenceScanner
 {
-    public static ReferenceReading Read(byte[] bytes, int maxValues = 10_224)
+    public static ReferenceReading Read(byte[] bytes, int maxValues = 10_224, ReferencePlace place = ReferencePlace.Start)
     {
-        List<FoundPacket> packets = [];
-        List<string> trace = [];
-        long skipped = 0;
-        int at = 0;
-        while (at < bytes.Length)
+        var reading = new ReferenceReading([], [], place);
+        while (reading.At < bytes.Length && Take(reading, bytes, maxValues))
         {
-            (long? size, SkipReason reason) = PacketSizeAt(bytes, at, maxValues);
-            if (size is null)
-            {
-                if (reason != SkipReason.NoTokens)
-                    trace.Add($"{reason} at {at}");
-
-                at++;
-                skipped++;
-            }
-            else if (at + size > bytes.Length)
-            {
-                break;
-            }
-            else
-            {
-                packets.Add(new FoundPacket(KindOf(bytes[at + 1]), bytes[at..(at + (int)size)]));
-                trace.Add($"{KindOf(bytes[at + 1])} at {at}, {size} bytes");
-                at += (int)size;
-            }
         }
 
-        trace.Add($"the rest at {at}");
-        return new ReferenceReading(packets, trace, skipped, bytes.Length - at);
+        reading.Trace.Add($"the rest at {reading.At}");
+        reading.Pending = bytes.Length - reading.At;
+        return reading;
+    }
+
+    // False when what begins at the position has not all come.
+    private static bool Take(ReferenceReading reading, byte[] bytes, int maxValues)
+    {
+        byte first = bytes[reading.At];
+        if (reading.Place == ReferencePlace.Noise || first is 0xFF or 0xCF)
+            return TakePacketOrByte(reading, bytes, maxValues);
+        if (!ReferenceText.IsBlank(first))
+            return TakeLineOrByte(reading, bytes, maxValues);
+
+        reading.At++;
+        if (reading.Place == ReferencePlace.BehindLine)
+        {
+            reading.Text++;
+            return true;
+        }
+
+        reading.Skipped++;
+        if (first == '\n')
+            reading.Place = ReferencePlace.Start;
+
+        return true;
+    }
+
+    private static bool TakeLineOrByte(ReferenceReading reading, byte[] bytes, int maxValues)
+    {
+        ReferenceLine line = ReferenceText.ReadAt(bytes.AsSpan(reading.At), maxValues, reading.Place == ReferencePlace.Unsure);
+        switch (line.Kind)
+        {
+            case ReferenceLineKind.Unfinished:
+                return false;
+            case ReferenceLineKind.NoLine:
+                return TakePacketOrByte(reading, bytes, maxValues);
+            case ReferenceLineKind.Frame:
+                reading.Packets.Add(line.Packet!);
+                reading.Trace.Add(StreamTrace.Line(line.Packet!.Kind, reading.At, line.Packet.Bytes));
+                reading.Text += line.Length;
+                break;
+            default:
+                if (line.Reason != SkipReason.NoTokens)
+                    reading.Trace.Add($"{line.Reason} at {reading.At}");
+
+                reading.Skipped += line.Length;
+                break;
+        }
+
+        reading.At += line.Length;
+        reading.Place = line.Place;
+        return true;
+    }
+
+    private static bool TakePacketOrByte(ReferenceReading reading, byte[] bytes, int maxValues)
+    {
+        int at = reading.At;
+        (long? size, SkipReason reason) = PacketSizeAt(bytes, at, maxValues);
+        if (size is null)
+        {
+            if (reason != SkipReason.NoTokens)
+                reading.Trace.Add($"{reason} at {at}");
+
+            reading.Place = bytes[at] == '\n' ? ReferencePlace.Start : ReferencePlace.Noise;
+            reading.At++;
+            reading.Skipped++;
+            return true;
+        }
+
+        if (at + size > bytes.Length)
+            return false;
+
+        PacketKind kind = KindOf(bytes[at], bytes[at + 1]);
+        reading.Packets.Add(new FoundPacket(kind, bytes[at..(at + (int)size)]));
+        reading.Trace.Add($"{kind} at {at}, {size} bytes");
+        reading.At += (int)size;
+        reading.Place = ReferencePlace.Start;
+        return true;
     }
 
     /// <summary>Whether the bytes begin with a whole header that is not refused.</summary>
@@ -55,15 +127,15 @@ internal static class ReferenceScanner
     private static (long? Size, SkipReason Reason) PacketSizeAt(byte[] bytes, int at, int maxValues)
     {
         int left = bytes.Length - at;
-        if (bytes[at] != 0xFF)
+        if (bytes[at] is not (0xFF or 0xCF))
             return (null, SkipReason.NoTokens);
-        if (left >= 2 && KindOf(bytes[at + 1]) == PacketKind.None)
+        if (left >= 2 && KindOf(bytes[at], bytes[at + 1]) == PacketKind.None)
             return (null, SkipReason.NoTokens);
         if (left < 64)
             return (64, default);
 
-        byte closing = bytes[at + 1] switch { 0xDD => 0xEE, 0x88 => 0x99, _ => 0xBB };
-        if (bytes[at + 62] != 0xFF || bytes[at + 63] != closing)
+        byte closing = bytes[at + 1] switch { 0xDD => 0xEE, 0x88 => 0x99, 0xDC => 0xEC, _ => 0xBB };
+        if (bytes[at + 62] != bytes[at] || bytes[at + 63] != closing)
             return (null, SkipReason.NoTokens);
 
         bool isMotion = bytes[at + 1] == 0xDD;
@@ -72,9 +144,12 @@ internal static class ReferenceScanner
 
         long count16 = bytes[at + 6] + (256L * bytes[at + 7]);
         long count32 = count16 + (65536L * bytes[at + 8]) + (16777216L * bytes[at + 9]);
-        long? size = bytes[at + 1] == 0xAA ? CommandSize(bytes.AsSpan(at, 64))
-            : isMotion && bytes[at + 4] == 1 ? Floats(count16, maxValues)
-            : Floats(count32, maxValues);
+        long? size = bytes[at + 1] switch
+        {
+            0xAA => CommandSize(bytes.AsSpan(at, 64)),
+            0xDC => count32 <= 4 * maxValues ? 64 + count32 : null,
+            _ => Floats(isMotion && bytes[at + 4] == 1 ? count16 : count32, maxValues),
+        };
         return (size, SkipReason.TooLarge);
     }
 
@@ -88,11 +163,12 @@ internal static class ReferenceScanner
         return payload <= 100_000 ? 64 + payload : null;
     }
 
-    private static PacketKind KindOf(byte second) => second switch
+    private static PacketKind KindOf(byte first, byte second) => (first, second) switch
     {
-        0xDD => PacketKind.Motion,
-        0x88 => PacketKind.Calculation,
-        0xAA => PacketKind.Command,
+        (0xFF, 0xDD) => PacketKind.Motion,
+        (0xFF, 0x88) => PacketKind.Calculation,
+        (0xFF, 0xAA) => PacketKind.Command,
+        (0xCF, 0xDC) => PacketKind.StudioCalculation,
         _ => PacketKind.None,
     };
 }

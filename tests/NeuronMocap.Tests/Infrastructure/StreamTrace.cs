@@ -1,3 +1,4 @@
+using System.Security.Cryptography;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Infrastructure;
@@ -9,6 +10,7 @@ namespace NeuronMocap.Tests.Infrastructure;
 internal sealed class StreamTrace(byte[] stream) : IPacketReceiver
 {
     private int _position;
+    private int _textAt;
 
     public List<string> Lines { get; } = [];
 
@@ -36,8 +38,23 @@ internal sealed class StreamTrace(byte[] stream) : IPacketReceiver
     {
     }
 
+    public void OnText(ReadOnlySpan<byte> bytes)
+    {
+        if (!bytes.SequenceEqual(stream.AsSpan(_position, bytes.Length)))
+            Assert.Fail($"The text at {_position} is not what the stream has there.");
+
+        _textAt = _position;
+        _position += bytes.Length;
+    }
+
     public void OnPacket(in ReceivedPacket packet)
     {
+        if (packet.IsText)
+        {
+            Lines.Add(Line(packet.Kind, _textAt, packet.Bytes));
+            return;
+        }
+
         if (!packet.Bytes.SequenceEqual(stream.AsSpan(_position, packet.Length)))
             Assert.Fail($"The {packet.Kind} packet at {_position} is not what the stream has there.");
 
@@ -52,11 +69,15 @@ internal sealed class StreamTrace(byte[] stream) : IPacketReceiver
         _position += bytes.Length;
     }
 
-    public void AddPacket(PacketKind kind, int length)
+    private void AddPacket(PacketKind kind, int length)
     {
         Lines.Add($"{kind} at {_position}, {length} bytes");
         _position += length;
     }
+
+    /// <summary>A frame that came as text.</summary>
+    public static string Line(PacketKind kind, int at, ReadOnlySpan<byte> image) =>
+        $"{kind} as text at {at}: {Convert.ToHexString(SHA256.HashData(image.ToArray()))}";
 
     public void AddRefused(SkipReason reason) => Lines.Add($"{reason} at {_position}");
 

@@ -35,6 +35,12 @@ internal sealed class WireBytes
         return Zeros(size - text.Length);
     }
 
+    public WireBytes Bytes(byte[] bytes, int size)
+    {
+        _bytes.AddRange(bytes);
+        return Zeros(size - bytes.Length);
+    }
+
     public WireBytes Floats(ReadOnlySpan<float> values)
     {
         foreach (float value in values)

@@ -11,6 +11,7 @@ internal enum WireShape
     CommandWithoutPayload,
     CommandWithBoneSizes,
     CommandWithText,
+    StudioCalculation,
 }
 
 /// <summary>What payloads and noise are made of.</summary>
@@ -42,6 +43,8 @@ internal abstract record WirePart
             .U32(avatar).Ascii("Char00", 32).Zeros(8).Hex("FF EE").ToArray(),
         WireShape.Calculation => new WireBytes().Hex("FF 88 03 00 00 01").U32(count)
             .U32(avatar).Ascii("Char00", 32).U32(7).Zeros(12).Hex("FF 99").ToArray(),
+        WireShape.StudioCalculation => new WireBytes().Hex("CF DC 00 00 00 02").U32(4 * count)
+            .U32(avatar).Ascii("Char00", 32).U32(7).U32(0).U32(0xFE).Zeros(4).Hex("CF EC").ToArray(),
         _ => new WireBytes().Hex("FF AA 02 00 00 01").U32(64).U32(count).U32(CommandOf(shape)).Zeros(40).U32(0).Hex("FF BB").ToArray(),
     };
 
@@ -50,7 +53,7 @@ internal abstract record WirePart
         byte[] pattern = filling switch
         {
             Filling.Numbers => [.. Enumerable.Range(1, 251).Select(number => (byte)number)],
-            Filling.Tokens => Convert.FromHexString("FFDDFFEEFF88FF99FFAAFFBBFFFFDD00FF"),
+            Filling.Tokens => Convert.FromHexString("FFDDFFEEFF88FF99FFAAFFBBFFFFDD00FFCFDCCFECCFFF0A30"),
             Filling.Packets => [.. Header(WireShape.NewMotion, 1), 1, 2, 3, 4, .. Header(WireShape.Calculation, 0)],
             _ => [0],
         };
@@ -82,7 +85,8 @@ internal sealed record Packet(WireShape Shape, int Count, Filling Filling, uint 
     ];
 
     // Not a property: it would be printed with each case.
-    public bool IsAllowed() => Shape >= WireShape.CommandWithoutPayload || Count <= WireStream.MaxValues;
+    public bool IsAllowed() => Count <= WireStream.MaxValues
+        || Shape is WireShape.CommandWithoutPayload or WireShape.CommandWithBoneSizes or WireShape.CommandWithText;
 
     private int PayloadSize => Shape switch
     {
@@ -119,8 +123,20 @@ internal sealed record TokenPair(PacketKind First, PacketKind Second, int Distan
 {
     public override byte[] ToBytes()
     {
-        byte[] second = [0xFF, Second switch { PacketKind.Motion => 0xEE, PacketKind.Calculation => 0x99, _ => 0xBB }];
-        byte[] first = [0xFF, First switch { PacketKind.Motion => 0xDD, PacketKind.Calculation => 0x88, _ => 0xAA }];
+        byte[] second = Second switch
+        {
+            PacketKind.Motion => [0xFF, 0xEE],
+            PacketKind.Calculation => [0xFF, 0x99],
+            PacketKind.Command => [0xFF, 0xBB],
+            _ => [0xCF, 0xEC],
+        };
+        byte[] first = First switch
+        {
+            PacketKind.Motion => [0xFF, 0xDD],
+            PacketKind.Calculation => [0xFF, 0x88],
+            PacketKind.Command => [0xFF, 0xAA],
+            _ => [0xCF, 0xDC],
+        };
         byte[] bytes = new byte[Distance + 2 + Behind];
         second.CopyTo(bytes, Distance);
         first.CopyTo(bytes, 0);

@@ -8,7 +8,7 @@ namespace NeuronMocap.Tests.Infrastructure;
 internal sealed record WireStream(WirePart[] Parts, int[] PieceSizes)
 {
     /// <summary>What the scanner under test is told to be its limit, so that the edges are cheap.</summary>
-    public const int MaxValues = 50;
+    public const int MaxValues = 190;
 
     // Announced counts at every edge: none, around the limit, where times four wraps around 32 bits, where a signed reading is negative.
     private static readonly uint[] CountEdges =
@@ -19,18 +19,18 @@ internal sealed record WireStream(WirePart[] Parts, int[] PieceSizes)
 
     private static readonly uint[] CommandEdges = [1_562, 1_563, 99_999, 100_000, 100_001, 0x0400_0001, 0x8000_0000, 0xFFFF_FFFF];
 
-    private static readonly byte[] TokenBytes = [0xFF, 0xDD, 0xEE, 0x88, 0x99, 0xAA, 0xBB, 0x00, 0x01, 0x02];
+    private static readonly byte[] TokenBytes = [0xFF, 0xDD, 0xEE, 0x88, 0x99, 0xAA, 0xBB, 0xCF, 0xDC, 0xEC, 0x00, 0x01, 0x02, 0x0A, 0x20, 0x30, 0x7C];
 
     private static readonly Gen<WireShape> AnyShape = Gen.Elements(Enum.GetValues<WireShape>());
 
-    private static readonly Gen<WireShape> DataShape = Gen.Elements(WireShape.NewMotion, WireShape.OldMotion, WireShape.Calculation);
+    private static readonly Gen<WireShape> DataShape = Gen.Elements(WireShape.NewMotion, WireShape.OldMotion, WireShape.Calculation, WireShape.StudioCalculation);
 
     private static readonly Gen<Filling> AnyFilling = Gen.Elements(Enum.GetValues<Filling>());
 
-    private static readonly Gen<PacketKind> AnyKind = Gen.Elements(PacketKind.Motion, PacketKind.Calculation, PacketKind.Command);
+    private static readonly Gen<PacketKind> AnyKind = Gen.Elements(PacketKind.Motion, PacketKind.Calculation, PacketKind.Command, PacketKind.StudioCalculation);
 
     private static readonly Gen<int> AnyCount = Gen.Frequency(
-        (3, Gen.Choose(0, 6)),
+        (6, Gen.Choose(0, 6)),
         (1, Gen.Choose(0, MaxValues)),
         (2, Gen.Elements(0, 1, MaxValues - 1, MaxValues, MaxValues + 1)));
 
@@ -49,9 +49,27 @@ internal sealed record WireStream(WirePart[] Parts, int[] PieceSizes)
         from avatar in Gen.Choose(0, 3)
         select (WirePart)new Packet(shape, count, filling, (uint)avatar);
 
+    /// <summary>Lines of text: frames, and what is nearly one.</summary>
+    public static Gen<WirePart> Lines { get; } =
+        from count in Gen.Frequency((6, Gen.Elements(180, 186)), (1, Gen.Elements(338, 354, 178, 181)), (2, Gen.Choose(0, 5)))
+        from lead in Gen.Elements("0 Char00 ", "7\t演员一 ", "0 演员一的一个很长很长的名字 ", "1 12.5 ", "2 7up ", "", "4294967296 A ", "-1 A ", "A 0 ", " 0  B  ", "0\0 C ")
+        from numbers in Gen.Frequency((3, Gen.Constant(TextNumbers.TwoDecimals)), (1, Gen.Elements(Enum.GetValues<TextNumbers>())))
+        from separator in Gen.Frequency((5, Gen.Constant(" ")), (1, Gen.Elements("\t", "  ", "\r")))
+        from end in Gen.Elements(" ||\r\n", "||\r\n", "\n", "\r\n", "||", " ||\0\0", "|\r\n", " ", "\r", "||\0\r\n\0")
+        select (WirePart)new TextPart(count, lead, numbers, separator, end);
+
     /// <summary>Everything that can stand in a stream.</summary>
     public static Gen<WirePart> AnyPart { get; } = Gen.Frequency(
         (10, WholePackets),
+        (6, Lines),
+        (2, from line in Lines
+            from skipped in Gen.Frequency((1, Gen.Constant(0)), (1, Gen.Choose(0, 900)))
+            from length in Gen.Choose(0, 1_200)
+            select (WirePart)new Stretch(line, skipped, length)),
+        (2, from line in Lines
+            from at in Gen.Choose(0, 400)
+            from value in Gen.Elements(TokenBytes)
+            select (WirePart)new Damaged(line, at, value)),
         (2, from shape in DataShape
             from count in Gen.Elements(CountEdges)
             from payload in Gen.Choose(0, 100)

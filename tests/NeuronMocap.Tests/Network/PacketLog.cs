@@ -9,6 +9,9 @@ internal sealed class PacketLog : IPacketReceiver
 
     public int Skipped { get; private set; }
 
+    /// <summary>Bytes of the text stream: of lines and of what stands behind them.</summary>
+    public int Text { get; private set; }
+
     public List<SkipReason> Reasons { get; } = [];
 
     public void OnLinkOpened()
@@ -16,6 +19,8 @@ internal sealed class PacketLog : IPacketReceiver
     }
 
     public void OnPacket(in ReceivedPacket packet) => Packets.Add((packet.Kind, packet.Bytes.ToArray(), packet.Source));
+
+    public void OnText(ReadOnlySpan<byte> bytes) => Text += bytes.Length;
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
     {

@@ -1,6 +1,8 @@
 using System.Numerics;
 using System.Text;
 using NeuronMocap.Bvh;
+using NeuronMocap.Frames;
+using NeuronMocap.Protocol;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
@@ -41,6 +43,30 @@ public sealed class BvhSourceTests
             Quaternion rotation = EulerAngles.ToQuaternion(new Vector3(angles[0], angles[1], angles[2]), order);
             Assert.Equal(1, Math.Abs(Quaternion.Dot(rotation, pose[(int)bone].Rotation)), tolerance: 1e-5);
         }
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Hips_of_a_file_with_a_reference_node_are_where_they_are_in_the_world(bool reference)
+    {
+        var file = new ChannelLayout(hasDisplacement: false, hasReference: true);
+        float[] row = [.. Enumerable.Range(0, file.ValueCount).Select(static i => i * 13 % 50 - 20f)];
+        string text = BvhHierarchyText.Create(SkeletonFormat.Default, file) + "MOTION\nFrames: 1\nFrame Time: 0.01\n" + string.Join(' ', row) + "\n";
+        var source = new BvhSource(BvhDocument.Parse(Encoding.ASCII.GetBytes(text)));
+
+        var layout = new ChannelLayout(hasDisplacement: false, reference);
+        float[] values = new float[layout.ValueCount];
+        source.WriteValues(0, layout, RotationOrder.YXZ, values);
+        if (reference)
+            Assert.Equal(row, values);
+
+        var frame = new MotionFrame(new MotionHeader { HasReference = reference }, values);
+        BoneTransform[] expected = new BoneTransform[BoneHierarchy.BoneCount];
+        source.GetPose(0, expected);
+        BoneTransform hips = frame.GetReference().Apply(frame[Bone.Hips]);
+        Assert.True(Vector3.Distance(expected[0].Position, hips.Position) < 1e-3);
+        Assert.Equal(1, Math.Abs(Quaternion.Dot(expected[0].Rotation, hips.Rotation)), tolerance: 1e-5);
     }
 
     [Fact]

@@ -1,8 +1,6 @@
-using NeuronMocap.Commands;
+namespace NeuronMocap.Commands;
 
-namespace NeuronMocap;
-
-/// <summary>A command to the server got no right answer.</summary>
+/// <summary>A command was not answered, or not with something that can be its answer. The client can be used again.</summary>
 public sealed class NeuronCommandException : NeuronException
 {
     /// <summary>Makes an exception without a reason.</summary>
@@ -26,11 +24,12 @@ public sealed class NeuronCommandException : NeuronException
     }
 
     /// <summary>Makes an exception.</summary>
-    /// <param name="failure">What went wrong.</param>
+    /// <param name="reason">Why there is no answer.</param>
     /// <param name="message">What happened and which setting to look at.</param>
-    public NeuronCommandException(CommandFailure failure, string message)
-        : base(message) => Failure = failure;
+    /// <param name="innerException">The cause, where there is one.</param>
+    public NeuronCommandException(CommandFailure reason, string message, Exception? innerException = null)
+        : base(message, innerException!) => Reason = reason;
 
-    /// <summary>What went wrong.</summary>
-    public CommandFailure Failure { get; }
+    /// <summary>Why there is no answer.</summary>
+    public CommandFailure Reason { get; }
 }

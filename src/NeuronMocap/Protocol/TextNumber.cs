@@ -1,18 +1,18 @@
 using System.Globalization;
 using System.Text;
 
-namespace NeuronMocap.Bvh;
+namespace NeuronMocap.Protocol;
 
 /// <summary>
 /// Reads a decimal number as the nearest binary32, ties to even: the same bits as float.Parse with the invariant culture.
 /// <para>
 /// With at most 53 bits of digits and a power of ten that a double holds exactly, one division gives the double nearest to the decimal.
 /// Narrowing that rounds a second time, which goes wrong only where the double lies exactly between two floats: then, and outside those
-/// bounds, float.Parse itself decides. Nearly all that motion files contain takes the short way. Utf8Parser would need no copy, but is not exact:
+/// bounds, float.Parse itself decides. Nearly all that motion files and text streams contain takes the short way. Utf8Parser would need no copy, but is not exact:
 /// halfway between two floats it rounds up where zeros follow the fraction (7.115569763501211648000000E+19, .NET 10).
 /// </para>
 /// </summary>
-internal static class BvhNumber
+internal static class TextNumber
 {
     private const ulong ExactIntegers = 1UL << 53;
     private const ulong RoomForADigit = (ulong.MaxValue - 9) / 10;
@@ -127,20 +127,36 @@ internal static class BvhNumber
         bool isNegative = word.Length > 0 && word[0] == '-';
         if (isNegative || (word.Length > 0 && word[0] == '+'))
             word = word[1..];
-        if (BvhText.StartsWith(word, "1.#"u8))
+        if (StartsWith(word, "1.#"u8))
             word = word[3..];
 
-        if (BvhText.StartsWith(word, "inf"u8))
+        if (StartsWith(word, "inf"u8))
         {
             value = isNegative ? float.NegativeInfinity : float.PositiveInfinity;
             return true;
         }
 
         value = float.NaN;
-        return BvhText.StartsWith(word, "nan"u8)
-            || BvhText.StartsWith(word, "ind"u8)
-            || BvhText.StartsWith(word, "qnan"u8)
-            || BvhText.StartsWith(word, "snan"u8);
+        return StartsWith(word, "nan"u8)
+            || StartsWith(word, "ind"u8)
+            || StartsWith(word, "qnan"u8)
+            || StartsWith(word, "snan"u8);
+    }
+
+    // In any case of the letters; the keyword's are small.
+    private static bool StartsWith(ReadOnlySpan<byte> word, ReadOnlySpan<byte> keyword)
+    {
+        if (word.Length < keyword.Length)
+            return false;
+
+        for (int i = 0; i < keyword.Length; i++)
+        {
+            byte letter = word[i] is >= (byte)'A' and <= (byte)'Z' ? (byte)(word[i] | 0x20) : word[i];
+            if (letter != keyword[i])
+                return false;
+        }
+
+        return true;
     }
 
     private static bool IsDigit(byte letter) => letter is >= (byte)'0' and <= (byte)'9';

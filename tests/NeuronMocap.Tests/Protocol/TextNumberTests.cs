@@ -1,10 +1,10 @@
 using System.Globalization;
 using System.Text;
-using NeuronMocap.Bvh;
+using NeuronMocap.Protocol;
 
-namespace NeuronMocap.Tests.Bvh;
+namespace NeuronMocap.Tests.Protocol;
 
-public class BvhNumberTests
+public class TextNumberTests
 {
     [Theory]
     [InlineData("0")]
@@ -63,8 +63,8 @@ public class BvhNumberTests
     [InlineData("in")]
     public void What_is_not_a_number_is_refused(string text)
     {
-        Assert.False(BvhNumber.TryParse(Encoding.UTF8.GetBytes(text), out float _));
-        Assert.False(BvhNumber.TryParse(Encoding.UTF8.GetBytes(text), out double _, out _));
+        Assert.False(TextNumber.TryParse(Encoding.UTF8.GetBytes(text), out float _));
+        Assert.False(TextNumber.TryParse(Encoding.UTF8.GetBytes(text), out double _, out _));
     }
 
     // What a recorder prints, to various precisions.
@@ -117,16 +117,16 @@ public class BvhNumberTests
     [Fact]
     public void Doubles_are_read_with_the_place_of_their_last_digit()
     {
-        Assert.True(BvhNumber.TryParse("0.0080"u8, out double value, out int lastDigit));
+        Assert.True(TextNumber.TryParse("0.0080"u8, out double value, out int lastDigit));
         Assert.Equal((0.008, -4), (value, lastDigit));
-        Assert.True(BvhNumber.TryParse("-12.5e3"u8, out value, out lastDigit));
+        Assert.True(TextNumber.TryParse("-12.5e3"u8, out value, out lastDigit));
         Assert.Equal((-12500, 2), (value, lastDigit));
     }
 
     private static void AssertLikeTheFramework(string text)
     {
         float expected = float.Parse(text, CultureInfo.InvariantCulture);
-        Assert.True(BvhNumber.TryParse(Encoding.UTF8.GetBytes(text), out float actual), text);
+        Assert.True(TextNumber.TryParse(Encoding.UTF8.GetBytes(text), out float actual), text);
         if (BitConverter.SingleToInt32Bits(expected) != BitConverter.SingleToInt32Bits(actual))
             Assert.Fail($"{text} is read as {actual:R} instead of {expected:R}.");
     }

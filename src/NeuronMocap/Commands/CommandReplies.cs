@@ -1,0 +1,66 @@
+using System.Text;
+using NeuronMocap.Bvh;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Commands;
+
+// What the payloads of replies mean (protocol.md section 6); anything that cannot be an answer is an exception.
+internal sealed class CommandReplies(string target)
+{
+    public bool ReadZeroOut(ReadOnlySpan<byte> payload, int? avatar)
+    {
+        // The vendor's library looks at the first byte alone: 256 is a refusal.
+        if (payload.IsEmpty || payload[0] == 0)
+            throw CommandAdvice.NotZeroedOut(target, avatar);
+
+        return true;
+    }
+
+    public RotationOrder ReadRotationOrder(ReadOnlySpan<byte> payload)
+    {
+        if (payload.IsEmpty)
+            throw CommandAdvice.NoAnswer(target, avatar: null);
+
+        // An integer of four bytes; the vendor's library takes fewer, too.
+        long value = 0;
+        for (int i = Math.Min(payload.Length, sizeof(uint)) - 1; i >= 0; i--)
+            value = (value << 8) | payload[i];
+
+        if (value is < (int)RotationOrder.XZY or > (int)RotationOrder.ZYX)
+            throw CommandAdvice.InvalidReply(target, $"the rotation order is {value}, which is none of the six, 0 to 5.");
+
+        return (RotationOrder)value;
+    }
+
+    public BoneDimensions ReadDimensions(ReadOnlySpan<byte> payload, int avatar)
+    {
+        if (payload.IsEmpty)
+            throw CommandAdvice.NoAnswer(target, avatar);
+        if (payload.Length < BoneDimensions.Size)
+            throw CommandAdvice.InvalidReply(target, $"the bone sizes are {payload.Length} bytes instead of {BoneDimensions.Size}.");
+        if (!BoneDimensions.TryRead(payload, out BoneDimensions dimensions))
+            throw CommandAdvice.InvalidReply(target, "the bone sizes are none: one is negative, or not a number.");
+
+        return dimensions;
+    }
+
+    public (string Text, BvhDocument Document) ReadHeader(ReadOnlySpan<byte> payload, int avatar)
+    {
+        // C programs may count the terminator.
+        ReadOnlySpan<byte> utf8 = payload;
+        while (!utf8.IsEmpty && utf8[^1] == 0)
+            utf8 = utf8[..^1];
+
+        if (utf8.IsEmpty)
+            throw CommandAdvice.NoAnswer(target, avatar);
+
+        try
+        {
+            return (Encoding.UTF8.GetString(utf8), BvhDocument.Parse(utf8));
+        }
+        catch (BvhFormatException exception)
+        {
+            throw CommandAdvice.InvalidReply(target, $"the BVH header cannot be read: {exception.Message}", exception);
+        }
+    }
+}

@@ -1,0 +1,75 @@
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Commands;
+
+// Finds the replies in what a command connection brings, however it is cut up. Bytes that are no header are passed over to the next place where
+// both tokens stand. Keeps no more than one reply's largest size, whatever a header announces.
+internal sealed class CommandReplyReader(int maxPayload)
+{
+    private byte[] _buffer = new byte[1024];
+    private int _start;
+    private int _end;
+
+    public long Skipped { get; private set; }
+
+    // Whether nothing is left over.
+    public bool IsEmpty => _start == _end;
+
+    // Room for the next bytes; to be followed by Add.
+    public ArraySegment<byte> GetRoom()
+    {
+        if (_start > 0)
+        {
+            _buffer.AsSpan(_start, _end - _start).CopyTo(_buffer);
+            _end -= _start;
+            _start = 0;
+        }
+
+        if (_end == _buffer.Length)
+            Array.Resize(ref _buffer, 2 * _buffer.Length);
+
+        return new ArraySegment<byte>(_buffer, _end, _buffer.Length - _end);
+    }
+
+    public void Add(int count) => _end += count;
+
+    // False when more bytes are needed. A header that announces less than nothing or more than is allowed comes without a payload, and nothing can be
+    // read after it. The payload is valid until the next call of GetRoom.
+    public bool TryRead(out CommandChannelHeader header, out ReadOnlySpan<byte> payload)
+    {
+        payload = default;
+        ReadOnlySpan<byte> bytes = _buffer.AsSpan(_start, _end - _start);
+        int at = FindHeader(bytes, out header);
+        _start += at;
+        Skipped += at;
+        bytes = bytes[at..];
+        if (bytes.Length < CommandChannelHeader.Size)
+            return false;
+        if (!IsAllowed(header))
+            return true;
+        if (bytes.Length - CommandChannelHeader.Size < header.PayloadSize)
+            return false;
+
+        payload = bytes.Slice(CommandChannelHeader.Size, header.PayloadSize);
+        _start += CommandChannelHeader.Size + header.PayloadSize;
+        return true;
+    }
+
+    public bool IsAllowed(in CommandChannelHeader header) => header.PayloadSize >= 0 && header.PayloadSize <= maxPayload;
+
+    // Where a header stands, or where one may begin that is not all there.
+    private static int FindHeader(ReadOnlySpan<byte> bytes, out CommandChannelHeader header)
+    {
+        header = default;
+        for (int at = 0; ; at++)
+        {
+            int next = bytes[at..].IndexOf(ProtocolConstants.TokenStart);
+            if (next < 0)
+                return bytes.Length;
+
+            at += next;
+            if (bytes.Length - at < CommandChannelHeader.Size || CommandChannelHeader.TryRead(bytes[at..], out header))
+                return at;
+        }
+    }
+}

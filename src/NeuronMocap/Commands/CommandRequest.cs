@@ -1,0 +1,51 @@
+using System.Buffers.Binary;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Commands;
+
+// Turns a payload into an answer, or throws a NeuronCommandException.
+internal delegate T ReplyParser<T>(ReadOnlySpan<byte> payload);
+
+// One call from its beginning to its end.
+internal abstract class CommandRequest(CommandChannelId? id, int? avatar)
+{
+    // Null for a call that only wants a connection.
+    public CommandChannelId? Id => id;
+
+    public CancellationTokenRegistration Cancellation { get; set; }
+
+    public abstract bool IsCompleted { get; }
+
+    public byte[] Encode()
+    {
+        int payloadSize = avatar is null ? 0 : sizeof(int);
+        byte[] packet = new byte[CommandChannelHeader.Size + payloadSize];
+        new CommandChannelHeader { CommandId = (ushort)id!.Value, PayloadSize = payloadSize }.Write(packet);
+        if (avatar is { } index)
+            BinaryPrimitives.WriteInt32LittleEndian(packet.AsSpan(CommandChannelHeader.Size), index);
+
+        return packet;
+    }
+
+    public abstract void Complete(ReadOnlySpan<byte> payload);
+
+    public abstract bool Fail(Exception exception);
+
+    public abstract bool Cancel(CancellationToken token);
+}
+
+internal sealed class CommandRequest<T>(CommandChannelId? id, int? avatar, ReplyParser<T> parse) : CommandRequest(id, avatar)
+{
+    // Handed to the caller as it is: somebody who blocks on it is woken by the thread that completes it, and needs none of the pool's.
+    private readonly TaskCompletionSource<T> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
+
+    public Task<T> Task => _completion.Task;
+
+    public override bool IsCompleted => _completion.Task.IsCompleted;
+
+    public override void Complete(ReadOnlySpan<byte> payload) => _completion.TrySetResult(parse(payload));
+
+    public override bool Fail(Exception exception) => _completion.TrySetException(exception);
+
+    public override bool Cancel(CancellationToken token) => _completion.TrySetCanceled(token);
+}

@@ -1,0 +1,148 @@
+using System.Diagnostics;
+using System.Numerics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Frames;
+
+/// <summary>
+/// What sensors measure and bones do of one avatar at one instant, as Axis Studio sends it in place of Axis Neuron's calculation data
+/// (protocol.md section 9). Bones stand in the order of the BVH stream. For how long a frame is valid, see <see cref="AvatarFrame"/>.
+/// </summary>
+public sealed class StudioCalculationFrame : AvatarFrame
+{
+    /// <summary>Number of bytes behind the header of a frame of 59 bones.</summary>
+    public const int FullByteCount = BoneHierarchy.BoneCount * ValuesPerBone * sizeof(float);
+
+    // 20 numbers and the flag.
+    private const int ValuesPerBone = 21;
+
+    private const int Flag = 20;
+
+    /// <summary>Makes a frame that owns its memory: to test code that takes frames, or to feed one from another source.</summary>
+    /// <param name="header">The header; its count is replaced by the number of bytes.</param>
+    /// <param name="payload">What follows the header on the wire; copied.</param>
+    public StudioCalculationFrame(in StudioCalculationHeader header, ReadOnlySpan<byte> payload)
+    {
+        byte[] packet = new byte[ProtocolConstants.HeaderSize + payload.Length];
+        PacketEncoder.WriteStudioCalculation(packet, header, payload);
+        Borrow(new ReceivedPacket(PacketKind.StudioCalculation, packet, Stopwatch.GetTimestamp(), source: 0));
+    }
+
+    internal StudioCalculationFrame()
+    {
+    }
+
+    /// <summary>All fields of the packet's header.</summary>
+    public StudioCalculationHeader Header => StudioCalculationHeader.Read(_data.Header);
+
+    /// <inheritdoc/>
+    public override int AvatarIndex => (int)StudioCalculationHeader.ReadAvatarIndex(_data.Header);
+
+    /// <inheritdoc/>
+    public override string AvatarName => AvatarNames.GetText(StudioCalculationHeader.ReadAvatarName(_data.Header));
+
+    /// <inheritdoc/>
+    public override uint? FrameIndex => StudioCalculationHeader.ReadFrameIndex(_data.Header);
+
+    /// <summary>All bytes behind the header. Valid as long as the frame.</summary>
+    public ReadOnlySpan<byte> Payload => _data.Packet[ProtocolConstants.HeaderSize..];
+
+    /// <summary>
+    /// Whether the frame carries the 59 bones in the one layout that is known: version 2.0, <see cref="StudioCalculationHeader.FullDataMask"/>
+    /// and 4956 bytes. Without, only <see cref="Payload"/>, <see cref="AvatarFrame.Values"/> and the header are of use, and the members that
+    /// ask for a bone throw.
+    /// </summary>
+    public bool HasSkeleton { get; private set; }
+
+    /// <summary>Rotation of a bone's sensor.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <returns>The quaternion as received; the stream's order is x y z w.</returns>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public Quaternion GetSensorRotation(Bone bone) => ReadQuaternion(bone, 0);
+
+    /// <summary>Angular velocity measured by a bone's sensor.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <returns>In the sensor's own axes; the unit is not documented.</returns>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public Vector3 GetAngularVelocity(Bone bone) => ReadVector(bone, 4);
+
+    /// <summary>Acceleration measured by a bone's sensor.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <returns>In the sensor's own axes; the unit is not documented.</returns>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public Vector3 GetAcceleration(Bone bone) => ReadVector(bone, 7);
+
+    /// <summary>Velocity of a bone's joint in the world.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <returns>In the axes that the server is set to; the unit is not documented.</returns>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public Vector3 GetVelocity(Bone bone) => ReadVector(bone, 10);
+
+    /// <summary>Position of a bone's joint in the world.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <returns>Metres, in the axes that the server is set to.</returns>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public Vector3 GetPosition(Bone bone) => ReadVector(bone, 13);
+
+    /// <summary>Rotation of a bone.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <returns>The quaternion as received; the stream's order is x y z w.</returns>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public Quaternion GetRotation(Bone bone) => ReadQuaternion(bone, 16);
+
+    /// <summary>Whether the server has lost the sensor of a bone.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public bool IsSensorLost(Bone bone) => BitConverter.SingleToInt32Bits(Read(bone, Flag, 1)[0]) != 0;
+
+    /// <summary>Makes a copy that owns its memory and stays valid.</summary>
+    /// <returns>A frame equal to this one, time of receipt included.</returns>
+    public StudioCalculationFrame Clone()
+    {
+        var clone = new StudioCalculationFrame();
+        clone.CopyFrom(this);
+        return clone;
+    }
+
+    private protected override void OnData()
+    {
+        if (Payload.Length != FullByteCount)
+        {
+            HasSkeleton = false;
+            return;
+        }
+
+        StudioCalculationHeader header = Header;
+        HasSkeleton = header is { Version: { Major: 2, Minor: 0 }, DataMask: StudioCalculationHeader.FullDataMask };
+    }
+
+    private Vector3 ReadVector(Bone bone, int field)
+    {
+        ReadOnlySpan<float> values = Read(bone, field, 3);
+        return new Vector3(values[0], values[1], values[2]);
+    }
+
+    private Quaternion ReadQuaternion(Bone bone, int field)
+    {
+        ReadOnlySpan<float> values = Read(bone, field, 4);
+        return new Quaternion(values[0], values[1], values[2], values[3]);
+    }
+
+    private ReadOnlySpan<float> Read(Bone bone, int field, int count)
+    {
+        if ((uint)bone >= BoneHierarchy.BoneCount)
+            throw new ArgumentOutOfRangeException(nameof(bone), bone, "There is no such bone.");
+        if (!HasSkeleton)
+            throw new InvalidOperationException("The frame does not hold the 59 bones; see HasSkeleton.");
+
+        return Values.Slice(((int)bone * ValuesPerBone) + field, count);
+    }
+}

@@ -1,0 +1,210 @@
+using System.Buffers.Binary;
+
+namespace NeuronMocap.Protocol;
+
+// Makes the binary image of a packet from a line of the text stream (protocol.md section 8): avatar number, name, values; calculation lines
+// may be values alone. The number of words says what a line is, so that a name may be a number. The image has the version None and lacks the
+// second token, so that nothing that comes off the wire can be taken for one. Its memory is used again for the next line. Not thread-safe.
+internal sealed class TextLine(int maxValues)
+{
+    // Number and name before the values.
+    private const int Leading = 2;
+
+    // A number has fewer digits; a longer word is none.
+    private const int LongestNumber = 128;
+
+    private const int FewestWords = 3;
+
+    private byte[] _image = [];
+    private byte[] _withoutZeros = [];
+
+    public byte[] Image => _image;
+
+    public int ImageLength { get; private set; }
+
+    public static bool IsImage(ReadOnlySpan<byte> packet) => packet[ProtocolConstants.HeaderSize - 1] == 0;
+
+    // What stands between two words. A zero byte does not part words: it counts for nothing wherever it stands.
+    public static bool IsSeparator(byte value) => value is (byte)' ' or (byte)'\t' or (byte)'\r' or (byte)'\n' or (byte)'|';
+
+    // Whether the bytes begin as only a whole line can: a number, a name that is none, and a number. Where it is not known whether a beginning is
+    // missing, it is not.
+    public static bool BeginsTelling(ReadOnlySpan<byte> line) =>
+        line.Length > 0 && !IsSeparator(line[0]) && IsIndex(TakeWord(ref line), out _) && !IsNumber(TakeWord(ref line)) && IsNumber(TakeWord(ref line));
+
+    // None where the line is no frame; then the reason says why: NoTokens where it is no line of this format at all, or may be the rest of one whose
+    // beginning was missed.
+    public PacketKind Read(ReadOnlySpan<byte> line, int words, bool isWhole, out SkipReason reason)
+    {
+        line = WithoutZeros(line);
+        reason = SkipReason.NoTokens;
+        if (!isWhole && !BeginsTelling(line))
+            return PacketKind.None;
+
+        (PacketKind kind, int count) = KindOf(words);
+        if (count > maxValues)
+        {
+            reason = SkipReason.TooLarge;
+            return PacketKind.None;
+        }
+
+        if (kind != PacketKind.None && TryRead(line, kind, count, isLed: words != count))
+            return kind;
+
+        if (IsLike(line, words))
+            reason = SkipReason.MalformedLine;
+
+        return PacketKind.None;
+    }
+
+    private static (PacketKind Kind, int Count) KindOf(int words) => words switch
+    {
+        180 + Leading or 186 + Leading or 354 + Leading or 360 + Leading => (PacketKind.Motion, words - Leading),
+        338 + Leading or 946 + Leading => (PacketKind.Calculation, words - Leading),
+        338 or 946 => (PacketKind.Calculation, words),
+        _ => (PacketKind.None, 0),
+    };
+
+    private static bool IsLike(ReadOnlySpan<byte> line, int words)
+    {
+        if (words < FewestWords || !IsNumber(TakeWord(ref line)))
+            return false;
+
+        TakeWord(ref line);
+        return IsNumber(TakeWord(ref line));
+    }
+
+    private bool TryRead(ReadOnlySpan<byte> line, PacketKind kind, int count, bool isLed)
+    {
+        uint avatar = 0;
+        ReadOnlySpan<byte> name = default;
+        if (isLed)
+        {
+            if (!IsIndex(TakeWord(ref line), out avatar))
+                return false;
+
+            name = TakeWord(ref line);
+        }
+
+        ImageLength = ProtocolConstants.HeaderSize + (count * sizeof(float));
+        if (_image.Length < ImageLength)
+            _image = new byte[ImageLength];
+
+        for (int at = ProtocolConstants.HeaderSize; at < ImageLength; at += sizeof(float))
+        {
+            if (!TryParse(TakeWord(ref line), out float value))
+                return false;
+
+            BinaryPrimitives.WriteInt32LittleEndian(_image.AsSpan(at), BitConverter.SingleToInt32Bits(value));
+        }
+
+        WriteHeader(kind, count, avatar, NameOf(name));
+        return true;
+    }
+
+    private void WriteHeader(PacketKind kind, int count, uint avatar, in AvatarName name)
+    {
+        if (kind == PacketKind.Motion)
+        {
+            new MotionHeader
+            {
+                Version = DataVersion.None,
+                ValueCount = count,
+                HasDisplacement = count >= 354,
+                HasReference = count is 186 or 360,
+                AvatarIndex = avatar,
+                AvatarName = name,
+            }.Write(_image);
+        }
+        else
+        {
+            new CalculationHeader { Version = DataVersion.None, ValueCount = count, AvatarIndex = avatar, AvatarName = name }.Write(_image);
+        }
+
+        _image.AsSpan(ProtocolConstants.Token2Offset, 2).Clear();
+    }
+
+    // What does not fit is cut off, between two characters.
+    private static AvatarName NameOf(ReadOnlySpan<byte> name)
+    {
+        if (name.Length <= ProtocolConstants.AvatarNameSize)
+            return new AvatarName(name);
+
+        int length = ProtocolConstants.AvatarNameSize;
+        while (length > 0 && (name[length] & 0xC0) == 0x80)
+            length--;
+
+        return new AvatarName(name[..length]);
+    }
+
+    // Valid until the next line.
+    private ReadOnlySpan<byte> WithoutZeros(ReadOnlySpan<byte> line)
+    {
+        if (line.IndexOf((byte)0) < 0)
+            return line;
+
+        if (_withoutZeros.Length < line.Length)
+            _withoutZeros = new byte[Math.Max(line.Length, 2 * _withoutZeros.Length)];
+
+        int length = 0;
+        foreach (byte value in line)
+        {
+            if (value != 0)
+                _withoutZeros[length++] = value;
+        }
+
+        return _withoutZeros.AsSpan(0, length);
+    }
+
+    private static ReadOnlySpan<byte> TakeWord(scoped ref ReadOnlySpan<byte> line)
+    {
+        int start = 0;
+        while (start < line.Length && IsSeparator(line[start]))
+            start++;
+
+        int end = start;
+        while (end < line.Length && !IsSeparator(line[end]))
+            end++;
+
+        ReadOnlySpan<byte> word = line[start..end];
+        line = line[end..];
+        return word;
+    }
+
+    private static bool IsIndex(ReadOnlySpan<byte> word, out uint index)
+    {
+        ulong number = 0;
+        foreach (byte letter in word)
+        {
+            if (letter is < (byte)'0' or > (byte)'9')
+            {
+                number = ulong.MaxValue;
+                break;
+            }
+
+            number = Math.Min((number * 10) + (ulong)(letter - '0'), uint.MaxValue + 1UL);
+        }
+
+        index = (uint)number;
+        return word.Length > 0 && number <= uint.MaxValue;
+    }
+
+    private static bool IsNumber(ReadOnlySpan<byte> word) => TryParse(word, out _);
+
+    // Servers of some languages write a comma for the point.
+    private static bool TryParse(ReadOnlySpan<byte> word, out float value)
+    {
+        int comma = word.IndexOf((byte)',');
+        if (comma < 0 && word.Length <= LongestNumber)
+            return TextNumber.TryParse(word, out value);
+
+        value = 0;
+        if (word.Length > LongestNumber)
+            return false;
+
+        Span<byte> pointed = stackalloc byte[LongestNumber];
+        word.CopyTo(pointed);
+        pointed[comma] = (byte)'.';
+        return TextNumber.TryParse(pointed[..word.Length], out value);
+    }
+}

@@ -1,0 +1,296 @@
+using System.Net.Sockets;
+using System.Text;
+using NeuronMocap.Bvh;
+using NeuronMocap.Commands;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Network;
+using static NeuronMocap.Tests.Commands.CommandAnswerTests;
+
+namespace NeuronMocap.Tests.Commands;
+
+// Whatever a server does, a call ends with its own answer or with an exception, and the next one works.
+public class CommandFaultTests
+{
+    private static readonly TimeSpan Short = TimeSpan.FromMilliseconds(60);
+    private static readonly byte[] ZXY = [4, 0, 0, 0];
+    private static readonly byte[] XYZ = [2, 0, 0, 0];
+
+    [Fact]
+    public async Task No_answer_is_a_timeout_and_the_next_call_has_a_connection_of_its_own()
+    {
+        ScriptedRequest? unanswered = null;
+        using var server = CommandScript.InTurn(
+            request =>
+            {
+                unanswered = request;
+                return Task.CompletedTask;
+            },
+            async request =>
+            {
+                // The first answer comes now, when it could be taken for this one.
+                await TryAsync(() => unanswered!.ReplyAsync(XYZ));
+                await request.ReplyAsync(ZXY);
+            });
+        using NeuronCommandClient client = server.CreateClient(static options => options.Timeout = TimeSpan.FromSeconds(1));
+
+        await FailsAsync(client.GetRotationOrderAsync(), CommandFailure.TimedOut, "NeuronCommandOptions.Timeout");
+        Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync().Soon());
+        Assert.Equal(2, server.Connections);
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(15)]
+    [InlineData(16)]
+    [InlineData(63)]
+    public async Task A_reply_that_stops_in_the_middle_is_a_timeout(int length)
+    {
+        using var server = new CommandScript(request => request.SendAsync(CommandScript.Packet(Bytes(Sizes(0)), request.Id)[..length]));
+        using NeuronCommandClient client = server.CreateClient(static options => options.Timeout = Short);
+        await FailsAsync(client.GetBoneDimensionsAsync(0), CommandFailure.TimedOut, "not complete");
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public async Task The_end_of_the_connection_at_any_point_is_told_and_the_next_call_works(bool reset)
+    {
+        byte[] packet = CommandScript.Packet(ZXY, 1003);
+        for (int length = 0; length < packet.Length; length++)
+        {
+            using var server = CommandScript.InTurn(
+                async request =>
+                {
+                    await request.SendAsync(packet[..length]);
+                    if (reset)
+                        request.Connection.Reset();
+                    else
+                        request.Connection.Close();
+                },
+                request => request.ReplyAsync(XYZ));
+            using NeuronCommandClient client = server.CreateClient();
+
+            await FailsAsync(client.GetRotationOrderAsync(), CommandFailure.Closed, "closed the connection");
+            Assert.Equal(RotationOrder.XYZ, await client.GetRotationOrderAsync().Soon());
+        }
+    }
+
+    [Fact]
+    public async Task A_server_that_closes_after_each_answer_is_served_on_a_new_connection_for_each()
+    {
+        using var server = new CommandScript(async request =>
+        {
+            await request.ReplyAsync(request.Id == 1003 ? ZXY : [1]);
+            request.Connection.Close();
+        });
+        using NeuronCommandClient client = server.CreateClient();
+        for (int i = 0; i < 20; i++)
+        {
+            Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync().Soon());
+            await client.ZeroOutAllAsync().Soon();
+        }
+    }
+
+    [Fact]
+    public async Task A_connection_that_ends_in_the_moment_of_a_request_is_replaced()
+    {
+        using var server = CommandScript.InTurn(
+            request => request.ReplyAsync(ZXY),
+            request =>
+            {
+                request.Connection.Reset();
+                return Task.CompletedTask;
+            },
+            request => request.ReplyAsync([1]));
+        using NeuronCommandClient client = server.CreateClient();
+
+        Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync().Soon());
+        await client.ZeroOutAllAsync().Soon();
+        Assert.Equal(3, server.Requests);
+        Assert.Equal(2, server.Connections);
+    }
+
+    [Fact]
+    public async Task Different_commands_share_a_connection_and_the_same_one_never_does()
+    {
+        using var server = new CommandScript(request => request.ReplyAsync(request.Id switch
+        {
+            1003 => ZXY,
+            1004 => Bytes(Sizes(request.Avatar)),
+            _ => [1],
+        }));
+        using NeuronCommandClient client = server.CreateClient();
+        await client.ConnectAsync().Soon();
+        await client.GetRotationOrderAsync().Soon();
+        await client.ZeroOutAllAsync().Soon();
+        await client.ZeroOutAsync(1).Soon();
+        await client.GetBoneDimensionsAsync(1).Soon();
+        Assert.Equal(1, server.Connections);
+
+        Assert.Equal(Sizes(2), await client.GetBoneDimensionsAsync(2).Soon());
+        Assert.Equal(2, server.Connections);
+    }
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public async Task A_second_answer_is_never_taken_for_another_calls(bool isLate)
+    {
+        byte[]? second = null;
+        using var server = new CommandScript(async request =>
+        {
+            // Late: when the next request is there, and before its answer.
+            byte[] packet = CommandScript.Packet(request.Id == 1003 ? ZXY : Bytes(Sizes(request.Avatar)), request.Id);
+            await request.SendAsync([.. second ?? [], .. packet, .. isLate ? [] : packet]);
+            second = isLate ? packet : null;
+        });
+        using NeuronCommandClient client = server.CreateClient();
+        for (int avatar = 0; avatar < 10; avatar++)
+        {
+            Assert.Equal(Sizes(avatar), await client.GetBoneDimensionsAsync(avatar).Soon());
+            Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync().Soon());
+            second = null;
+        }
+    }
+
+    [Fact]
+    public async Task The_late_answer_to_something_else_is_passed_over()
+    {
+        using var server = new CommandScript(async request =>
+        {
+            await request.ReplyAsync([1], id: 1001);
+            await request.ReplyAsync(Bytes(Sizes(9)), id: 1004);
+            await request.ReplyAsync(ZXY);
+        });
+        using NeuronCommandClient client = server.CreateClient();
+        Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync().Soon());
+    }
+
+    [Fact]
+    public async Task A_number_that_is_no_commands_is_taken_only_when_told_so()
+    {
+        using var server = new CommandScript(request => request.ReplyAsync(ZXY, id: 77));
+        using NeuronCommandClient strict = server.CreateClient();
+        await FailsAsync(strict.GetRotationOrderAsync(), CommandFailure.InvalidReply, "NeuronCommandOptions.AcceptAnyReplyId");
+
+        using NeuronCommandClient lenient = server.CreateClient(static options => options.AcceptAnyReplyId = true);
+        Assert.Equal(RotationOrder.ZXY, await lenient.GetRotationOrderAsync().Soon());
+        Assert.Equal(RotationOrder.ZXY, await lenient.GetRotationOrderAsync().Soon());
+    }
+
+    [Fact]
+    public async Task A_server_that_does_not_repeat_the_number_gets_a_connection_for_each_request()
+    {
+        using var server = new CommandScript(request => request.ReplyAsync(request.Id == 1003 ? ZXY : [1], id: 0));
+        using NeuronCommandClient client = server.CreateClient();
+        Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync().Soon());
+        await client.ZeroOutAllAsync().Soon();
+        await client.ZeroOutAsync(0).Soon();
+        Assert.Equal(3, server.Connections);
+    }
+
+    [Theory]
+    [InlineData(-1, "-1 bytes")]
+    [InlineData(int.MinValue, "bytes")]
+    [InlineData(100_001, "NeuronCommandOptions.MaxReplySize")]
+    [InlineData(int.MaxValue, "NeuronCommandOptions.MaxReplySize")]
+    public async Task A_size_that_cannot_be_is_told_at_once(int size, string told)
+    {
+        using var server = CommandScript.InTurn(
+            request => request.SendAsync(CommandScript.Packet(ZXY, request.Id, size)),
+            request => request.ReplyAsync(ZXY));
+        using NeuronCommandClient client = server.CreateClient();
+        await FailsAsync(client.GetRotationOrderAsync(), CommandFailure.InvalidReply, told);
+        Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync().Soon());
+    }
+
+    [Fact]
+    public async Task A_reply_may_be_as_large_as_the_vendors_largest_when_told_so()
+    {
+        byte[] header = Encoding.ASCII.GetBytes(BvhHierarchyText.Create(SkeletonFormat.Default, default));
+        byte[] payload = [.. header, .. Enumerable.Repeat((byte)'\n', 200_016 - header.Length)];
+        using var server = CommandScript.Always(payload);
+        using NeuronCommandClient client = server.CreateClient(static options => options.MaxReplySize = 200_016);
+        Assert.Equal(200_016, (await client.GetBvhHeaderTextAsync(0).Soon()).Length);
+    }
+
+    [Fact]
+    public async Task Bytes_that_are_no_reply_are_passed_over()
+    {
+        using var server = new CommandScript(request => request.SendAsync(
+            [1, 2, 0xFF, 0xAA, 3, .. CommandScript.Packet([], 1003)[..15], .. CommandScript.Packet(ZXY, request.Id)]));
+        using NeuronCommandClient client = server.CreateClient();
+        for (int i = 0; i < 3; i++)
+            Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync().Soon());
+    }
+
+    [Fact]
+    public async Task Something_unasked_for_that_waits_makes_a_new_connection()
+    {
+        TestConnection? connection = null;
+        using var server = new CommandScript(request =>
+        {
+            connection = request.Connection;
+            return request.ReplyAsync(request.Id == 1003 ? ZXY : [1]);
+        });
+        using NeuronCommandClient client = server.CreateClient();
+        await client.ZeroOutAllAsync().Soon();
+        await connection!.SendAsync(CommandScript.Packet(XYZ, 1003));
+        await WaitForArrivalAsync();
+
+        Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync().Soon());
+        Assert.Equal(2, server.Connections);
+    }
+
+    [Fact]
+    public async Task The_port_of_a_stream_is_told_as_what_it_is_not()
+    {
+        // Frames come before and after the request, all the time.
+        byte[] frame = TestPackets.Motion(frame: 1);
+        using var end = new CancellationTokenSource();
+        using var server = new CommandScript(
+            static _ => Task.CompletedTask,
+            async connection =>
+            {
+                _ = SendForEverAsync(connection, frame, end.Token);
+                await connection.SendAsync(frame);
+            });
+        using NeuronCommandClient client = server.CreateClient(static options => options.Timeout = Short);
+
+        NeuronCommandException exception = await Assert.ThrowsAsync<NeuronCommandException>(() => client.GetRotationOrderAsync().Soon());
+        await end.CancelAsync();
+        Assert.True(exception.Reason is CommandFailure.InvalidReply or CommandFailure.TimedOut, exception.Message);
+        Assert.Contains("not the port of the stream", exception.Message, StringComparison.Ordinal);
+    }
+
+    private static async Task SendForEverAsync(TestConnection connection, byte[] bytes, CancellationToken end)
+    {
+        try
+        {
+            while (!end.IsCancellationRequested)
+            {
+                await connection.SendAsync(bytes);
+                await Task.Delay(1, end);
+            }
+        }
+        catch (Exception exception) when (exception is SocketException or ObjectDisposedException or OperationCanceledException)
+        {
+            // The client has had enough.
+        }
+    }
+
+    private static async Task TryAsync(Func<Task> send)
+    {
+        try
+        {
+            await send();
+        }
+        catch (Exception exception) when (exception is SocketException or ObjectDisposedException)
+        {
+            // The connection is gone, as it should be.
+        }
+    }
+
+    // Over loopback what is sent has arrived, on Linux; elsewhere the system may take a moment.
+    private static Task WaitForArrivalAsync() => OperatingSystem.IsLinux() ? Task.CompletedTask : Task.Delay(50);
+}

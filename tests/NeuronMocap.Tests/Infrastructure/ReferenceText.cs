@@ -1,0 +1,162 @@
+using System.Globalization;
+using System.Text;
+using System.Text.RegularExpressions;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Tests.Infrastructure;
+
+/// <summary>What a position in a stream is to the text format: whether a line may begin there.</summary>
+internal enum ReferencePlace
+{
+    Start,
+    Unsure,
+    BehindLine,
+    Noise,
+}
+
+/// <summary>What begins at a position where a line may begin.</summary>
+internal enum ReferenceLineKind
+{
+    NoLine,
+    Unfinished,
+    Frame,
+    Refused,
+}
+
+/// <param name="Kind">What it is.</param>
+/// <param name="Length">Bytes up to and with its end.</param>
+/// <param name="Packet">The frame.</param>
+/// <param name="Reason">Why it is none.</param>
+/// <param name="Place">What the position behind it is.</param>
+internal sealed record ReferenceLine(ReferenceLineKind Kind, int Length = 0, FoundPacket? Packet = null, SkipReason Reason = default, ReferencePlace Place = ReferencePlace.BehindLine);
+
+/// <summary>The rules of the text format (protocol.md section 8), told slowly.</summary>
+internal static class ReferenceText
+{
+    private const int LongestLine = 32_768;
+
+    private static readonly Regex Finite = new(@"^[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$", RegexOptions.ExplicitCapture, TimeSpan.FromSeconds(5));
+
+    private static readonly Regex NotFinite = new(@"^[+-]?(1\.#)?(?<what>inf|nan|ind|qnan|snan)", RegexOptions.IgnoreCase | RegexOptions.ExplicitCapture, TimeSpan.FromSeconds(5));
+
+    public static bool IsBlank(byte value) => value is 0 or 32 or 9 or 13 or 10;
+
+    /// <summary>Reads what begins at a position that is not blank.</summary>
+    public static ReferenceLine ReadAt(ReadOnlySpan<byte> bytes, int maxValues, bool isUnsure)
+    {
+        if (!"0123456789+-.,nNiI".Contains((char)bytes[0], StringComparison.Ordinal))
+            return new ReferenceLine(ReferenceLineKind.NoLine);
+
+        var text = new StringBuilder(" ");
+        int word = 0;
+        for (int i = 0; i < Math.Min(bytes.Length, LongestLine); i++)
+        {
+            char letter = (char)bytes[i];
+            if (letter == '\0')
+                continue;
+
+            char last = text[^1];
+            text.Append(letter);
+            if (letter == '\n' || (letter == '|' && last == '|'))
+                return Judge(Words(text.ToString()), i + 1, maxValues, isUnsure);
+
+            if (!IsBetweenWords(letter) && IsBetweenWords(last))
+                word++;
+            if (!MayStand(word, letter, last))
+                return new ReferenceLine(ReferenceLineKind.NoLine);
+        }
+
+        return bytes.Length < LongestLine
+            ? new ReferenceLine(ReferenceLineKind.Unfinished)
+            : new ReferenceLine(ReferenceLineKind.Refused, LongestLine - 1, Reason: SkipReason.MalformedLine, Place: ReferencePlace.Noise);
+    }
+
+    /// <summary>Whether the bytes begin with a number, a name that is none, and a number.</summary>
+    public static bool BeginsTelling(ReadOnlySpan<byte> bytes)
+    {
+        if (bytes.Length == 0 || " \t\r\n|".Contains((char)bytes[0], StringComparison.Ordinal))
+            return false;
+
+        return IsTelling(Words(Encoding.Latin1.GetString(bytes)));
+    }
+
+    /// <summary>Whether a line that has no end yet has come further than its first word.</summary>
+    public static bool IsInsideLine(byte[] unfinished) =>
+        Encoding.Latin1.GetString(unfinished).Replace("\0", string.Empty, StringComparison.Ordinal).AsSpan().IndexOfAny(" \t\r|") > 0;
+
+    private static string[] Words(string line) => line.Split([' ', '\t', '\r', '\n', '|'], StringSplitOptions.RemoveEmptyEntries);
+
+    private static bool IsTelling(string[] words) =>
+        words.Length > 2 && IsIndex(words[0]) && ParseNumber(words[1]) is null && ParseNumber(words[2]) is not null;
+
+    private static bool IsBetweenWords(char letter) => letter is ' ' or '\t' or '\r' or '|';
+
+    private static bool MayStand(int word, char letter, char last)
+    {
+        if (IsBetweenWords(letter))
+            return true;
+        if (letter >= 0x80)
+            return word == 2 && letter != 0xFF && !(letter == 0xDC && last == 0xCF);
+
+        return letter is > ' ' and <= '~' && (word > 1 || "0123456789+-.,#()aAdDeEfFiInNqQsStTyY".Contains(letter, StringComparison.Ordinal));
+    }
+
+    private static ReferenceLine Judge(string[] words, int length, int maxValues, bool isUnsure)
+    {
+        int count = words.Length is 338 or 946 ? words.Length : words.Length - 2;
+        bool isMotion = count is 180 or 186 or 354 or 360;
+        bool isKnown = isMotion || count is 338 or 946;
+        float?[] values = [.. words.Skip(words.Length - Math.Max(count, 0)).Select(ParseNumber)];
+        bool isLed = words.Length == count + 2;
+        SkipReason reason = isKnown && count > maxValues ? SkipReason.TooLarge
+            : words.Length > 2 && ParseNumber(words[0]) is not null && ParseNumber(words[2]) is not null ? SkipReason.MalformedLine
+            : SkipReason.NoTokens;
+        if (isUnsure && !IsTelling(words))
+            return new ReferenceLine(ReferenceLineKind.Refused, length, Place: ReferencePlace.Start);
+        if (!isKnown || count > maxValues || !IsGood())
+        {
+            ReferencePlace place = reason == SkipReason.NoTokens ? ReferencePlace.Start : ReferencePlace.BehindLine;
+            return new ReferenceLine(ReferenceLineKind.Refused, length, Reason: reason, Place: place);
+        }
+
+        byte[] name = isLed ? Cut(Encoding.Latin1.GetBytes(words[1])) : [];
+        uint avatar = isLed ? uint.Parse(words[0], CultureInfo.InvariantCulture) : 0;
+        var image = new WireBytes();
+        if (isMotion)
+            image.Hex("FF DD 00 00 00 00").U32((uint)count).U32(count > 300 ? 1u : 0).U32(count is 186 or 360 ? 1u : 0).U32(avatar).Bytes(name, 32).Zeros(10);
+        else
+            image.Hex("FF 88 00 00 00 00").U32((uint)count).U32(avatar).Bytes(name, 32).Zeros(18);
+
+        image.Floats([.. values.Select(value => value!.Value)]);
+        return new ReferenceLine(ReferenceLineKind.Frame, length, new FoundPacket(isMotion ? PacketKind.Motion : PacketKind.Calculation, image.ToArray()));
+
+        bool IsGood() => values.All(value => value is not null) && (!isLed || IsIndex(words[0]));
+    }
+
+    private static bool IsIndex(string word) => word.All(char.IsAsciiDigit) && decimal.Parse(word, CultureInfo.InvariantCulture) <= uint.MaxValue;
+
+    private static byte[] Cut(byte[] name)
+    {
+        int length = Math.Min(name.Length, 32);
+        while (length is > 0 and < 33 && length < name.Length && name[length] is >= 0x80 and < 0xC0)
+            length--;
+
+        return name[..length];
+    }
+
+    private static float? ParseNumber(string word)
+    {
+        int comma = word.IndexOf(',', StringComparison.Ordinal);
+        if (comma >= 0)
+            word = $"{word[..comma]}.{word[(comma + 1)..]}";
+        if (word.Length > 128)
+            return null;
+        if (Finite.IsMatch(word))
+            return float.Parse(word, CultureInfo.InvariantCulture);
+        if (NotFinite.Match(word) is not { Success: true } match)
+            return null;
+
+        bool isInfinite = match.Groups["what"].Value.Equals("inf", StringComparison.OrdinalIgnoreCase);
+        return !isInfinite ? float.NaN : word[0] == '-' ? float.NegativeInfinity : float.PositiveInfinity;
+    }
+}
