@@ -31,11 +31,14 @@ internal sealed class SimulatorCommand : RootCommand
         Fragment.CustomParser = ParseNumber(1, 1_048_576);
         Displacement.CustomParser = ParseWord<OnOff>("on", "off");
         Reference.CustomParser = ParseWord<OnOff>("on", "off");
+        Format.CustomParser = ParseWord<BroadcastFormat>("binary", "text", "studio");
         Header.CustomParser = ParseWord<HeaderLayout>("new", "old");
+        Decimals.CustomParser = ParseNumber(0, TextEncoder.MaxDecimals);
+        DataCommands.CustomParser = ParseWord<OnOff>("on", "off");
         foreach (Option option in (Option[])
             [
                 Bvh, Synthetic, Bind, Port, Udp, Avatars, Rate, Frames, Loop, WaitForClient,
-                Displacement, Reference, Order, Header, Calculation, Fragment,
+                Displacement, Reference, Order, Format, Header, Decimals, Calculation, Fragment, DataCommands,
             ])
         {
             Add(option);
@@ -114,18 +117,40 @@ internal sealed class SimulatorCommand : RootCommand
         Description = "Rotation order: XYZ, XZY, YXZ, YZX, ZXY or ZYX. Default: YXZ, or the BVH file's.",
     };
 
+    public Option<BroadcastFormat?> Format { get; } = new("--format")
+    {
+        HelpName = "binary|text|studio",
+        Description = "Packets of Axis Neuron, lines of text (its block type String), or packets of Axis Studio, version 1.1.0.1, "
+            + "with rotation order, timecode and its own calculation packets. Default: binary.",
+    };
+
     public Option<HeaderLayout?> Header { get; } = new("--header")
     {
         HelpName = "new|old",
-        Description = "Header layout: version 1.1.0.0 or 1.0.0.2. Default: new.",
+        Description = "Header layout: version 1.1.0.0 or 1.0.0.2, also what Axis Studio's old header is. Format binary only. Default: new.",
     };
 
-    public Option<bool> Calculation { get; } = new("--calculation") { Description = "Send a calculation packet after each motion packet." };
+    public Option<int?> Decimals { get; } = new("--decimals")
+    {
+        HelpName = "N",
+        Description = "Digits after the point, 0 to 6. Format text only. Default: 2.",
+    };
+
+    public Option<bool> Calculation { get; } = new("--calculation")
+    {
+        Description = "Send a calculation packet, or line, after each motion packet.",
+    };
 
     public Option<int?> Fragment { get; } = new("--fragment")
     {
         HelpName = "BYTES",
         Description = "Write TCP in pieces of exactly, and UDP in datagrams of at most, 1 to 1048576 bytes. Default: whole packets.",
+    };
+
+    public Option<OnOff?> DataCommands { get; } = new("--data-commands")
+    {
+        HelpName = "on|off",
+        Description = "Answer commands of the b11 and b12 libraries on the data connection; newer servers do not. Default: on.",
     };
 
     /// <summary>All options in one line, for those who made a mistake.</summary>

@@ -20,6 +20,9 @@ internal static class SimulatorOptions
     public static BroadcasterOptions Create(SimulatorCommand command, ParseResult result, SimulatorSources sources)
     {
         string[] udp = result.GetValue(command.Udp) ?? [];
+        BroadcastFormat format = result.GetValue(command.Format) ?? BroadcastFormat.Binary;
+        bool calculation = result.GetValue(command.Calculation);
+        CheckFormat(command, result, format);
         return new BroadcasterOptions
         {
             Sources = sources.Avatars,
@@ -32,10 +35,25 @@ internal static class SimulatorOptions
             Displacement = result.GetValue(command.Displacement) is { } displacement ? displacement == OnOff.On : null,
             Reference = result.GetValue(command.Reference) == OnOff.On,
             RotationOrder = result.GetValue(command.Order) ?? sources.Order ?? RotationOrder.YXZ,
-            DataVersion = result.GetValue(command.Header) == HeaderLayout.Old ? DataVersion.Old : DataVersion.New,
-            Calculation = result.GetValue(command.Calculation) ? CalculationSynthesizer.Write : null,
+            Format = format,
+            DataVersion = result.GetValue(command.Header) == HeaderLayout.Old ? DataVersion.Old : null,
+            TextDecimals = result.GetValue(command.Decimals) ?? TextEncoder.DefaultDecimals,
+            Calculation = calculation && format != BroadcastFormat.Studio ? CalculationSynthesizer.Write : null,
+            StudioCalculation = calculation && format == BroadcastFormat.Studio ? StudioCalculationSynthesizer.Write : null,
+            AnswerDataCommands = result.GetValue(command.DataCommands) != OnOff.Off,
             Fragment = result.GetValue(command.Fragment),
         };
+    }
+
+    private static void CheckFormat(SimulatorCommand command, ParseResult result, BroadcastFormat format)
+    {
+        HeaderLayout? header = result.GetValue(command.Header);
+        if (format == BroadcastFormat.Text && header is not null)
+            throw new UsageException("--format text has no headers: leave out --header.");
+        if (format == BroadcastFormat.Studio && header == HeaderLayout.Old)
+            throw new UsageException("--format studio has the new header; Axis Studio's old one is --format binary --header old.");
+        if (format != BroadcastFormat.Text && result.GetValue(command.Decimals) is not null)
+            throw new UsageException("--decimals is for --format text; packets carry every value as it is.");
     }
 
     private static IPEndPoint Resolve(string destination)

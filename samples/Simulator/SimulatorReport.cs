@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Net;
+using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 
 namespace NeuronMocap.Simulator;
@@ -40,7 +41,18 @@ internal sealed class SimulatorReport(Broadcaster broadcaster, BroadcasterOption
     private string Describe() => string.Create(
         CultureInfo.InvariantCulture,
         $"Broadcasting {description}: {Count(options.Sources.Count, "avatar")}, {Rate()}, {broadcaster.Layout.ValueCount} values, "
-        + $"{options.RotationOrder}, header {options.DataVersion}{(options.Calculation is null ? "" : ", calculation packets")}");
+        + $"{options.RotationOrder}, {Format()}");
+
+    private string Format()
+    {
+        bool hasCalculation = options.Calculation is not null || options.StudioCalculation is not null;
+        return options.Format switch
+        {
+            BroadcastFormat.Text => $"text with {Count(options.TextDecimals, "decimal")}{(hasCalculation ? ", calculation lines" : "")}",
+            BroadcastFormat.Studio => $"as Axis Studio, header {DataVersion.Studio}{(hasCalculation ? ", its calculation packets" : "")}",
+            _ => $"header {options.DataVersion ?? DataVersion.New}{(hasCalculation ? ", calculation packets" : "")}",
+        };
+    }
 
     private string Rate() => double.IsPositiveInfinity(broadcaster.Rate)
         ? "as fast as clients read"
@@ -52,9 +64,18 @@ internal sealed class SimulatorReport(Broadcaster broadcaster, BroadcasterOption
         return string.Create(
             CultureInfo.InvariantCulture,
             $"{Count(statistics.Clients, "client")}, {Count(statistics.FramesSent, "frame")} sent, "
-            + $"{Count(statistics.PacketsDropped, "packet")} dropped, {statistics.BytesSent / 1e6:0.0} MB");
+            + $"{Count(statistics.PacketsDropped, "packet")} dropped, {statistics.BytesSent / 1e6:0.0} MB{Commands(statistics)}");
     }
 
-    private static string Count(long number, string noun) =>
-        string.Create(CultureInfo.InvariantCulture, $"{number} {noun}{(number == 1 ? "" : "s")}");
+    // Only where somebody sent some: few will.
+    private static string Commands(in BroadcasterStatistics statistics)
+    {
+        long unanswered = statistics.RequestsIgnored + statistics.RequestsDropped;
+        return statistics.RepliesSent + unanswered == 0
+            ? string.Empty
+            : $", commands: {Count(statistics.RepliesSent, "reply", "replies")}, {unanswered.ToString(CultureInfo.InvariantCulture)} unanswered";
+    }
+
+    private static string Count(long number, string noun, string? plural = null) =>
+        string.Create(CultureInfo.InvariantCulture, $"{number} {(number == 1 ? noun : plural ?? noun + "s")}");
 }

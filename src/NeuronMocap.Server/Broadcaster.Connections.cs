@@ -99,7 +99,7 @@ public sealed partial class Broadcaster
     {
         try
         {
-            var session = new TcpClientSession(socket, _plan, CreateFeed(), _options, OnRecipientEnded);
+            var session = new TcpClientSession(socket, _plan, CreateFeed(), _options, _options.AnswerDataCommands ? _replies : null, OnRecipientEnded);
             StartWorker(session.Worker);
             _recipients.Add(session);
             _accepted++;

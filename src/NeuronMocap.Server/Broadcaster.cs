@@ -23,6 +23,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     private readonly object _gate = new();
     private readonly BroadcasterOptions _options;
     private readonly FramePlan _plan;
+    private readonly DataCommandReplies _replies;
     private readonly FrameLog? _log;
     private readonly FramePacer? _pacer;
     private readonly List<Recipient> _recipients = [];
@@ -42,12 +43,13 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     public Broadcaster(BroadcasterOptions options)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).CopyChecked();
-        _plan = CreatePlan(_options);
         Rate = _options.Rate ?? _options.Sources[0].FrameRate;
+        _plan = CreatePlan(_options, Rate);
+        _replies = new DataCommandReplies(_plan, _options.DataCommandLength);
         if (double.IsPositiveInfinity(Rate))
             return;
 
-        _log = new FrameLog(_options.QueueLength, _plan.FrameSize);
+        _log = new FrameLog(_options.QueueLength);
         _pacer = new FramePacer(_plan, Rate, _log, OnPacerEnded);
     }
 
@@ -81,8 +83,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
             lock (_gate)
             {
                 RecipientCounters total = _recipients.Aggregate(_departed, (sum, recipient) => sum.Add(recipient.Counters));
-                return new BroadcasterStatistics(
-                    CountClients(), _accepted, _refused, total.FramesSent, total.PacketsDropped, total.BytesSent);
+                return new BroadcasterStatistics(CountClients(), _accepted, _refused, total);
             }
         }
     }
@@ -93,6 +94,32 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     {
         lock (_gate)
             return _recipients.ConvertAll(Describe);
+    }
+
+    /// <summary>Tells which sensors an avatar wears.</summary>
+    /// <param name="avatar">Number of the avatar, from 0.</param>
+    /// <returns>What <see cref="SetCombinationMode"/> set last; <see cref="SensorCombination.FullBody"/> at first.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such avatar.</exception>
+    public SensorCombination GetCombinationMode(int avatar) => _replies.GetMode(RequireAvatar(avatar));
+
+    /// <summary>
+    /// Changes which sensors an avatar is said to wear, which is what <see cref="DataCommandId.CombinationMode"/> tells clients; the frames stay as
+    /// they are. Clients that registered for it are sent the new value, unless it is the old one. That a server sends a registered value when it
+    /// changes is documented, and that it does so at once, here also upon the registration, is inferred (protocol.md section 7).
+    /// </summary>
+    /// <param name="avatar">Number of the avatar, from 0.</param>
+    /// <param name="mode">What the avatar wears; any number, for tests of clients.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such avatar.</exception>
+    public void SetCombinationMode(int avatar, SensorCombination mode)
+    {
+        if (!_replies.SetMode(RequireAvatar(avatar), mode))
+            return;
+
+        lock (_gate)
+        {
+            foreach (TcpClientSession client in _recipients.OfType<TcpClientSession>())
+                client.Push(DataCommandId.CombinationMode, avatar);
+        }
     }
 
     /// <summary>Takes the port, begins to listen and, unless told to wait for a client, to send.</summary>
@@ -140,7 +167,11 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <returns>Ends when all is closed.</returns>
     public ValueTask DisposeAsync() => new(Task.Run(Stop));
 
-    private static FramePlan CreatePlan(BroadcasterOptions options)
+    private int RequireAvatar(int avatar) => (uint)avatar < (uint)_plan.AvatarCount
+        ? avatar
+        : throw new ArgumentOutOfRangeException(nameof(avatar), avatar, $"The avatars are 0 to {_plan.AvatarCount - 1}.");
+
+    private static FramePlan CreatePlan(BroadcasterOptions options, double rate)
     {
         var names = new AvatarName[options.Sources.Count];
         for (int i = 0; i < names.Length; i++)
@@ -149,21 +180,9 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
             names[i] = new AvatarName(i < options.AvatarNames.Count ? options.AvatarNames[i] : ordinary);
         }
 
-        return new FramePlan(
-            options.Sources,
-            names,
-            new ChannelLayout(options.Displacement ?? options.Sources[0].HasDisplacement, options.Reference),
-            options.RotationOrder,
-            options.DataVersion,
-            options.Calculation,
-            options.CalculationValueCount,
-            frameCount: Math.Min(options.FrameLimit ?? long.MaxValue, options.Sources.Min(source => source.FrameCount ?? long.MaxValue)));
+        return new FramePlan(options, names, double.IsPositiveInfinity(rate) ? options.Sources[0].FrameRate : rate);
     }
 
-    private static BroadcasterClient Describe(Recipient recipient)
-    {
-        RecipientCounters counters = recipient.Counters;
-        return new BroadcasterClient(
-            recipient.RemoteEndPoint, recipient is UdpSender, counters.FramesSent, counters.PacketsDropped, counters.BytesSent);
-    }
+    private static BroadcasterClient Describe(Recipient recipient) =>
+        new(recipient.RemoteEndPoint, recipient is UdpSender, recipient.Counters);
 }

@@ -78,14 +78,19 @@ public sealed class BroadcasterOptions
     /// <summary>Axis Neuron's setting Rotation: the order of the rotation values. Default: YXZ.</summary>
     public RotationOrder RotationOrder { get; set; } = RotationOrder.YXZ;
 
-    /// <summary>
-    /// Version of the motion packets, 1.0 or 1.1, which decides the layout of their header: <see cref="Protocol.DataVersion.Old"/> is what
-    /// Axis Studio's "Use old header format" sends. Default: 1.1.0.0.
-    /// </summary>
-    public DataVersion DataVersion { get; set; } = DataVersion.New;
+    /// <summary>What is sent: packets of Axis Neuron or Axis Studio, or lines of text. Default: Axis Neuron's packets.</summary>
+    public BroadcastFormat Format { get; set; }
 
     /// <summary>
-    /// Computes calculation packets, which then follow each motion packet on the same connections; null sends none. Default: null.
+    /// Version of the motion packets, 1.0 or 1.1, which decides the layout of their header: <see cref="Protocol.DataVersion.Old"/> is what
+    /// Axis Studio's "Use old header format" sends, with the format <see cref="BroadcastFormat.Binary"/>. Null: what the format has, 1.1.0.0, or
+    /// 1.1.0.1 in <see cref="BroadcastFormat.Studio"/>, where it cannot be another; must be null for text, which carries none. Default: null.
+    /// </summary>
+    public DataVersion? DataVersion { get; set; }
+
+    /// <summary>
+    /// Computes calculation packets, which then follow each motion packet on the same connections; null sends none. Not for
+    /// <see cref="BroadcastFormat.Studio"/>, which has packets of its own: <see cref="StudioCalculation"/>. Default: null.
     /// </summary>
     public CalculationWriter? Calculation { get; set; }
 
@@ -93,9 +98,34 @@ public sealed class BroadcasterOptions
     public int CalculationValueCount { get; set; } = Frames.CalculationFrame.FullValueCount;
 
     /// <summary>
+    /// Computes the calculation packets of <see cref="BroadcastFormat.Studio"/>, as <see cref="StudioCalculationSynthesizer"/> does; null sends
+    /// none. For no other format. Default: null.
+    /// </summary>
+    public StudioCalculationWriter? StudioCalculation { get; set; }
+
+    /// <summary>Digits after the point in text, 0 to 6. How many real servers send is not known. Default: 2.</summary>
+    public int TextDecimals { get; set; } = TextEncoder.DefaultDecimals;
+
+    /// <summary>Peculiarities of the text. Default: none.</summary>
+    public TextQuirks TextQuirks { get; set; }
+
+    /// <summary>
+    /// Whether TCP clients get answers to the commands of the old generation, which they send on the data connection (protocol.md section 7):
+    /// bone sizes, BVH text, number of avatars, frequency and combination mode, and the registration for changes of them. A server newer than b12
+    /// does not answer. Requests cost others nothing: of each client 1024 wait at most, more are dropped and counted. Default: true.
+    /// </summary>
+    public bool AnswerDataCommands { get; set; } = true;
+
+    /// <summary>
+    /// What stands in the length field of such answers; no client is known to look at it, and nobody knows what real servers write. Null: 64 and
+    /// the bytes that follow. Default: null.
+    /// </summary>
+    public int? DataCommandLength { get; set; }
+
+    /// <summary>
     /// Bytes of a piece, 1 to 1,048,576; null leaves packets whole. Over TCP the stream is written in pieces of exactly that many bytes
-    /// across packet boundaries; at a paced rate the last piece of what is there is shorter. Over UDP a packet is cut into datagrams of at
-    /// most that many bytes: 1024 is what Axis Neuron on macOS does. Default: null.
+    /// across packet boundaries; at a paced rate the last piece of what is there is shorter. Over UDP a packet, or a line of text, is cut into datagrams
+    /// of at most that many bytes: 1024 is what Axis Neuron on macOS does. Default: null.
     /// </summary>
     public int? Fragment { get; set; }
 

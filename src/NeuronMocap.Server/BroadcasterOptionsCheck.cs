@@ -1,4 +1,5 @@
 using NeuronMocap.Frames;
+using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Server;
 
@@ -89,7 +90,35 @@ internal static class BroadcasterOptionsCheck
             nameof(options.RotationOrder),
             "is one of the six orders",
             options.RotationOrder);
-        Require(options.DataVersion.TryGetLayout(out _), nameof(options.DataVersion), "is 1.0 or 1.1", options.DataVersion);
+        Require(options.Format is >= BroadcastFormat.Binary and <= BroadcastFormat.Studio, nameof(options.Format), "is Binary, Text or Studio", options.Format);
+        Require(options.DataVersion?.TryGetLayout(out _) ?? true, nameof(options.DataVersion), "is 1.0 or 1.1", options.DataVersion);
+        Require(
+            options.Format != BroadcastFormat.Text || options.DataVersion is null,
+            nameof(options.DataVersion),
+            "is null for text, which carries no version",
+            options.DataVersion);
+        Require(
+            options.Format != BroadcastFormat.Studio || options.DataVersion is null || options.DataVersion == DataVersion.Studio,
+            nameof(options.DataVersion),
+            "is null or 1.1.0.1 in the format Studio; its old header is Binary with the version 1.0.0.2",
+            options.DataVersion);
+        Require(
+            options.Format != BroadcastFormat.Studio || options.Calculation is null,
+            nameof(options.Calculation),
+            "is null in the format Studio, which sends StudioCalculation",
+            "set");
+        Require(
+            options.Format == BroadcastFormat.Studio || options.StudioCalculation is null,
+            nameof(options.StudioCalculation),
+            "is null but for the format Studio",
+            "set");
+        Require(
+            options.TextDecimals is >= 0 and <= TextEncoder.MaxDecimals, nameof(options.TextDecimals), "is 0 to 6 digits", options.TextDecimals);
+        Require(
+            (options.TextQuirks | TextQuirks.LineFeedOnly | TextQuirks.StrayZeros) == (TextQuirks.LineFeedOnly | TextQuirks.StrayZeros),
+            nameof(options.TextQuirks),
+            "is made of LineFeedOnly and StrayZeros",
+            options.TextQuirks);
         Require(
             options.CalculationValueCount is CalculationFrame.BodyValueCount or CalculationFrame.FullValueCount,
             nameof(options.CalculationValueCount),

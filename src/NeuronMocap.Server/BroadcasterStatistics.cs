@@ -1,18 +1,22 @@
 using System.Net;
+using NeuronMocap.Server.Clients;
 
 namespace NeuronMocap.Server;
 
 /// <summary>What a <see cref="Broadcaster"/> has done so far. Totals include clients that have left.</summary>
 public readonly record struct BroadcasterStatistics
 {
-    internal BroadcasterStatistics(int clients, long accepted, long refused, long framesSent, long packetsDropped, long bytesSent)
+    internal BroadcasterStatistics(int clients, long accepted, long refused, in RecipientCounters counters)
     {
         Clients = clients;
         Accepted = accepted;
         Refused = refused;
-        FramesSent = framesSent;
-        PacketsDropped = packetsDropped;
-        BytesSent = bytesSent;
+        FramesSent = counters.FramesSent;
+        PacketsDropped = counters.PacketsDropped;
+        BytesSent = counters.BytesSent;
+        RepliesSent = counters.RepliesSent;
+        RequestsIgnored = counters.RequestsIgnored;
+        RequestsDropped = counters.RequestsDropped;
     }
 
     /// <summary>TCP clients that are connected now.</summary>
@@ -26,7 +30,7 @@ public readonly record struct BroadcasterStatistics
     /// </summary>
     public long Refused { get; }
 
-    /// <summary>Motion packets handed to the network, of all avatars and to all receivers together.</summary>
+    /// <summary>Motion packets, or lines of text, handed to the network, of all avatars and to all receivers together.</summary>
     public long FramesSent { get; }
 
     /// <summary>
@@ -35,20 +39,34 @@ public readonly record struct BroadcasterStatistics
     /// </summary>
     public long PacketsDropped { get; }
 
-    /// <summary>Bytes handed to the network.</summary>
+    /// <summary>Bytes handed to the network, those of replies among them.</summary>
     public long BytesSent { get; }
+
+    /// <summary>Replies to commands on data connections, and values sent because somebody registered for them.</summary>
+    public long RepliesSent { get; }
+
+    /// <summary>
+    /// Commands on data connections that have no answer: numbers that nobody has documented, and avatars that there are not.
+    /// </summary>
+    public long RequestsIgnored { get; }
+
+    /// <summary>Commands on data connections that were dropped because 1024 of the same client were waiting.</summary>
+    public long RequestsDropped { get; }
 }
 
 /// <summary>One receiver of a <see cref="Broadcaster"/> that is served now: a TCP client or a UDP destination.</summary>
 public readonly record struct BroadcasterClient
 {
-    internal BroadcasterClient(EndPoint? remoteEndPoint, bool isUdp, long framesSent, long packetsDropped, long bytesSent)
+    internal BroadcasterClient(EndPoint? remoteEndPoint, bool isUdp, in RecipientCounters counters)
     {
         RemoteEndPoint = remoteEndPoint;
         IsUdp = isUdp;
-        FramesSent = framesSent;
-        PacketsDropped = packetsDropped;
-        BytesSent = bytesSent;
+        FramesSent = counters.FramesSent;
+        PacketsDropped = counters.PacketsDropped;
+        BytesSent = counters.BytesSent;
+        RepliesSent = counters.RepliesSent;
+        RequestsIgnored = counters.RequestsIgnored;
+        RequestsDropped = counters.RequestsDropped;
     }
 
     /// <summary>The receiver's address, where the system tells it.</summary>
@@ -63,6 +81,15 @@ public readonly record struct BroadcasterClient
     /// <summary>Motion and calculation packets that this receiver did not get.</summary>
     public long PacketsDropped { get; }
 
-    /// <summary>Bytes handed to the network for this receiver.</summary>
+    /// <summary>Bytes handed to the network for this receiver, those of replies among them.</summary>
     public long BytesSent { get; }
+
+    /// <summary>Replies to this client's commands, and values sent because it registered for them.</summary>
+    public long RepliesSent { get; }
+
+    /// <summary>This client's commands that have no answer.</summary>
+    public long RequestsIgnored { get; }
+
+    /// <summary>This client's commands that were dropped because 1024 of them were waiting.</summary>
+    public long RequestsDropped { get; }
 }

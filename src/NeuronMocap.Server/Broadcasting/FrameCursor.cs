@@ -8,4 +8,7 @@ internal sealed class FrameCursor
 
     // Frames that were overwritten before the reader came for them.
     public long Missed { get; set; }
+
+    // Whether the reader has something else to do than to wait for a frame.
+    public bool IsWoken { get; set; }
 }

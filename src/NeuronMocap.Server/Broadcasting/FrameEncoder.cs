@@ -1,5 +1,4 @@
 using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Server.Broadcasting;
 
@@ -7,52 +6,39 @@ namespace NeuronMocap.Server.Broadcasting;
 /// Writes the packets of a frame. The same frame number gives the same bytes, whoever asks. Allocates nothing per frame; because of its
 /// scratch memory every thread has one of its own.
 /// </summary>
-internal sealed class FrameEncoder(FramePlan plan)
+internal abstract class FrameEncoder(FramePlan plan)
 {
     private readonly float[] _motion = new float[plan.Layout.ValueCount];
     private readonly float[] _calculation = new float[plan.Calculation is null ? 0 : CalculationFrame.FullValueCount];
 
-    public void Encode(long frame, Span<byte> destination)
+    protected FramePlan Plan => plan;
+
+    /// <summary>Writes a frame of all avatars.</summary>
+    /// <param name="frame">Number of the frame.</param>
+    /// <param name="destination">Room for <see cref="FramePlan.MaxFrameSize"/> bytes.</param>
+    /// <returns>Number of bytes written.</returns>
+    public int Encode(long frame, Span<byte> destination)
     {
+        int written = 0;
         for (int avatar = 0; avatar < plan.AvatarCount; avatar++)
         {
-            WriteMotion(frame, avatar, destination);
-            destination = destination[plan.MotionSize..];
-            if (plan.Calculation is null)
-                continue;
-
-            WriteCalculation(frame, avatar, destination);
-            destination = destination[plan.CalculationSize..];
+            plan.Sources[avatar].WriteValues(frame, plan.Layout, plan.Order, _motion);
+            written += WriteMotion(frame, avatar, _motion, destination[written..]);
+            if (plan.HasCalculation)
+                written += WriteCalculation(frame, avatar, destination[written..]);
         }
+
+        return written;
     }
 
-    private void WriteMotion(long frame, int avatar, Span<byte> destination)
-    {
-        plan.Sources[avatar].WriteValues(frame, plan.Layout, plan.Order, _motion);
-        var header = new MotionHeader
-        {
-            Version = plan.Version,
-            HasDisplacement = plan.Layout.HasDisplacement,
-            HasReference = plan.Layout.HasReference,
-            AvatarIndex = (uint)avatar,
-            AvatarName = plan.Names[avatar],
-            FrameIndex = (uint)frame,
+    protected abstract int WriteMotion(long frame, int avatar, ReadOnlySpan<float> values, Span<byte> destination);
 
-            // Axis Studio, and only it, says here which rotation order it is set to (protocol.md section 9).
-            Reserved = plan.Version == DataVersion.Studio ? (uint)plan.Order : 0,
-        };
-        PacketEncoder.WriteMotion(destination, header, _motion);
-    }
+    protected abstract int WriteCalculation(long frame, int avatar, Span<byte> destination);
 
-    private void WriteCalculation(long frame, int avatar, Span<byte> destination)
+    // As many values as the broadcast carries; valid until the next call.
+    protected ReadOnlySpan<float> Calculate(long frame, int avatar)
     {
         plan.Calculation!(plan.Sources[avatar], frame, _calculation);
-        var header = new CalculationHeader
-        {
-            AvatarIndex = (uint)avatar,
-            AvatarName = plan.Names[avatar],
-            FrameIndex = (uint)frame,
-        };
-        PacketEncoder.WriteCalculation(destination, header, _calculation.AsSpan(0, plan.CalculationValueCount));
+        return _calculation.AsSpan(0, plan.CalculationValueCount);
     }
 }

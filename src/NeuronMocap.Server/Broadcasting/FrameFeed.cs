@@ -9,11 +9,19 @@ internal abstract class FrameFeed
     /// <summary>Whether the recipient has been given the last frame.</summary>
     public abstract bool IsAtEnd { get; }
 
+    /// <summary>Whether there will be no more: the last frame was given, or the broadcast was stopped.</summary>
+    public virtual bool IsOver => IsAtEnd;
+
     /// <summary>Frames that the recipient was too slow for. Safe to read on any thread.</summary>
     public abstract long MissedFrames { get; }
 
     /// <summary>Waits for frames and writes as many as fit.</summary>
     /// <param name="destination">Room for at least one frame.</param>
-    /// <returns>Number of bytes, whole frames; 0 when there will be no more.</returns>
-    public abstract int Read(Span<byte> destination);
+    /// <returns>What was written; nothing after <see cref="Wake"/>, and when there will be no more.</returns>
+    public abstract FrameBatch Read(Span<byte> destination);
+
+    /// <summary>Ends the wait of <see cref="Read"/>, this one or else the next. Safe on any thread.</summary>
+    public virtual void Wake()
+    {
+    }
 }

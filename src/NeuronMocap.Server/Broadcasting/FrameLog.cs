@@ -5,10 +5,10 @@ namespace NeuronMocap.Server.Broadcasting;
 /// of all clients: whoever falls behind by more than its length goes on at the oldest frame that is left and is told how many it missed.
 /// The writer never waits for a reader, only for the lock, which a reader holds while it copies.
 /// </summary>
-internal sealed class FrameLog(int length, int frameSize)
+internal sealed class FrameLog(int length)
 {
     private readonly object _gate = new();
-    private readonly byte[]?[] _slots = new byte[]?[length];
+    private readonly Slot[] _slots = new Slot[length];
     private long _end;
     private bool _isComplete;
     private bool _isAborted;
@@ -26,7 +26,7 @@ internal sealed class FrameLog(int length, int frameSize)
     {
         lock (_gate)
         {
-            frame.CopyTo(_slots[_end % _slots.Length] ??= new byte[frameSize]);
+            _slots[_end % _slots.Length].Write(frame);
             _end++;
             Monitor.PulseAll(_gate);
         }
@@ -52,29 +52,45 @@ internal sealed class FrameLog(int length, int frameSize)
         }
     }
 
-    /// <summary>Waits for frames and copies as many as are there and fit.</summary>
-    /// <param name="cursor">The reader's place; moved past the frames copied and missed.</param>
-    /// <param name="destination">Room for at least one frame.</param>
-    /// <returns>Number of bytes, a multiple of the frame size; 0 after the end and after <see cref="Abort"/>.</returns>
-    public int Read(FrameCursor cursor, Span<byte> destination)
+    /// <summary>Ends the wait of one reader, this one or else its next.</summary>
+    /// <param name="cursor">The reader's place.</param>
+    public void Wake(FrameCursor cursor)
     {
         lock (_gate)
         {
-            while (cursor.Position == _end && !_isComplete && !_isAborted)
+            cursor.IsWoken = true;
+            Monitor.PulseAll(_gate);
+        }
+    }
+
+    /// <summary>Waits for frames and copies as many as are there and fit.</summary>
+    /// <param name="cursor">The reader's place; moved past the frames copied and missed.</param>
+    /// <param name="destination">Room for at least one frame.</param>
+    /// <returns>What was copied; nothing after <see cref="Wake"/>, after the end and after <see cref="Abort"/>.</returns>
+    public FrameBatch Read(FrameCursor cursor, Span<byte> destination)
+    {
+        lock (_gate)
+        {
+            while (cursor.Position == _end && !_isComplete && !_isAborted && !cursor.IsWoken)
                 Monitor.Wait(_gate);
 
+            cursor.IsWoken = false;
             long missed = CountOverwritten(cursor);
             cursor.Missed += missed;
             cursor.Position += missed;
             int written = 0;
-            while (!_isAborted && cursor.Position < _end && destination.Length - written >= frameSize)
+            long first = cursor.Position;
+            while (!_isAborted && cursor.Position < _end)
             {
-                _slots[cursor.Position % _slots.Length].CopyTo(destination[written..]);
-                written += frameSize;
+                ReadOnlySpan<byte> frame = _slots[cursor.Position % _slots.Length].Frame;
+                if (!frame.TryCopyTo(destination[written..]))
+                    break;
+
+                written += frame.Length;
                 cursor.Position++;
             }
 
-            return written;
+            return new FrameBatch(written, (int)(cursor.Position - first));
         }
     }
 
@@ -84,6 +100,14 @@ internal sealed class FrameLog(int length, int frameSize)
     {
         lock (_gate)
             return _isComplete && cursor.Position == _end;
+    }
+
+    /// <summary>Whether there will be nothing more for a reader.</summary>
+    /// <param name="cursor">The reader's place.</param>
+    public bool IsOver(FrameCursor cursor)
+    {
+        lock (_gate)
+            return _isAborted || (_isComplete && cursor.Position == _end);
     }
 
     /// <summary>
@@ -97,4 +121,24 @@ internal sealed class FrameLog(int length, int frameSize)
     }
 
     private long CountOverwritten(FrameCursor cursor) => Math.Max(0, _end - _slots.Length - cursor.Position);
+
+    private struct Slot
+    {
+        private byte[]? _bytes;
+        private int _length;
+
+        public readonly ReadOnlySpan<byte> Frame => _bytes.AsSpan(0, _length);
+
+        // Text frames change their length a little: an eighth more, and the memory is taken once.
+        public void Write(ReadOnlySpan<byte> frame)
+        {
+            if (_bytes is null)
+                _bytes = new byte[frame.Length];
+            else if (_bytes.Length < frame.Length)
+                _bytes = new byte[frame.Length + (frame.Length / 8)];
+
+            frame.CopyTo(_bytes);
+            _length = frame.Length;
+        }
+    }
 }

@@ -55,16 +55,16 @@ internal sealed class FramePacer
     private void PublishAll()
     {
         var clock = new FrameClock(_rate, Stopwatch.GetTimestamp());
-        var encoder = new FrameEncoder(_plan);
-        byte[] bytes = new byte[_plan.FrameSize];
+        FrameEncoder encoder = _plan.CreateEncoder();
+        byte[] bytes = new byte[_plan.MaxFrameSize];
         for (long frame = 0; frame < _plan.FrameCount; frame++)
         {
             // Encoded before its time comes, so that the work delays nothing.
-            encoder.Encode(frame, bytes);
+            int length = encoder.Encode(frame, bytes);
             if (!WaitFor(frame, clock))
                 return;
 
-            _log.Publish(bytes);
+            _log.Publish(bytes.AsSpan(0, length));
         }
     }
 

@@ -5,31 +5,32 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Server.Broadcasting;
 
 /// <summary>
-/// What every frame of a broadcast consists of: for each avatar in turn a motion packet and, when asked for, a calculation packet.
-/// All frames have the same size, so that whole packets can be counted and cut by arithmetic. Immutable; all threads share it.
+/// What every frame of a broadcast consists of: for each avatar in turn a motion packet and, when asked for, a calculation packet. A line of
+/// text counts as a packet. Immutable; all threads share it.
 /// </summary>
 internal sealed class FramePlan
 {
-    public FramePlan(
-        IReadOnlyList<MotionSource> sources,
-        IReadOnlyList<AvatarName> names,
-        ChannelLayout layout,
-        RotationOrder order,
-        DataVersion version,
-        CalculationWriter? calculation,
-        int calculationValueCount,
-        long frameCount)
+    private readonly BroadcastFormat _format;
+
+    public FramePlan(BroadcasterOptions options, IReadOnlyList<AvatarName> names, double rate)
     {
-        Sources = sources;
+        _format = options.Format;
+        Sources = options.Sources;
         Names = names;
-        Layout = layout;
-        Order = order;
-        Version = version;
-        Calculation = calculation;
-        CalculationValueCount = calculation is null ? 0 : calculationValueCount;
-        FrameCount = frameCount;
-        MotionSize = ProtocolConstants.HeaderSize + (layout.ValueCount * sizeof(float));
-        CalculationSize = calculation is null ? 0 : ProtocolConstants.HeaderSize + (calculationValueCount * sizeof(float));
+        Layout = new ChannelLayout(options.Displacement ?? options.Sources[0].HasDisplacement, options.Reference);
+        Order = options.RotationOrder;
+        Version = options.DataVersion ?? (_format == BroadcastFormat.Studio ? DataVersion.Studio : DataVersion.New);
+        FrameRate = rate;
+        Calculation = options.Calculation;
+        StudioCalculation = options.StudioCalculation;
+        CalculationValueCount = options.CalculationValueCount;
+        TextDecimals = options.TextDecimals;
+        TextQuirks = options.TextQuirks;
+        FrameCount = Math.Min(options.FrameLimit ?? long.MaxValue, options.Sources.Min(source => source.FrameCount ?? long.MaxValue));
+        MaxMotionSize = _format == BroadcastFormat.Text
+            ? TextFrameEncoder.MaxMotionSize(this)
+            : ProtocolConstants.HeaderSize + (Layout.ValueCount * sizeof(float));
+        MaxCalculationSize = HasCalculation ? MeasureCalculation() : 0;
     }
 
     public IReadOnlyList<MotionSource> Sources { get; }
@@ -40,25 +41,61 @@ internal sealed class FramePlan
 
     public RotationOrder Order { get; }
 
+    // Of motion packets; text carries none.
     public DataVersion Version { get; }
 
+    // Of the timecode: frames per second of the broadcast, or of the first source where there is no pace.
+    public double FrameRate { get; }
+
     public CalculationWriter? Calculation { get; }
+
+    public StudioCalculationWriter? StudioCalculation { get; }
 
     // 946, or 338 for the body alone: the start of the longer form (CalculationFrame.BodyValueCount).
     public int CalculationValueCount { get; }
 
+    public int TextDecimals { get; }
+
+    public TextQuirks TextQuirks { get; }
+
     // Frames from 0; long.MaxValue when the broadcast never ends.
     public long FrameCount { get; }
 
-    public int MotionSize { get; }
+    // What a packet has at most, and, unless it is text, always.
+    public int MaxMotionSize { get; }
 
     // 0 without calculation packets.
-    public int CalculationSize { get; }
+    public int MaxCalculationSize { get; }
+
+    public bool HasCalculation => Calculation is not null || StudioCalculation is not null;
 
     public int AvatarCount => Sources.Count;
 
-    public int PacketsPerFrame => AvatarCount * (Calculation is null ? 1 : 2);
+    public int PacketsPerFrame => AvatarCount * (HasCalculation ? 2 : 1);
 
-    // Bytes of a frame of all avatars.
-    public int FrameSize => AvatarCount * (MotionSize + CalculationSize);
+    // Bytes of a frame of all avatars, at most.
+    public int MaxFrameSize => AvatarCount * (MaxMotionSize + MaxCalculationSize);
+
+    public FrameEncoder CreateEncoder() => _format switch
+    {
+        BroadcastFormat.Text => new TextFrameEncoder(this),
+        BroadcastFormat.Studio => new StudioFrameEncoder(this),
+        _ => new BinaryFrameEncoder(this),
+    };
+
+    // The length of the motion or calculation packet that whole frames begin with.
+    public int MeasurePacket(ReadOnlySpan<byte> frames, bool isMotion)
+    {
+        if (_format == BroadcastFormat.Text)
+            return frames.IndexOf((byte)'\n') + 1;
+
+        return isMotion ? MaxMotionSize : MaxCalculationSize;
+    }
+
+    private int MeasureCalculation() => _format switch
+    {
+        BroadcastFormat.Text => TextFrameEncoder.MaxCalculationSize(this),
+        BroadcastFormat.Studio => ProtocolConstants.HeaderSize + StudioCalculationSynthesizer.PayloadSize,
+        _ => ProtocolConstants.HeaderSize + (CalculationValueCount * sizeof(float)),
+    };
 }

@@ -9,7 +9,11 @@ internal sealed class LiveFeed(FrameLog log) : FrameFeed
 
     public override bool IsAtEnd => log.IsAtEnd(_cursor);
 
+    public override bool IsOver => log.IsOver(_cursor);
+
     public override long MissedFrames => log.GetMissed(_cursor);
 
-    public override int Read(Span<byte> destination) => log.Read(_cursor, destination);
+    public override FrameBatch Read(Span<byte> destination) => log.Read(_cursor, destination);
+
+    public override void Wake() => log.Wake(_cursor);
 }

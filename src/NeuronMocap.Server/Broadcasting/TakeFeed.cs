@@ -6,7 +6,7 @@ namespace NeuronMocap.Server.Broadcasting;
 /// </summary>
 internal sealed class TakeFeed(FramePlan plan) : FrameFeed
 {
-    private readonly FrameEncoder _encoder = new(plan);
+    private readonly FrameEncoder _encoder = plan.CreateEncoder();
     private long _position;
 
     public override bool IsLive => false;
@@ -15,16 +15,17 @@ internal sealed class TakeFeed(FramePlan plan) : FrameFeed
 
     public override long MissedFrames => 0;
 
-    public override int Read(Span<byte> destination)
+    public override FrameBatch Read(Span<byte> destination)
     {
         int written = 0;
-        while (_position < plan.FrameCount && destination.Length - written >= plan.FrameSize)
+        int frames = 0;
+        while (_position < plan.FrameCount && destination.Length - written >= plan.MaxFrameSize)
         {
-            _encoder.Encode(_position, destination.Slice(written, plan.FrameSize));
-            written += plan.FrameSize;
+            written += _encoder.Encode(_position, destination[written..]);
+            frames++;
             _position++;
         }
 
-        return written;
+        return new FrameBatch(written, frames);
     }
 }

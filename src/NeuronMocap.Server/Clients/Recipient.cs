@@ -18,6 +18,7 @@ internal abstract class Recipient : IDisposable
     private long _framesSent;
     private long _packetsLost;
     private long _bytesSent;
+    private long _repliesSent;
 
     // Ended is called once, on the recipient's thread, with what a source threw if one did.
     protected Recipient(Socket socket, EndPoint? remoteEndPoint, FramePlan plan, FrameFeed feed, Action<Recipient, Exception?> ended)
@@ -41,7 +42,13 @@ internal abstract class Recipient : IDisposable
     public RecipientCounters Counters => new(
         Interlocked.Read(ref _framesSent),
         Interlocked.Read(ref _packetsLost) + (Feed.MissedFrames * Plan.PacketsPerFrame),
-        Interlocked.Read(ref _bytesSent));
+        Interlocked.Read(ref _bytesSent),
+        Interlocked.Read(ref _repliesSent),
+        Commands?.Ignored ?? 0,
+        Commands?.Dropped ?? 0);
+
+    // What the receiver has asked for; null where it cannot ask.
+    protected DataCommandQueue? Commands { get; init; }
 
     protected Socket Socket { get; }
 
@@ -50,7 +57,7 @@ internal abstract class Recipient : IDisposable
     protected FrameFeed Feed { get; }
 
     // Room for at least one frame.
-    protected int ReadSize => Math.Max(BufferSize, Plan.FrameSize);
+    protected int ReadSize => Math.Max(BufferSize, Plan.MaxFrameSize);
 
     public virtual void Dispose() => Socket.Dispose();
 
@@ -63,22 +70,33 @@ internal abstract class Recipient : IDisposable
     }
 
     // What a source throws ends the broadcast; want of memory may have hit this receiver's thread by chance, and ends this receiver.
-    protected int ReadFeed(Span<byte> destination)
+    protected FrameBatch ReadFeed(Span<byte> destination)
     {
         try
         {
             return Feed.Read(destination);
         }
-        catch (Exception exception) when (exception is not OutOfMemoryException)
+        catch (Exception exception) when (IsOfSource(exception))
         {
-            _sourceError = exception;
             throw;
         }
+    }
+
+    // For filters of code that asks a source; true, unless memory is short.
+    protected bool IsOfSource(Exception exception)
+    {
+        if (exception is OutOfMemoryException)
+            return false;
+
+        _sourceError = exception;
+        return true;
     }
 
     protected void CountBytes(int bytes) => Interlocked.Add(ref _bytesSent, bytes);
 
     protected void SetFrames(long frames) => Interlocked.Exchange(ref _framesSent, frames);
+
+    protected void CountReplies(int replies) => Interlocked.Add(ref _repliesSent, replies);
 
     protected void CountLostPacket() => Interlocked.Increment(ref _packetsLost);
 

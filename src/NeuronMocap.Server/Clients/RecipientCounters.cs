@@ -1,14 +1,14 @@
 namespace NeuronMocap.Server.Clients;
 
 // What one recipient, or several together, have been sent and have lost.
-internal readonly struct RecipientCounters(long framesSent, long packetsDropped, long bytesSent)
+internal readonly record struct RecipientCounters(
+    long FramesSent, long PacketsDropped, long BytesSent, long RepliesSent, long RequestsIgnored, long RequestsDropped)
 {
-    public long FramesSent { get; } = framesSent;
-
-    public long PacketsDropped { get; } = packetsDropped;
-
-    public long BytesSent { get; } = bytesSent;
-
-    public RecipientCounters Add(RecipientCounters other) =>
-        new(FramesSent + other.FramesSent, PacketsDropped + other.PacketsDropped, BytesSent + other.BytesSent);
+    public RecipientCounters Add(in RecipientCounters other) => new(
+        FramesSent + other.FramesSent,
+        PacketsDropped + other.PacketsDropped,
+        BytesSent + other.BytesSent,
+        RepliesSent + other.RepliesSent,
+        RequestsIgnored + other.RequestsIgnored,
+        RequestsDropped + other.RequestsDropped);
 }

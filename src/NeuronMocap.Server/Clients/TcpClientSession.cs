@@ -1,11 +1,13 @@
 using System.Net.Sockets;
+using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 
 namespace NeuronMocap.Server.Clients;
 
 /// <summary>
-/// A client's connection. Clients need not send anything (protocol.md section 4.1); what they send all the same is read and thrown away,
-/// because a socket that is closed over unread bytes resets the connection and takes the client's last frames with it.
+/// A client's connection. Clients need not send anything (protocol.md section 4.1). The commands that they may send are answered between whole
+/// frames (section 7). Whatever they send is read, because a socket that is closed over unread bytes resets the connection and takes the
+/// client's last frames with it.
 /// </summary>
 internal sealed class TcpClientSession : Recipient
 {
@@ -15,6 +17,12 @@ internal sealed class TcpClientSession : Recipient
     // The time limit of a write counts from its begin, however much the client takes meanwhile: so none is long.
     private const int MaxWrite = 128 * 1024;
 
+    // Replies in one go, so that a client that asks for very much still gets its frames.
+    private const int MaxReplies = 64 * 1024;
+
+    // Between two looks at what a client asks. A flood of requests wakes nobody more often, and waits in the client's own connection.
+    private const int ListeningPause = 10;
+
     // The numbers of these options where the framework's enumeration has no names for them.
     private const SocketOptionName KeepAliveTime = (SocketOptionName)3;
     private const SocketOptionName KeepAliveInterval = (SocketOptionName)17;
@@ -22,13 +30,26 @@ internal sealed class TcpClientSession : Recipient
 
     private readonly int? _fragment;
     private readonly TimeSpan _closeTimeout;
-    private readonly byte[] _buffer;
+    private readonly DataCommandReplies? _replies;
+    private readonly Queue<Mark> _marks = new();
+    private byte[] _buffer;
     private long _sent;
-    private Task _drained = Task.CompletedTask;
+    private long _framesSent;
+    private Task _listened = Task.CompletedTask;
+    private volatile bool _isFinishing;
 
-    public TcpClientSession(Socket socket, FramePlan plan, FrameFeed feed, BroadcasterOptions options, Action<Recipient, Exception?> ended)
+    // Without replies, commands are not answered.
+    public TcpClientSession(
+        Socket socket,
+        FramePlan plan,
+        FrameFeed feed,
+        BroadcasterOptions options,
+        DataCommandReplies? replies,
+        Action<Recipient, Exception?> ended)
         : base(socket, socket.RemoteEndPoint, plan, feed, ended)
     {
+        _replies = replies;
+        Commands = replies is null ? null : new DataCommandQueue(replies);
         socket.NoDelay = true;
         socket.SendBufferSize = SendBufferSize;
 
@@ -55,29 +76,41 @@ internal sealed class TcpClientSession : Recipient
         base.Dispose();
     }
 
+    // Any thread: a value has changed.
+    public void Push(DataCommandId id, int avatar)
+    {
+        if (Commands?.Push(id, avatar) == true)
+            Feed.Wake();
+    }
+
     protected override bool SendAll()
     {
-        _drained = DrainAsync();
+        _listened = ListenAsync();
         int kept = 0;
-        int read;
-        while ((read = ReadFeed(_buffer.AsSpan(kept))) > 0)
+        bool isOver;
+        do
         {
-            int filled = kept + read;
-            kept = Feed.IsLive || _fragment is null ? 0 : filled % _fragment.Value;
+            FrameBatch batch = ReadFeed(_buffer.AsSpan(kept, ReadSize));
+            isOver = batch.Bytes == 0 && Feed.IsOver;
+            int filled = AppendReplies(kept + batch.Bytes, out int replies);
+            _marks.Enqueue(new Mark(_sent + filled, batch.Frames, replies));
+            kept = isOver || Feed.IsLive || _fragment is null ? 0 : filled % _fragment.Value;
             if (!Write(filled - kept))
                 return false;
 
             _buffer.AsSpan(filled - kept, kept).CopyTo(_buffer);
         }
+        while (!isOver);
 
-        return Feed.IsAtEnd && Write(kept);
+        return Feed.IsAtEnd;
     }
 
     // The client sees the end of the stream after the last byte, and then has a while to take what is on its way and close its side.
     protected override void Finish()
     {
+        _isFinishing = true;
         Socket.Shutdown(SocketShutdown.Send);
-        _drained.Wait(_closeTimeout);
+        _listened.Wait(_closeTimeout);
     }
 
     // While nothing is sent, only a probe can find out that the client is gone: after 10 s, then every 2 s; given up after 5 without an answer.
@@ -113,21 +146,77 @@ internal sealed class TcpClientSession : Recipient
             CountBytes(sent);
         }
 
-        SetFrames(_sent / Plan.FrameSize * Plan.AvatarCount);
+        CountWritten();
         return true;
+    }
+
+    private void CountWritten()
+    {
+        while (_marks.TryPeek(out Mark mark) && mark.End <= _sent)
+        {
+            _marks.Dequeue();
+            _framesSent += (long)mark.Frames * Plan.AvatarCount;
+            CountReplies(mark.Replies);
+        }
+
+        SetFrames(_framesSent);
+    }
+
+    // Frames are whole, so here ends a packet. Returns where the bytes end.
+    private int AppendReplies(int filled, out int count)
+    {
+        count = 0;
+        if (_replies is null)
+            return filled;
+
+        int limit = filled + MaxReplies;
+        try
+        {
+            while (filled < limit && Commands!.TryTake(out DataCommandId id, out int avatar))
+            {
+                int size = _replies.Measure(id, avatar);
+                if (_buffer.Length - filled < size)
+                    Array.Resize(ref _buffer, Math.Max(limit, filled + size));
+
+                _replies.Write(id, avatar, _buffer.AsSpan(filled));
+                filled += size;
+                count++;
+            }
+        }
+        catch (Exception exception) when (IsOfSource(exception))
+        {
+            throw;
+        }
+
+        if (!Commands!.IsEmpty)
+            Feed.Wake();
+
+        return filled;
     }
 
     // Nobody takes what is queued for a client that is let go; the system would keep it and go on trying. Closing now resets the connection.
     private void DropUnsent() => Socket.LingerState = new LingerOption(enable: true, seconds: 0);
 
     // Ends when the client has closed its sending side, which is no reason to stop sending to it, or when the connection is gone.
-    private async Task DrainAsync()
+    private async Task ListenAsync()
     {
-        byte[] scratch = new byte[512];
+        var scanner = new RequestScanner();
         try
         {
-            while (await Socket.ReceiveAsync(scratch.AsMemory(), SocketFlags.None).ConfigureAwait(false) > 0)
+            int read;
+            while ((read = await Socket.ReceiveAsync(scanner.Room, SocketFlags.None).ConfigureAwait(false)) > 0)
             {
+                scanner.Advance(read);
+                bool hasReplies = false;
+                while (scanner.TryRead(out CommandHeader request))
+                    hasReplies |= Commands?.Accept(request) ?? false;
+
+                if (!hasReplies)
+                    continue;
+
+                Feed.Wake();
+                if (!_isFinishing)
+                    await Task.Delay(ListeningPause).ConfigureAwait(false);
             }
         }
         catch (Exception exception) when (exception is SocketException or ObjectDisposedException or OutOfMemoryException)
@@ -135,4 +224,7 @@ internal sealed class TcpClientSession : Recipient
             // The next write reports it.
         }
     }
+
+    // What was put into the stream up to a place, since the mark before.
+    private readonly record struct Mark(long End, int Frames, int Replies);
 }

@@ -5,11 +5,14 @@ using NeuronMocap.Server.Broadcasting;
 namespace NeuronMocap.Server.Clients;
 
 /// <summary>
-/// Sends to one UDP destination. A datagram never carries bytes of two packets; a packet larger than the fragment size is cut, as Axis
-/// Neuron on macOS does: 1024 bytes, then the rest (protocol.md section 4.2).
+/// Sends to one UDP destination. A datagram never carries bytes of two packets; a packet or a line of text larger than the fragment
+/// size is cut, as Axis Neuron on macOS does: 1024 bytes, then the rest (protocol.md section 4.2).
 /// </summary>
 internal sealed class UdpSender : Recipient
 {
+    // The most that a datagram over IPv4 holds.
+    private const int MaxDatagram = 65_507;
+
     private readonly int _fragment;
     private readonly byte[] _buffer;
     private long _motionPackets;
@@ -18,7 +21,7 @@ internal sealed class UdpSender : Recipient
         Socket socket, IPEndPoint destination, FramePlan plan, FrameFeed feed, int? fragment, Action<Recipient, Exception?> ended)
         : base(socket, destination, plan, feed, ended)
     {
-        _fragment = fragment ?? int.MaxValue;
+        _fragment = Math.Min(fragment ?? MaxDatagram, MaxDatagram);
         _buffer = new byte[ReadSize];
     }
 
@@ -44,31 +47,31 @@ internal sealed class UdpSender : Recipient
     protected override bool SendAll()
     {
         int read;
-        while ((read = ReadFeed(_buffer)) > 0)
+        while ((read = ReadFeed(_buffer).Bytes) > 0)
         {
             int offset = 0;
             while (offset < read)
             {
-                SendPacket(offset, Plan.MotionSize, isMotion: true);
-                offset += Plan.MotionSize;
-                SendPacket(offset, Plan.CalculationSize, isMotion: false);
-                offset += Plan.CalculationSize;
+                offset = SendPacket(offset, read, isMotion: true);
+                if (Plan.HasCalculation)
+                    offset = SendPacket(offset, read, isMotion: false);
             }
         }
 
         return Feed.IsAtEnd;
     }
 
-    private void SendPacket(int offset, int size, bool isMotion)
+    // Returns where the next packet begins.
+    private int SendPacket(int offset, int filled, bool isMotion)
     {
-        int end = offset + size;
+        int end = offset + Plan.MeasurePacket(_buffer.AsSpan(offset, filled - offset), isMotion);
         while (offset < end)
         {
             int length = Math.Min(end - offset, _fragment);
             if (!TrySend(offset, length))
             {
                 CountLostPacket();
-                return;
+                return end;
             }
 
             offset += length;
@@ -77,6 +80,8 @@ internal sealed class UdpSender : Recipient
 
         if (isMotion)
             SetFrames(++_motionPackets);
+
+        return end;
     }
 
     // "Refused" tells of an earlier datagram, which nobody received, and keeps this one from being sent: the second try sends it.

@@ -19,7 +19,7 @@ internal static class Expect
     // The frames from first on, complete and in order: per avatar a motion packet and, if asked for, a calculation packet.
     public static void Frames(IReadOnlyList<byte[]> packets, BroadcasterOptions options, long count, long first = 0)
     {
-        int perAvatar = options.Calculation is null ? 1 : 2;
+        int perAvatar = options.Calculation is null && options.StudioCalculation is null ? 1 : 2;
         Assert.Equal(count * options.Sources.Count * perAvatar, packets.Count);
         int index = 0;
         for (long frame = first; frame < first + count; frame++)
@@ -29,6 +29,8 @@ internal static class Expect
                 Motion(packets[index++], options, avatar, frame);
                 if (options.Calculation is not null)
                     Calculation(packets[index++], options, avatar, frame);
+                if (options.StudioCalculation is not null)
+                    StudioCalculation(packets[index++], options, avatar, frame);
             }
         }
     }
@@ -36,9 +38,10 @@ internal static class Expect
     public static void Motion(byte[] packet, BroadcasterOptions options, int avatar, long frame)
     {
         var layout = new ChannelLayout(options.Displacement ?? true, options.Reference);
-        bool isNew = options.DataVersion.Minor == 1;
+        DataVersion version = options.DataVersion ?? (options.Format == BroadcastFormat.Studio ? DataVersion.Studio : DataVersion.New);
+        bool isNew = version.Minor == 1;
         Assert.True(MotionHeader.TryRead(packet, out MotionHeader header));
-        Assert.Equal(options.DataVersion, header.Version);
+        Assert.Equal(version, header.Version);
         Assert.Equal(layout.ValueCount, header.ValueCount);
         Assert.Equal(layout.HasDisplacement, header.HasDisplacement);
         Assert.Equal(layout.HasReference, header.HasReference);
@@ -60,6 +63,17 @@ internal static class Expect
         float[] expected = new float[946];
         options.Calculation!(options.Sources[avatar], frame, expected);
         AssertBits(expected.AsSpan(0, options.CalculationValueCount), packet);
+    }
+
+    public static void StudioCalculation(byte[] packet, BroadcasterOptions options, int avatar, long frame)
+    {
+        Assert.True(StudioCalculationHeader.TryRead(packet, out StudioCalculationHeader header));
+        Assert.Equal((4956, 5020), (header.ByteCount, packet.Length));
+        Assert.Equal(((uint)avatar, (uint)frame, 0xFEu), (header.AvatarIndex, header.FrameIndex, header.DataMask));
+        Assert.Equal((DataVersion.StudioCalculation, $"Char{avatar:00}"), (header.Version, header.AvatarName.ToString()));
+        byte[] expected = new byte[4956];
+        options.StudioCalculation!(options.Sources[avatar], frame, expected);
+        Assert.Equal(expected, packet[64..]);
     }
 
     public static uint FrameIndex(byte[] packet)

@@ -1,0 +1,34 @@
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Server.Broadcasting;
+
+/// <summary>The packets of Axis Neuron.</summary>
+internal class BinaryFrameEncoder(FramePlan plan) : FrameEncoder(plan)
+{
+    protected virtual MotionHeader CreateHeader(long frame, int avatar) => new()
+    {
+        Version = Plan.Version,
+        HasDisplacement = Plan.Layout.HasDisplacement,
+        HasReference = Plan.Layout.HasReference,
+        AvatarIndex = (uint)avatar,
+        AvatarName = Plan.Names[avatar],
+        FrameIndex = (uint)frame,
+
+        // Axis Studio, and only it, says here which rotation order it is set to (protocol.md section 9).
+        Reserved = Plan.Version == DataVersion.Studio ? (uint)Plan.Order : 0,
+    };
+
+    protected override int WriteMotion(long frame, int avatar, ReadOnlySpan<float> values, Span<byte> destination) =>
+        PacketEncoder.WriteMotion(destination, CreateHeader(frame, avatar), values);
+
+    protected override int WriteCalculation(long frame, int avatar, Span<byte> destination)
+    {
+        var header = new CalculationHeader
+        {
+            AvatarIndex = (uint)avatar,
+            AvatarName = Plan.Names[avatar],
+            FrameIndex = (uint)frame,
+        };
+        return PacketEncoder.WriteCalculation(destination, header, Calculate(frame, avatar));
+    }
+}

@@ -1,0 +1,92 @@
+using System.Buffers.Binary;
+using System.Text;
+using NeuronMocap.Bvh;
+using NeuronMocap.Protocol;
+using NeuronMocap.Server.Broadcasting;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Server.Clients;
+
+/// <summary>
+/// What the broadcaster answers to commands on data connections (protocol.md section 7). Shared by all clients; safe on any thread.
+/// </summary>
+internal sealed class DataCommandReplies(FramePlan plan, int? lengthField)
+{
+    private const int LengthOffset = 6;
+    private const int BoneSizeEntry = 64;
+    private const int BoneNameSize = 60;
+
+    private readonly int[] _modes = [.. Enumerable.Repeat((int)SensorCombination.FullBody, plan.AvatarCount)];
+
+    // Made when somebody asks. Two threads may make the same one; it does not matter whose stays.
+    private readonly byte[]?[] _boneSizes = new byte[]?[plan.AvatarCount];
+    private readonly byte[]?[] _texts = new byte[]?[plan.AvatarCount];
+
+    // How often a value exists; 0 where it is not known how a reply carries it.
+    public int CountValues(DataCommandId id) => id switch
+    {
+        DataCommandId.AvatarCount => 1,
+        DataCommandId.BoneSize or DataCommandId.DataFrequency or DataCommandId.BvhText or DataCommandId.CombinationMode => plan.AvatarCount,
+        _ => 0,
+    };
+
+    // The number of avatars is nobody's own: whatever stands beside the request.
+    public bool Has(DataCommandId id, int avatar) =>
+        id == DataCommandId.AvatarCount || (uint)avatar < (uint)CountValues(id);
+
+    public SensorCombination GetMode(int avatar) => (SensorCombination)Volatile.Read(ref _modes[avatar]);
+
+    // Returns whether it was another one before.
+    public bool SetMode(int avatar, SensorCombination mode) => Interlocked.Exchange(ref _modes[avatar], (int)mode) != (int)mode;
+
+    public int Measure(DataCommandId id, int avatar) => ProtocolConstants.HeaderSize + GetPayload(id, avatar).Length;
+
+    // Room for what was measured; the value is that of now.
+    public void Write(DataCommandId id, int avatar, Span<byte> destination)
+    {
+        ReadOnlySpan<byte> payload = GetPayload(id, avatar);
+        CreateHeader(id, avatar, payload.Length).Write(destination);
+        if (lengthField is int length)
+            BinaryPrimitives.WriteInt32LittleEndian(destination[LengthOffset..], length);
+
+        payload.CopyTo(destination[ProtocolConstants.HeaderSize..]);
+    }
+
+    private static string GetText(MotionSource source, RotationOrder order, ChannelLayout layout) =>
+        BvhHierarchyText.Create(SourceBody.GetOffsets(source), endSites: default, new SkeletonFormat(order, source.Variant), layout);
+
+    private CommandHeader CreateHeader(DataCommandId id, int avatar, int payloadSize)
+    {
+        var header = new CommandHeader { CommandId = id };
+        return id switch
+        {
+            DataCommandId.BoneSize => header with { DataCount = BoneHierarchy.BoneCount },
+            DataCommandId.BvhText => header with { DataCount = (uint)payloadSize },
+            DataCommandId.AvatarCount => header with { Parameter = plan.AvatarCount },
+            DataCommandId.CombinationMode => header with { Parameter = avatar, Value = (int)GetMode(avatar) },
+            _ => header with { Parameter = avatar, Value = (int)Math.Round(plan.FrameRate) },
+        };
+    }
+
+    private ReadOnlySpan<byte> GetPayload(DataCommandId id, int avatar) => id switch
+    {
+        DataCommandId.BoneSize => _boneSizes[avatar] ??= CreateBoneSizes(plan.Sources[avatar]),
+        DataCommandId.BvhText => _texts[avatar] ??= Encoding.UTF8.GetBytes(GetText(plan.Sources[avatar], plan.Order, plan.Layout)),
+        _ => default,
+    };
+
+    private static byte[] CreateBoneSizes(MotionSource source)
+    {
+        float[] lengths = SourceBody.GetLengths(source);
+        byte[] entries = new byte[lengths.Length * BoneSizeEntry];
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            Span<byte> entry = entries.AsSpan((int)bone * BoneSizeEntry, BoneSizeEntry);
+            Encoding.UTF8.GetBytes(BoneHierarchy.GetName(bone, source.Variant), entry[..BoneNameSize]);
+            BinaryPrimitives.WriteInt32LittleEndian(entry[BoneNameSize..], BitConverter.SingleToInt32Bits(lengths[(int)bone]));
+        }
+
+        return entries;
+    }
+}

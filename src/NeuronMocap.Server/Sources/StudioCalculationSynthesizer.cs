@@ -1,0 +1,85 @@
+using System.Buffers.Binary;
+using System.Numerics;
+using NeuronMocap.Frames;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Server.Sources;
+
+/// <summary>
+/// Computes Axis Studio's calculation packets from a performance (protocol.md section 9). A pure function of the frame number; allocates nothing;
+/// any number of threads may call at once.
+/// <para>
+/// For each bone: rotation of the sensor (x, y, z, w), angular velocity and acceleration, as <see cref="CalculationSynthesizer"/> computes them;
+/// velocity and position of the bone's joint in the world, in metres per second and metres; rotation of the bone in the world (x, y, z, w);
+/// a 32-bit 0, which says that the sensor is not lost. Order and sizes of the groups are known from a guide; their axes, the units but for the
+/// metres, and that the bone's rotation is the one in the world are inferred.
+/// </para>
+/// </summary>
+public static class StudioCalculationSynthesizer
+{
+    /// <summary>Bytes of the payload: 84 for each of the 59 bones.</summary>
+    public const int PayloadSize = BoneHierarchy.BoneCount * BoneSize;
+
+    private const int BoneSize = 84;
+    private const int ValuesPerBone = 16;
+    private const int ContactCount = 2;
+    private const float MetresPerCentimetre = 0.01f;
+
+    /// <summary>Writes the payload of one frame.</summary>
+    /// <param name="source">The performance.</param>
+    /// <param name="frame">Frame number, from 0, below the source's <see cref="MotionSource.FrameCount"/>.</param>
+    /// <param name="payload">Exactly 4956 bytes; all of them are written.</param>
+    /// <exception cref="ArgumentException">There is room for another number of bytes.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The source has no such frame.</exception>
+    public static void Write(MotionSource source, long frame, Span<byte> payload)
+    {
+        if (payload.Length != PayloadSize)
+            throw new ArgumentException("The payload has 4956 bytes.", nameof(payload));
+
+        Span<float> sensors = stackalloc float[CalculationFrame.FullValueCount];
+        CalculationSynthesizer.Write(source, frame, sensors);
+
+        long before = Math.Max(frame - 1, 0);
+        long after = Math.Min(frame + 1, (source.FrameCount ?? long.MaxValue) - 1);
+        float differenceRate = after == before ? 0 : (float)source.FrameRate / (after - before);
+        Span<BoneTransform> earlier = stackalloc BoneTransform[BoneHierarchy.BoneCount];
+        Span<BoneTransform> now = stackalloc BoneTransform[BoneHierarchy.BoneCount];
+        Span<BoneTransform> later = stackalloc BoneTransform[BoneHierarchy.BoneCount];
+        Sample(source, before, earlier);
+        Sample(source, frame, now);
+        Sample(source, after, later);
+
+        for (int index = 0; index < BoneHierarchy.BoneCount; index++)
+        {
+            int bone = (int)CalculationOrder.Bones[index];
+            ReadOnlySpan<float> sensor = sensors[((index * ValuesPerBone) + (index < CalculationOrder.BodyBoneCount ? 0 : ContactCount))..];
+            Vector3 velocity = (later[bone].Position - earlier[bone].Position) * (differenceRate * MetresPerCentimetre);
+            Quaternion rotation = now[bone].Rotation;
+            WriteBone(
+                payload.Slice(bone * BoneSize, BoneSize),
+                [
+                    sensor[7], sensor[8], sensor[9], sensor[6],
+                    sensor[13], sensor[14], sensor[15],
+                    sensor[10], sensor[11], sensor[12],
+                    velocity.X, velocity.Y, velocity.Z,
+                    now[bone].Position.X * MetresPerCentimetre, now[bone].Position.Y * MetresPerCentimetre, now[bone].Position.Z * MetresPerCentimetre,
+                    rotation.X, rotation.Y, rotation.Z, rotation.W,
+                ]);
+        }
+    }
+
+    private static void Sample(MotionSource source, long frame, Span<BoneTransform> bones)
+    {
+        source.GetPose(frame, bones);
+        ForwardKinematics.ToWorld(bones, bones, source.Variant);
+    }
+
+    private static void WriteBone(Span<byte> target, ReadOnlySpan<float> values)
+    {
+        for (int i = 0; i < values.Length; i++)
+            BinaryPrimitives.WriteInt32LittleEndian(target[(i * sizeof(float))..], BitConverter.SingleToInt32Bits(values[i]));
+
+        // The sensor is not lost.
+        BinaryPrimitives.WriteInt32LittleEndian(target[(values.Length * sizeof(float))..], 0);
+    }
+}

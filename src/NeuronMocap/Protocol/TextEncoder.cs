@@ -1,0 +1,185 @@
+namespace NeuronMocap.Protocol;
+
+/// <summary>
+/// Writes the lines of the text stream, which Axis Neuron and Axis Studio send with the block type String (protocol.md section 8). Allocates
+/// nothing; the caller owns the memory.
+/// <para>
+/// A value is rounded to the nearest number of the given decimals, halves away from zero, and keeps its sign: -0.001 is -0.00. The text has no
+/// exponents: numbers of a billion and more become 999999999 with their sign, and what is not a number becomes 0.
+/// </para>
+/// </summary>
+public static class TextEncoder
+{
+    /// <summary>Digits after the point in the only published example of a line.</summary>
+    public const int DefaultDecimals = 2;
+
+    /// <summary>Most digits after the point that can be asked for.</summary>
+    public const int MaxDecimals = 6;
+
+    private const double Largest = 999_999_999;
+
+    // A space, a sign, nine digits and a point.
+    private const int MaxValueSize = 12;
+
+    // The number of an avatar, a space, the name, " ||" and CR LF.
+    private const int MaxMotionFrame = 10 + 1 + ProtocolConstants.AvatarNameSize + 3 + 2;
+
+    private static readonly double[] Scales = [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
+
+    private static ReadOnlySpan<byte> LineEnd => " ||\r\n"u8;
+
+    /// <summary>The most bytes that a line of motion values can have.</summary>
+    /// <param name="valueCount">Number of values, not negative.</param>
+    /// <param name="decimals">Digits after the point, 0 to 6.</param>
+    /// <returns>Room that is enough for <see cref="WriteMotion"/>, whatever the values and the name.</returns>
+    public static int GetMaxMotionSize(int valueCount, int decimals = DefaultDecimals) =>
+        checked(MaxMotionFrame + (valueCount * (MaxValueSize + decimals)));
+
+    /// <summary>The most bytes that a line of calculation values can have.</summary>
+    /// <param name="valueCount">Number of values, not negative.</param>
+    /// <param name="decimals">Digits after the point, 0 to 6.</param>
+    /// <returns>Room that is enough for <see cref="WriteCalculation"/>, whatever the values.</returns>
+    public static int GetMaxCalculationSize(int valueCount, int decimals = DefaultDecimals) =>
+        checked(1 + (valueCount * (MaxValueSize + decimals)));
+
+    /// <summary>Writes a line of motion values: <c>index name value value … ||</c> and CR LF.</summary>
+    /// <param name="destination">Room for the line; <see cref="GetMaxMotionSize"/> is always enough.</param>
+    /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
+    /// <param name="avatarName">
+    /// Name of the avatar. The text cannot carry spaces in it: they and other separators (control characters, the vertical bar) are written
+    /// as "_", and so is an empty name. Names that begin with a digit are sent as they are; one known reader cannot tell them from values.
+    /// </param>
+    /// <param name="values">The values in wire order: cm and degrees.</param>
+    /// <param name="decimals">Digits after the point, 0 to 6; with 0 there is no point.</param>
+    /// <returns>Number of bytes written.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The destination is too short, or the number of decimals is outside its range.</exception>
+    public static int WriteMotion(
+        Span<byte> destination, uint avatarIndex, AvatarName avatarName, ReadOnlySpan<float> values, int decimals = DefaultDecimals)
+    {
+        var line = new Line(destination, decimals);
+        line.WriteInteger(avatarIndex);
+        line.Write((byte)' ');
+        line.WriteName(avatarName);
+        line.WriteValues(values, separatesFirst: true);
+        line.Write(LineEnd);
+        return line.Length;
+    }
+
+    /// <summary>Writes a line of calculation values: columns with a space between them, and LF. The line says neither avatar nor frame.</summary>
+    /// <param name="destination">Room for the line; <see cref="GetMaxCalculationSize"/> is always enough.</param>
+    /// <param name="values">The values in wire order: metres, metres per second and the sensors' units; 946 of them on known servers.</param>
+    /// <param name="decimals">Digits after the point, 0 to 6; with 0 there is no point.</param>
+    /// <returns>Number of bytes written.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The destination is too short, or the number of decimals is outside its range.</exception>
+    public static int WriteCalculation(Span<byte> destination, ReadOnlySpan<float> values, int decimals = DefaultDecimals)
+    {
+        var line = new Line(destination, decimals);
+        line.WriteValues(values, separatesFirst: false);
+        line.Write((byte)'\n');
+        return line.Length;
+    }
+
+    private ref struct Line
+    {
+        private readonly Span<byte> _destination;
+        private readonly int _decimals;
+        private readonly double _scale;
+
+        public Line(Span<byte> destination, int decimals)
+        {
+            if (decimals is < 0 or > MaxDecimals)
+                throw new ArgumentOutOfRangeException(nameof(decimals), decimals, "There are 0 to 6 decimals.");
+
+            _destination = destination;
+            _decimals = decimals;
+            _scale = Scales[decimals];
+            Length = 0;
+        }
+
+        public int Length { get; private set; }
+
+        public void Write(byte character) => Reserve(1)[0] = character;
+
+        public void Write(scoped ReadOnlySpan<byte> characters) => characters.CopyTo(Reserve(characters.Length));
+
+        public void WriteName(AvatarName name)
+        {
+            Span<byte> bytes = stackalloc byte[ProtocolConstants.AvatarNameSize];
+            name.CopyTo(bytes);
+            int end = bytes.IndexOf((byte)0);
+            bytes = end < 0 ? bytes : bytes[..end];
+            foreach (ref byte character in bytes)
+            {
+                if (character is <= (byte)' ' or (byte)'|' or 0x7F)
+                    character = (byte)'_';
+            }
+
+            if (bytes.IsEmpty)
+                Write((byte)'_');
+            Write(bytes);
+        }
+
+        public void WriteValues(ReadOnlySpan<float> values, bool separatesFirst)
+        {
+            for (int i = 0; i < values.Length; i++)
+            {
+                if (separatesFirst || i > 0)
+                    Write((byte)' ');
+                WriteValue(values[i]);
+            }
+        }
+
+        public void WriteInteger(ulong number)
+        {
+            int digits = CountDigits(number);
+            WriteDigits(Reserve(digits), number);
+        }
+
+        // A float has 24 significant bits and the scale at most 20: their product is exact, and so is the rounding.
+        private void WriteValue(float value)
+        {
+            double magnitude = float.IsNaN(value) ? 0 : Math.Min(Math.Abs((double)value), Largest);
+            ulong scaled = (ulong)Math.Round(magnitude * _scale, MidpointRounding.AwayFromZero);
+            if (float.IsNegative(value) && !float.IsNaN(value))
+                Write((byte)'-');
+            if (_decimals == 0)
+            {
+                WriteInteger(scaled);
+                return;
+            }
+
+            ulong whole = scaled / (ulong)_scale;
+            WriteInteger(whole);
+            Write((byte)'.');
+            WriteDigits(Reserve(_decimals), scaled - (whole * (ulong)_scale));
+        }
+
+        private static int CountDigits(ulong number)
+        {
+            int digits = 1;
+            while ((number /= 10) > 0)
+                digits++;
+
+            return digits;
+        }
+
+        // Fills the target, with zeros in front.
+        private static void WriteDigits(Span<byte> target, ulong number)
+        {
+            for (int i = target.Length - 1; i >= 0; i--)
+            {
+                ulong rest = number / 10;
+                target[i] = (byte)('0' + (number - (rest * 10)));
+                number = rest;
+            }
+        }
+
+        // Throws where the destination is too short.
+        private Span<byte> Reserve(int count)
+        {
+            Span<byte> room = _destination.Slice(Length, count);
+            Length += count;
+            return room;
+        }
+    }
+}
