@@ -1,3 +1,5 @@
+using NeuronMocap.Compatibility.Callbacks;
+
 namespace NeuronMocap.Compatibility.Sockets;
 
 // All handles of the process.
@@ -32,23 +34,24 @@ internal static class SocketTable
             Sockets.Remove(socket.Handle);
     }
 
-    // Enters the socket where there is none, and forgets dead ones that it replaces: their handles then mean nothing, and are never used again.
+    // Enters the socket where there is none, and replaces a dead one, whose handle then means nothing and is never used again.
     private static VendorSocket? FindSame(VendorSocket socket)
     {
+        VendorSocket? other;
         lock (Lock)
         {
-            foreach (VendorSocket other in Sockets.Values.Where(socket.IsTo).ToArray())
-            {
-                if (other.State != Callbacks.SocketState.OffWork)
-                    return other;
+            other = Sockets.Values.FirstOrDefault(socket.IsTo);
+            if (other is { State: not SocketState.OffWork })
+                return other;
 
+            if (other is not null)
                 Sockets.Remove(other.Handle);
-            }
-
             _lastHandle++;
             socket.Handle = (IntPtr)_lastHandle;
             Sockets.Add(socket.Handle, socket);
-            return null;
         }
+
+        other?.Abandon();
+        return null;
     }
 }

@@ -14,7 +14,7 @@ internal abstract class VendorSocket : IDisposable
     // Given by the table.
     public IntPtr Handle { get; set; }
 
-    public SocketState State => (_isOver, _isOpen) switch
+    public SocketState State => (_isOver || IsClosed, _isOpen) switch
     {
         (true, _) => SocketState.OffWork,
         (_, true) => SocketState.Running,
@@ -49,12 +49,18 @@ internal abstract class VendorSocket : IDisposable
     public void Dispose()
     {
         bool isFirst = Interlocked.Exchange(ref _isClosed, 1) == 0;
-        _isOver = true;
         _opened.Set();
         Release();
         SocketTable.Remove(this);
         if (isFirst)
             OnClosed();
+    }
+
+    // A dead one that is replaced has ended already, and nobody closes it.
+    public void Abandon()
+    {
+        Volatile.Write(ref _isClosed, 1);
+        Release();
     }
 
     // Whether it stands.
@@ -67,7 +73,11 @@ internal abstract class VendorSocket : IDisposable
     {
     }
 
-    protected void SetOpen() => _isOpen = true;
+    protected void SetOpen()
+    {
+        _isOpen = true;
+        _isOver = false;
+    }
 
     protected void SetOver() => _isOver = true;
 
