@@ -10,11 +10,11 @@ public class W1Script
     private readonly CommandDataReceived commandReceived;
     private readonly SocketStatusChanged statusChanged;
     private readonly Dictionary<IntPtr, List<ReceivedFrame>> framesOf = new Dictionary<IntPtr, List<ReceivedFrame>>();
+    private readonly List<string> log = new List<string>();
+    private readonly Dictionary<CmdId, byte[]> parameters = new Dictionary<CmdId, byte[]>();
     private BvhDataHeader header;
 
-    public readonly List<string> Log = new List<string>();
     public readonly List<CmdResponseBoneSize> BoneSizes = new List<CmdResponseBoneSize>();
-    public readonly Dictionary<CmdId, byte[]> Parameters = new Dictionary<CmdId, byte[]>();
     public string BvhText;
     public IntPtr Socket = IntPtr.Zero;
 
@@ -39,8 +39,8 @@ public class W1Script
         Socket = NeuronDataReader.BRConnectTo(ip, int.Parse(port));
         if (Socket == IntPtr.Zero)
         {
-            lock (Log)
-                Log.Add(NeuronDataReader.strBRGetLastErrorMessage());
+            lock (log)
+                log.Add(NeuronDataReader.strBRGetLastErrorMessage());
             return false;
         }
 
@@ -62,6 +62,24 @@ public class W1Script
     {
         lock (framesOf)
             return framesOf.ContainsKey(connection) ? framesOf[connection].ToArray() : new ReceivedFrame[0];
+    }
+
+    public string[] Lines()
+    {
+        lock (log)
+            return log.ToArray();
+    }
+
+    // Null before the answer; only some answers have numbers.
+    public int[] NumbersOf(CmdId command)
+    {
+        lock (parameters)
+        {
+            if (!parameters.ContainsKey(command))
+                return null;
+            byte[] bytes = parameters[command];
+            return new int[] { BitConverter.ToInt32(bytes, 0), BitConverter.ToInt32(bytes, 4) };
+        }
     }
 
     public void Close()
@@ -100,7 +118,7 @@ public class W1Script
     private void OnCommandDataReceived(IntPtr customedObj, IntPtr sockRef, IntPtr cmdHeader, IntPtr cmdData)
     {
         CommandPack pack = (CommandPack)Marshal.PtrToStructure(cmdHeader, typeof(CommandPack));
-        lock (Parameters)
+        lock (parameters)
         {
             switch (pack.CommandId)
             {
@@ -117,7 +135,7 @@ public class W1Script
                     break;
                 default:
                     if (cmdData == IntPtr.Zero)
-                        Parameters[pack.CommandId] = pack.CmdParaments;
+                        parameters[pack.CommandId] = pack.CmdParaments;
                     break;
             }
         }
@@ -125,7 +143,7 @@ public class W1Script
 
     private void OnSocketStatusChanged(IntPtr customObject, IntPtr sockRef, SocketStatus status, string msg)
     {
-        lock (Log)
-            Log.Add((int)status + " " + msg);
+        lock (log)
+            log.Add((int)status + " " + msg);
     }
 }
