@@ -9,12 +9,16 @@ namespace NeuronMocap.Compatibility.Tests.Mono;
 /// </summary>
 internal sealed class MonoProgram : IDisposable
 {
+    private const string Runtime = "/usr/bin/mono";
+    private const string Compiler = "/usr/bin/mcs";
+    private const string Facade = "/usr/lib/mono/4.5/Facades/netstandard.dll";
+
     private readonly string _folder = Directory.CreateTempSubdirectory("neuron-mocap-mono-").FullName;
 
     private string Executable => Path.Combine(_folder, "program.exe");
 
     public static void Require() => Assert.SkipUnless(
-        File.Exists("/usr/bin/mono") && File.Exists("/usr/bin/mcs"), "Mono and its compiler are not installed (Debian's mono-devel).");
+        File.Exists(Runtime) && File.Exists(Compiler) && File.Exists(Facade), "Mono and its compiler are not installed (Debian's mono-devel).");
 
     public async Task CompileAsync(IEnumerable<string> sources)
     {
@@ -22,10 +26,10 @@ internal sealed class MonoProgram : IDisposable
             Adapt(Path.Combine(AppContext.BaseDirectory, assembly), Path.Combine(_folder, assembly));
 
         string reference = "-r:" + Path.Combine(_folder, "NeuronMocap.Compatibility.dll");
-        await RunAsync("/usr/bin/mcs", ["-warnaserror", "-r:netstandard", reference, "-out:" + Executable, .. sources]);
+        await RunAsync(Compiler, ["-warnaserror", "-r:" + Facade, reference, "-out:" + Executable, .. sources]);
     }
 
-    public Task<string[]> RunAsync(params string[] arguments) => RunAsync("/usr/bin/mono", [Executable, .. arguments]);
+    public Task<string[]> RunAsync(params string[] arguments) => RunAsync(Runtime, [Executable, .. arguments]);
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 
@@ -34,10 +38,16 @@ internal sealed class MonoProgram : IDisposable
     private static void Adapt(string source, string target)
     {
         using var module = ModuleDefinition.ReadModule(source, new ReaderParameters(ReadingMode.Immediate));
-        foreach (MethodReference method in module.GetMemberReferences().OfType<MethodReference>())
+        IEnumerable<MethodReference> called = module.GetTypes()
+            .SelectMany(static type => type.Methods)
+            .Where(static method => method.HasBody)
+            .SelectMany(static method => method.Body.Instructions)
+            .Select(static instruction => instruction.Operand)
+            .OfType<MethodReference>();
+        foreach (MethodReference method in called)
         {
-            if (method.ReturnType is RequiredModifierType { ModifierType.Name: "InAttribute" } modified)
-                method.ReturnType = modified.ElementType;
+            if (method.GetElementMethod() is { ReturnType: RequiredModifierType { ModifierType.Name: "InAttribute" } modified } reference)
+                reference.ReturnType = modified.ElementType;
         }
 
         module.Write(target);

@@ -30,7 +30,7 @@ public sealed class MonoTests
             server.Start();
             int port = server.LocalEndPoint!.Port;
 
-            string[] lines = await program.RunAsync($"{port}", $"{2 * Frames}");
+            string[] output = await program.RunAsync($"{port}", $"{2 * Frames}");
 
             Assert.Equal(
                 [
@@ -48,9 +48,12 @@ public sealed class MonoTests
                     $"Failed to connect to 'no-such-computer.invalid:{port}'. System error code: 11001",
                     "CS_OffWork Service is stoped",
                 ],
-                lines);
+                output.Where(IsOwn));
         }
     }
+
+    // Mono itself remarks on options of keep-alive that it does not know.
+    private static bool IsOwn(string line) => !line.StartsWith("System.Net.Sockets.SocketOptionName", StringComparison.Ordinal);
 
     private static void Write(Server.Sources.MotionSource source, long frame, float[] values) =>
         source.WriteValues(frame, new ChannelLayout(hasDisplacement: true, hasReference: false), RotationOrder.YXZ, values);
