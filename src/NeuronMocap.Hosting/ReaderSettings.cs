@@ -29,6 +29,7 @@ internal static class ReaderSettings
         ["Reconnect:MaxDelay"] = static (options, text) => options.Reconnect.MaxDelay = Time(text),
         ["RotationOrder"] = static (options, text) => options.RotationOrder = Word<RotationOrder>(text),
         ["SkeletonVariant"] = static (options, text) => options.SkeletonVariant = Word<SkeletonVariant>(text),
+        ["CommandPort"] = static (options, text) => options.CommandPort = Number(text),
         ["MaxValues"] = static (options, text) => options.MaxValues = Number(text),
     };
 

@@ -41,6 +41,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly LinkActivity _activity;
     private readonly SenderFilter _senders;
     private readonly ConnectionSupervisor _supervisor;
+    private readonly FormatDiscovery? _discovery;
     private Timer? _watchdog;
     private int _started;
     private int _disposed;
@@ -74,6 +75,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _status = new StatusBoard(OnStatusChanged);
         _senders = new SenderFilter(_options.AllowedSenders);
         _format = _options.Format;
+        _discovery = _options.Commands is { } commands ? new FormatDiscovery(commands, _format) : null;
         var recognizer = new StreamRecognizer(_format);
         _activity = new LinkActivity(
             _status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp ? _senders : null, recognizer.Describe);
@@ -202,6 +204,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
             _pipeline.Stop();
             _metrics.Dispose();
             _watchdog?.Dispose();
+            _discovery?.Dispose();
             _stop.Cancel();
             if (Interlocked.Exchange(ref _started, 1) == 0)
                 _ = EndAsync(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller."));
@@ -232,6 +235,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         try
         {
             _watchdog?.Dispose();
+            _discovery?.Dispose();
             await _reporter.EndAsync(Stopwatch.GetTimestamp()).ConfigureAwait(false);
         }
         finally
@@ -262,6 +266,8 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     {
         if (status.IsConnected)
             _connected.TrySetResult(true);
+        if (status.State == ConnectionState.Connected)
+            _discovery?.Begin();
 
         _tellingThread = Environment.CurrentManagedThreadId;
         _reporter.OnStatus(status);

@@ -1,4 +1,5 @@
 using System.Net;
+using NeuronMocap.Commands;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
@@ -71,6 +72,13 @@ public sealed partial class NeuronReaderOptions
     public SkeletonVariant? SkeletonVariant { get; set; }
 
     /// <summary>
+    /// TCP port of the command channel on <see cref="Host"/>, 1 to 65535, also where frames come over UDP; null, the default, for none. With one, the
+    /// reader asks there for the rotation order and the skeleton variant, on every new connection and without waiting for it: see
+    /// <see cref="ProtocolConstants.DefaultCommandPort"/>.
+    /// </summary>
+    public int? CommandPort { get; set; }
+
+    /// <summary>
     /// Largest number of values that a packet may announce, 1 to 1,000,000; larger ones are skipped and counted. 10,224 unless set, the most
     /// that the vendor's library delivers.
     /// </summary>
@@ -87,6 +95,10 @@ public sealed partial class NeuronReaderOptions
         MaxValues = MaxValues,
         SharePort = SharePort,
     };
+
+    internal NeuronCommandOptions? Commands => CommandPort is { } port
+        ? new NeuronCommandOptions { Host = Host, Port = port, ConnectTimeout = ConnectTimeout }
+        : null;
 
     internal NeuronReaderOptions Copy()
     {
@@ -117,6 +129,8 @@ public sealed partial class NeuronReaderOptions
             return $"RotationOrder is {order}; it must be one of the six orders, or null.";
         if (SkeletonVariant is { } variant && !Enum.IsDefined(typeof(SkeletonVariant), variant))
             return $"SkeletonVariant is {variant}; it must be Neck1, Spine3 or null.";
+        if (CommandPort is < 1 or > IPEndPoint.MaxPort)
+            return $"CommandPort is {CommandPort}; it must be 1 to {IPEndPoint.MaxPort}, or null.";
         if (MaxValues is < 1 or > 1_000_000)
             return $"MaxValues is {MaxValues}; it must be 1 to 1,000,000.";
         if (AllowedSenders?.Contains(null!) == true)

@@ -51,25 +51,47 @@ internal sealed class StreamRecognizer(FrameFormat format)
         if (!stream.IsMotion)
             return new StreamDescription(stream.Format, ConnectionReason.None, $": {text}, calculation data.");
 
-        if (format.OptionOrder is { } option)
-            return DescribeOption(stream, text, option);
-
-        string order = stream.Order is { } told ? $"rotation order {told}, as the stream says"
-            : format.LearntOrder is { } learnt ? $"rotation order {learnt}, as the command channel says"
-            : $"rotation order {SkeletonFormat.Default.RotationOrder} assumed, the stream does not say";
-        return new StreamDescription(stream.Format, ConnectionReason.None, $": {text}; {order}.");
+        (ConnectionReason reason, string fault) = FindFault(stream);
+        return new StreamDescription(stream.Format, reason, $": {text}; {DescribeOrder(stream)}{DescribeVariant()}.{fault}");
     }
 
-    private StreamDescription DescribeOption(Recognized stream, string text, RotationOrder option)
+    private string DescribeOrder(Recognized stream) => (format.OptionOrder, stream.Order, format.LearntOrder) switch
+    {
+        ({ } option, _, _) => $"rotation order {option}, as the options say",
+        (_, { } told, _) => $"rotation order {told}, as the stream says",
+        (_, _, { } learnt) => $"rotation order {learnt}, as the command channel says",
+        _ => $"rotation order {SkeletonFormat.Default.RotationOrder} assumed, the stream does not say",
+    };
+
+    // Appendix A's is what everybody expects: nothing to say about where nobody said anything.
+    private string DescribeVariant() => (format.OptionVariant, format.LearntVariant) switch
+    {
+        (null, { } learnt) => $"; bones with {learnt}, as the command channel says",
+        _ => string.Empty,
+    };
+
+    // What is wrong with how the frames are understood, or may be.
+    private (ConnectionReason Reason, string Text) FindFault(Recognized stream)
     {
         (RotationOrder? told, string teller) = stream.Order is { } order ? (order, "the stream") : (format.LearntOrder, "the command channel");
-        return told is null || told == option
-            ? new StreamDescription(stream.Format, ConnectionReason.None, $": {text}; rotation order {option}, as the options say.")
-            : new StreamDescription(
-                stream.Format,
+        if (format.OptionOrder is { } option && told is not null && told != option)
+        {
+            return (
                 ConnectionReason.RotationOrderMismatch,
-                $": {text}. The options say rotation order {option}, which is used, but {teller} says {told}: one of them is wrong. Leave RotationOrder "
-                + $"out of the options to use {told}.");
+                $" But {teller} says {told}: one of them is wrong. Leave RotationOrder out of the options to use {told}.");
+        }
+
+        if (format.OptionVariant is { } variant && format.LearntVariant is { } learnt && learnt != variant)
+        {
+            return (
+                ConnectionReason.SkeletonVariantMismatch,
+                $" The options say bones with {variant}, which is used, but the command channel says {learnt}: one of them is wrong. Leave "
+                + $"SkeletonVariant out of the options to use {learnt}.");
+        }
+
+        return format.DiscoveryFailure is { } failure
+            ? (ConnectionReason.NotDiscovered, $" What the stream does not say could not be asked for (CommandPort): {failure}")
+            : (ConnectionReason.None, string.Empty);
     }
 
     private bool Recognize(in ReceivedPacket packet, ulong key)

@@ -14,7 +14,7 @@ public sealed class ReaderSettingsTests
         NeuronReaderOptions options = Read(
             ("Name", "stage"), ("Transport", "udp"), ("Host", "studio"), ("Port", "7012"), ("LocalAddress", "::1"), ("SharePort", "true"),
             ("ConnectTimeout", "00:00:02"), ("SilenceTimeout", "1.5"), ("Reconnect:Enabled", "False"), ("Reconnect:InitialDelay", "0.25"),
-            ("Reconnect:MaxDelay", "10"), ("RotationOrder", "XYZ"), ("SkeletonVariant", "Spine3"), ("MaxValues", "500"),
+            ("Reconnect:MaxDelay", "10"), ("RotationOrder", "XYZ"), ("SkeletonVariant", "Spine3"), ("MaxValues", "500"), ("CommandPort", "8013"),
             ("AllowedSenders", "192.168.1.20, ::1"));
 
         Assert.Equal(
@@ -25,7 +25,9 @@ public sealed class ReaderSettingsTests
         Assert.Equal(
             (false, 0.25, 10),
             (options.Reconnect.Enabled, options.Reconnect.InitialDelay.TotalSeconds, options.Reconnect.MaxDelay.TotalSeconds));
-        Assert.Equal((RotationOrder.XYZ, SkeletonVariant.Spine3, 500), (options.RotationOrder, options.SkeletonVariant, options.MaxValues));
+        Assert.Equal(
+            (RotationOrder.XYZ, SkeletonVariant.Spine3, 500, 8013),
+            (options.RotationOrder, options.SkeletonVariant, options.MaxValues, options.CommandPort));
     }
 
     [Fact]

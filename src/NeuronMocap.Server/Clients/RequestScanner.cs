@@ -8,8 +8,6 @@ namespace NeuronMocap.Server.Clients;
 /// </summary>
 internal sealed class RequestScanner
 {
-    private const byte TokenStart = 0xFF;
-
     private readonly byte[] _buffer = new byte[4096];
     private int _count;
 
@@ -32,7 +30,7 @@ internal sealed class RequestScanner
                 return true;
             }
 
-            int next = bytes[(start + 1)..].IndexOf(TokenStart);
+            int next = bytes[(start + 1)..].IndexOf(ProtocolConstants.TokenStart);
             start = next < 0 ? bytes.Length : start + 1 + next;
         }
 

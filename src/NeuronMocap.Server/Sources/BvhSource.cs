@@ -60,6 +60,18 @@ public sealed class BvhSource : MotionSource
     /// <returns>True for each foot that touches.</returns>
     public override (bool Left, bool Right) GetFootContacts(long frame) => _contacts.Value[checked((int)frame)];
 
+    /// <summary>Writes the file's OFFSETs and End Sites.</summary>
+    /// <param name="offsets">Room for the places of the 59 bones relative to their parents, in <see cref="Bone"/> order; centimetres.</param>
+    /// <param name="endSites">Room for 59 places where the bones end, relative to them; zero for bones that have none in the file.</param>
+    public override void GetBody(Span<Vector3> offsets, Span<Vector3> endSites)
+    {
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            offsets[(int)bone] = _map[bone].Offset;
+            endSites[(int)bone] = _map[bone].EndSite ?? Vector3.Zero;
+        }
+    }
+
     /// <inheritdoc/>
     public override void WriteValues(long frame, ChannelLayout layout, RotationOrder order, Span<float> values)
     {

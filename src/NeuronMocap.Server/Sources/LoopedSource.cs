@@ -1,3 +1,4 @@
+using System.Numerics;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;
@@ -40,6 +41,9 @@ public sealed class LoopedSource : MotionSource
 
     /// <inheritdoc/>
     public override (bool Left, bool Right) GetFootContacts(long frame) => _source.GetFootContacts(frame % _count);
+
+    /// <inheritdoc/>
+    public override void GetBody(Span<Vector3> offsets, Span<Vector3> endSites) => _source.GetBody(offsets, endSites);
 
     /// <inheritdoc/>
     public override void WriteValues(long frame, ChannelLayout layout, RotationOrder order, Span<float> values) =>

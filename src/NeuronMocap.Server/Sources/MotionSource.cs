@@ -32,6 +32,28 @@ public abstract class MotionSource
     public abstract (bool Left, bool Right) GetFootContacts(long frame);
 
     /// <summary>
+    /// Writes the body that performs, at rest. Unless a source knows better: the positions of its first pose, the hips above the origin, and the
+    /// default body's ends (<see cref="DefaultOffsets.TryGetEndSite"/>).
+    /// </summary>
+    /// <param name="offsets">Room for the places of the 59 bones relative to their parents, in <see cref="Bone"/> order; centimetres.</param>
+    /// <param name="endSites">Room for 59 places where the bones end, relative to them; zero for bones that have children.</param>
+    public virtual void GetBody(Span<Vector3> offsets, Span<Vector3> endSites)
+    {
+        Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
+        GetPose(0, pose);
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            offsets[(int)bone] = pose[(int)bone].Position;
+            DefaultOffsets.TryGetEndSite(bone, out endSites[(int)bone]);
+        }
+
+        offsets[(int)Bone.Hips] = new Vector3(0, offsets[(int)Bone.Hips].Y, 0);
+    }
+
+    // The performance as it goes on from a frame, and went before it: for what is computed from a frame and its neighbours.
+    internal virtual MotionSource At(long frame) => this;
+
+    /// <summary>
     /// Writes the values of a motion packet. A source whose own numbers are in that layout and order writes those, bit for bit.
     /// </summary>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>

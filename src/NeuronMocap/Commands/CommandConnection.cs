@@ -17,7 +17,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
 {
     private readonly object _lock = new();
     private readonly HashSet<CommandChannelId> _asked = [];
-    private readonly CommandReplyReader _reader = new(options.MaxReplySize);
+    private readonly CommandPacketReader _reader = new(options.MaxReplySize);
     private Socket? _socket;
     private bool _isClosed;
 

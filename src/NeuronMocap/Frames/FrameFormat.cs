@@ -14,9 +14,22 @@ internal sealed class FrameFormat(RotationOrder? order, SkeletonVariant? variant
     private volatile int _learntOrder = -1;
     private volatile int _learntVariant = -1;
 
+    private volatile string? _discoveryFailure;
+
     public RotationOrder? OptionOrder => order;
 
     public RotationOrder? LearntOrder => _learntOrder < 0 ? null : (RotationOrder)_learntOrder;
+
+    public SkeletonVariant? OptionVariant => variant;
+
+    public SkeletonVariant? LearntVariant => _learntVariant < 0 ? null : (SkeletonVariant)_learntVariant;
+
+    // Why the command channel did not tell, in words; null while nobody asked, and when it did.
+    public string? DiscoveryFailure
+    {
+        get => _discoveryFailure;
+        set => _discoveryFailure = value;
+    }
 
     public static implicit operator FrameFormat(SkeletonFormat format) => new(format.RotationOrder, format.Variant);
 
@@ -32,7 +45,7 @@ internal sealed class FrameFormat(RotationOrder? order, SkeletonVariant? variant
     // The caller has seen a motion header.
     public SkeletonFormat Of(ReadOnlySpan<byte> header) => new(
         order ?? ReadOrder(header) ?? LearntOrder ?? SkeletonFormat.Default.RotationOrder,
-        variant ?? (_learntVariant < 0 ? SkeletonFormat.Default.Variant : (SkeletonVariant)_learntVariant));
+        variant ?? LearntVariant ?? SkeletonFormat.Default.Variant);
 
     // The order that Axis Studio writes into the first reserved field (protocol.md section 9); null where there is none.
     public static RotationOrder? ReadOrder(ReadOnlySpan<byte> header)

@@ -51,6 +51,18 @@ public enum ConnectionReason
     /// </summary>
     RotationOrderMismatch,
 
+    /// <summary>
+    /// Frames arrive, but the skeleton variant of the reader's options is not the one that the command channel tells: neck and spine have other
+    /// names and lengths.
+    /// </summary>
+    SkeletonVariantMismatch,
+
+    /// <summary>
+    /// Frames arrive, but the command channel did not answer what they do not say: the rotation order or the skeleton variant may be another
+    /// than is assumed.
+    /// </summary>
+    NotDiscovered,
+
     /// <summary>Another error of the network; the message carries the system's words.</summary>
     NetworkError,
 }

@@ -159,7 +159,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
 
     // A server whose computer lost its power or its network says nothing more, and a client that only listens would wait for ever.
     // Probes after 10 s of silence, every 2 s; given up after 5 without an answer.
-    private static void KeepAlive(Socket socket)
+    internal static void KeepAlive(Socket socket)
     {
         const SocketOptionName Time = (SocketOptionName)3;
         const SocketOptionName RetryCount = (SocketOptionName)16;

@@ -1,6 +1,9 @@
 using System.Diagnostics;
+using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
+using System.Text;
+using NeuronMocap.Protocol;
 using NeuronMocap.Samples.Tests.Infrastructure;
 
 namespace NeuronMocap.Samples.Tests.Simulator;
@@ -16,6 +19,13 @@ public sealed class SimulatorProcessTests
     [InlineData("--order", "YYX")]
     [InlineData("--fragment", "0")]
     [InlineData("--bvh", "take.bvh", "--synthetic")]
+    [InlineData("--format", "csv")]
+    [InlineData("--format", "text", "--header", "old")]
+    [InlineData("--format", "text", "--header", "new")]
+    [InlineData("--format", "studio", "--header", "old")]
+    [InlineData("--decimals", "3")]
+    [InlineData("--format", "text", "--decimals", "7")]
+    [InlineData("--data-commands", "perhaps")]
     [InlineData("--unknown")]
     public async Task Bad_usage_ends_with_2_and_the_usage_line(params string[] args)
     {
@@ -56,6 +66,56 @@ public sealed class SimulatorProcessTests
             StringComparison.Ordinal);
         Assert.Equal(0, await monitor.WaitForExitAsync());
         Assert.Equal(0, await simulator.WaitForExitAsync());
+    }
+
+    [Theory]
+    [InlineData("binary", "header 1.1.0.0, calculation packets")]
+    [InlineData("text", "text with 2 decimals, calculation lines")]
+    [InlineData("studio", "as Axis Studio, header 1.1.0.1, its calculation packets")]
+    public async Task Every_format_reaches_the_monitor_and_the_first_line_names_it(string format, string description)
+    {
+        using var simulator = new SampleProcess(
+            Program, "--port", "0", "--rate", "max", "--wait-for-client", "--frames", "100", "--avatars", "2", "--calculation", "--format", format);
+        Assert.EndsWith(description, await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken), StringComparison.Ordinal);
+        string address = await ReadAddressAsync(simulator);
+        using var monitor = new SampleProcess("neuron-monitor", "--connect", address, "--once", "--quiet");
+        string summary = await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.StartsWith("{\"type\":\"summary\",\"frames\":200,", summary, StringComparison.Ordinal);
+        Assert.Contains("\"lost\":0,\"dropped\":0,\"skippedBytes\":0,", summary, StringComparison.Ordinal);
+        Assert.Equal(0, await monitor.WaitForExitAsync());
+        Assert.Equal(0, await simulator.WaitForExitAsync());
+    }
+
+    [Theory]
+    [InlineData("on")]
+    [InlineData("off")]
+    public async Task Commands_are_answered_between_lines_unless_told_not_to(string answers)
+    {
+        if (OperatingSystem.IsWindows())
+            Assert.Skip("There are no signals to send.");
+
+        using var simulator = new SampleProcess(
+            Program, "--port", "0", "--rate", "100", "--wait-for-client", "--format", "text", "--decimals", "1", "--data-commands", answers);
+        string[] address = (await ReadAddressAsync(simulator)).Split(':');
+        using var client = new TcpClient(address[0], int.Parse(address[1], CultureInfo.InvariantCulture));
+        byte[] requests = new byte[128];
+        new CommandHeader { CommandId = DataCommandId.FaceDirection }.Write(requests);
+        new CommandHeader { CommandId = DataCommandId.AvatarCount }.Write(requests.AsSpan(64));
+        await client.GetStream().WriteAsync(requests, TestContext.Current.CancellationToken);
+        using var reader = new StreamReader(client.GetStream(), Encoding.Latin1);
+        var lines = new List<string>();
+        while (lines.Count < 100 && !lines.Any(IsReply))
+            lines.Add((await reader.ReadLineAsync(TestContext.Current.CancellationToken))!);
+
+        Assert.Equal(answers == "on", lines.Any(IsReply));
+        Assert.All(lines, line => Assert.Contains("0 Char00 -", line, StringComparison.Ordinal));
+        using Process kill = Process.Start("kill", ["-TERM", $"{simulator.Id}"]);
+        string output = await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+        Assert.Equal(answers == "on", output.Contains(", commands: 1 reply, 1 unanswered", StringComparison.Ordinal));
+        Assert.Equal(0, await simulator.WaitForExitAsync());
+
+        static bool IsReply(string line) => line.StartsWith('\u00FF');
     }
 
     [Fact]

@@ -3,7 +3,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Commands;
 
-public class CommandReplyReaderTests
+public class CommandPacketReaderTests
 {
     [Theory, EverySplitting]
     public void Replies_are_read_however_they_are_cut_up(Splitting splitting)
@@ -43,7 +43,7 @@ public class CommandReplyReaderTests
     [InlineData(int.MaxValue)]
     public void A_size_that_is_not_allowed_is_told_before_anything_is_kept(int size)
     {
-        var reader = new CommandReplyReader(maxPayload: 48);
+        var reader = new CommandPacketReader(maxPayload: 48);
         Add(reader, CommandScript.Packet([], 1003, size));
 
         Assert.True(reader.TryRead(out CommandChannelHeader header, out ReadOnlySpan<byte> payload));
@@ -109,7 +109,7 @@ public class CommandReplyReaderTests
 
     private static (List<(int Id, byte[] Payload)> Replies, long Skipped) ReadAll(IEnumerable<ArraySegment<byte>> pieces, int maxPayload)
     {
-        var reader = new CommandReplyReader(maxPayload);
+        var reader = new CommandPacketReader(maxPayload);
         var replies = new List<(int, byte[])>();
         foreach (ArraySegment<byte> piece in pieces)
         {
@@ -126,7 +126,7 @@ public class CommandReplyReaderTests
         return (replies, reader.Skipped);
     }
 
-    private static void Add(CommandReplyReader reader, ReadOnlySpan<byte> bytes)
+    private static void Add(CommandPacketReader reader, ReadOnlySpan<byte> bytes)
     {
         while (bytes.Length > 0)
         {

@@ -2,9 +2,9 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Commands;
 
-// Finds the replies in what a command connection brings, however it is cut up. Bytes that are no header are passed over to the next place where
-// both tokens stand. Keeps no more than one reply's largest size, whatever a header announces.
-internal sealed class CommandReplyReader(int maxPayload)
+// Finds the packets in what a command connection brings, however it is cut up: replies here, requests on the server's side. Bytes that are no header
+// are passed over to the next place where both tokens stand. Memory grows with what has come, not with what a header announces.
+internal sealed class CommandPacketReader(int maxPayload)
 {
     private byte[] _buffer = new byte[1024];
     private int _start;

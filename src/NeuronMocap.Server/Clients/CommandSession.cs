@@ -1,0 +1,137 @@
+using System.Net.Sockets;
+using NeuronMocap.Commands;
+using NeuronMocap.Protocol;
+using NeuronMocap.Server.Broadcasting;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Server.Clients;
+
+// One client of the command channel, on a thread of its own: reads requests and answers them, one after the other.
+internal sealed class CommandSession : IDisposable
+{
+    // Requests have four bytes at most.
+    private const int MaxParameters = 1024;
+
+    // A client that does not read its answers is let go.
+    private const int SendTimeout = 5000;
+
+    private readonly Socket _socket;
+    private readonly CommandAnswers _answers;
+    private readonly CommandReplyQuirks _quirks;
+    private readonly ManualResetEventSlim _stop;
+    private readonly Action<CommandSession> _ended;
+    private readonly CommandPacketReader _reader = new(MaxParameters);
+
+    // Stop is the server's, and ends a delay. Ended is called once, on the session's thread.
+    public CommandSession(Socket socket, CommandAnswers answers, CommandReplyQuirks quirks, ManualResetEventSlim stop, Action<CommandSession> ended)
+    {
+        _socket = socket;
+        _answers = answers;
+        _quirks = quirks;
+        _stop = stop;
+        _ended = ended;
+        socket.NoDelay = true;
+        socket.SendTimeout = SendTimeout;
+        TcpLink.KeepAlive(socket);
+        Worker = new Worker("NeuronMocap commands", Run);
+    }
+
+    public Worker Worker { get; }
+
+    public void Dispose() => _socket.Dispose();
+
+    private void Run()
+    {
+        try
+        {
+            Serve();
+        }
+        catch (Exception exception) when (SocketErrors.IsExpected(exception) || exception is OutOfMemoryException)
+        {
+            // The client went away or the server closed the socket: the ordinary ends of a connection. Or there was no memory for it.
+        }
+
+        Close();
+        _ended(this);
+    }
+
+    // Closing alone over unread bytes resets the connection and takes an answer with it that the client has not read.
+    private void Close()
+    {
+        try
+        {
+            _socket.Shutdown(SocketShutdown.Send);
+        }
+        catch (Exception exception) when (SocketErrors.IsExpected(exception))
+        {
+            // It was closed before, by either side.
+        }
+
+        _socket.Dispose();
+    }
+
+    private void Serve()
+    {
+        while (true)
+        {
+            CommandChannelHeader request;
+            ReadOnlySpan<byte> parameters;
+            while (!_reader.TryRead(out request, out parameters))
+            {
+                ArraySegment<byte> room = _reader.GetRoom();
+                int count = _socket.Receive(room.Array!, room.Offset, room.Count, SocketFlags.None);
+                if (count == 0)
+                    return;
+
+                _reader.Add(count);
+            }
+
+            // After a size that cannot be, nobody knows where the next request begins.
+            if (!_reader.IsAllowed(request) || !Answer(request, parameters))
+                return;
+        }
+    }
+
+    // False when the connection is to be closed.
+    private bool Answer(in CommandChannelHeader request, ReadOnlySpan<byte> parameters)
+    {
+        byte[] reply = Encode(_quirks.ReplyId ?? request.CommandId, _answers.GetPayload(request.CommandId, parameters));
+        if (_quirks.CloseInstead || (_quirks.Delay > TimeSpan.Zero && _stop.Wait(_quirks.Delay)))
+            return false;
+
+        if (_quirks.Unsolicited)
+        {
+            CommandChannelId other = request.CommandId == (int)CommandChannelId.RotationOrder ? CommandChannelId.ZeroOutAll : CommandChannelId.RotationOrder;
+            Send(Encode((int)other, [0, 0, 0, 0]));
+        }
+
+        for (int i = 0; i < _quirks.Answers; i++)
+            Send(reply);
+
+        return true;
+    }
+
+    private byte[] Encode(int id, byte[] payload)
+    {
+        if (_quirks.PayloadSize is { } size)
+            Array.Resize(ref payload, size);
+
+        byte[] packet = new byte[CommandChannelHeader.Size + payload.Length];
+        new CommandChannelHeader
+        {
+            CommandType = _quirks.CommandType,
+            CommandId = (ushort)id,
+            PayloadSize = _quirks.AnnouncedSize ?? payload.Length,
+            Reserved = _quirks.Reserved,
+        }.Write(packet);
+        payload.CopyTo(packet, CommandChannelHeader.Size);
+        return packet;
+    }
+
+    private void Send(byte[] packet)
+    {
+        int piece = _quirks.Fragment ?? packet.Length;
+        for (int sent = 0; sent < packet.Length;)
+            sent += _socket.Send(packet, sent, Math.Min(piece, packet.Length - sent), SocketFlags.None);
+    }
+}

@@ -1,0 +1,135 @@
+using System.Diagnostics;
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Server.Broadcasting;
+using NeuronMocap.Server.Clients;
+
+namespace NeuronMocap.Server;
+
+/// <summary>
+/// The command channel of a <see cref="Broadcaster"/> (manual sections 2.3.9 to 2.3.14, protocol.md section 6): a TCP port of its own, on which clients
+/// ask for the rotation order, the sizes of the avatars' bodies and the beginning of their BVH files, and have avatars turned to face front.
+/// <para>
+/// Answers with the broadcaster's settings and sources; an avatar that there is not gets 0, or an empty answer, and so does a command that is
+/// not known. Nothing that a client sends ends the server or reaches another client: bytes that are no request are passed over, and a request that announces
+/// too much closes its connection. All members may be used from any thread. One thread listens and every client has one, all in the background.
+/// </para>
+/// </summary>
+public sealed class CommandServer : IDisposable, IAsyncDisposable
+{
+    private static readonly TimeSpan JoinTimeout = TimeSpan.FromSeconds(5);
+
+    private readonly object _gate = new();
+    private readonly CommandServerOptions _options;
+    private readonly CommandAnswers _answers;
+    private readonly List<CommandSession> _sessions = [];
+    private readonly ManualResetEventSlim _stop = new();
+    private ClientListener? _listener;
+    private bool _isOver;
+
+    /// <summary>Makes a server that does nothing yet.</summary>
+    /// <param name="broadcaster">Whose avatars the commands are about; not started, stopped or disposed by the server.</param>
+    /// <param name="options">The settings, copied; null for the defaults.</param>
+    /// <exception cref="ArgumentException">A setting is out of its range; the message names it.</exception>
+    public CommandServer(Broadcaster broadcaster, CommandServerOptions? options = null)
+    {
+        _answers = new CommandAnswers(broadcaster ?? throw new ArgumentNullException(nameof(broadcaster)));
+        _options = (options ?? new CommandServerOptions()).CopyChecked();
+    }
+
+    /// <summary>Where clients connect, with the real port; null before the start.</summary>
+    public IPEndPoint? LocalEndPoint { get; private set; }
+
+    /// <summary>Clients that are connected now.</summary>
+    public int ClientCount
+    {
+        get
+        {
+            lock (_gate)
+                return _sessions.Count;
+        }
+    }
+
+    /// <summary>Takes the port and begins to listen.</summary>
+    /// <exception cref="BroadcasterException">The port cannot be had. The server can be started again.</exception>
+    /// <exception cref="InvalidOperationException">It was started before.</exception>
+    /// <exception cref="ObjectDisposedException">It was stopped before.</exception>
+    public void Start()
+    {
+        lock (_gate)
+        {
+            if (_isOver)
+                throw new ObjectDisposedException(nameof(CommandServer), "The command server was stopped.");
+            if (_listener is not null)
+                throw new InvalidOperationException("The command server was started before.");
+
+            var endPoint = new IPEndPoint(_options.BindAddress, _options.Port);
+            try
+            {
+                _listener = new ClientListener(endPoint, OnAccepted);
+            }
+            catch (SocketException exception)
+            {
+                throw BroadcasterException.CannotListen(endPoint, exception);
+            }
+
+            LocalEndPoint = _listener.LocalEndPoint;
+            _listener.Worker.Start();
+        }
+    }
+
+    /// <summary>Closes all connections at once and ends all threads. Returns within seconds; may be repeated.</summary>
+    public void Stop()
+    {
+        Worker?[] workers;
+        lock (_gate)
+        {
+            _isOver = true;
+            _stop.Set();
+            _listener?.Dispose();
+            workers = [_listener?.Worker, .. _sessions.ConvertAll(session => session.Worker)];
+            _sessions.ForEach(session => session.Dispose());
+        }
+
+        long deadline = Stopwatch.GetTimestamp() + (long)(JoinTimeout.TotalSeconds * Stopwatch.Frequency);
+        foreach (Worker? worker in workers)
+            worker?.Join(deadline);
+    }
+
+    /// <summary>Does what <see cref="Stop"/> does.</summary>
+    public void Dispose() => Stop();
+
+    /// <summary>Does what <see cref="Stop"/> does, without blocking the caller.</summary>
+    /// <returns>Ends when all is closed.</returns>
+    public ValueTask DisposeAsync() => new(Task.Run(Stop));
+
+    private void OnAccepted(Socket socket)
+    {
+        lock (_gate)
+        {
+            if (_isOver || _sessions.Count >= _options.MaxClients)
+            {
+                socket.Dispose();
+                return;
+            }
+
+            try
+            {
+                var session = new CommandSession(socket, _answers, _options.Quirks, _stop, OnEnded);
+                session.Worker.Start();
+                _sessions.Add(session);
+            }
+            catch (Exception exception) when (exception is SocketException or OutOfMemoryException)
+            {
+                // It was reset before it was greeted, or the system has no thread left for it.
+                socket.Dispose();
+            }
+        }
+    }
+
+    private void OnEnded(CommandSession session)
+    {
+        lock (_gate)
+            _sessions.Remove(session);
+    }
+}

@@ -1,0 +1,48 @@
+using System.Net;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Server;
+
+/// <summary>Where a <see cref="CommandServer"/> listens, and how it answers. The server copies them when it is made; changes after that have no effect.</summary>
+public sealed class CommandServerOptions
+{
+    /// <summary>
+    /// TCP port to listen on, 0 to 65535; 0 takes any free one, which <see cref="CommandServer.LocalEndPoint"/> tells. Default: 8013.
+    /// </summary>
+    public int Port { get; set; } = ProtocolConstants.DefaultCommandPort;
+
+    /// <summary>
+    /// Address to listen on, one of this machine. Default: loopback, because whoever can connect can turn the actors;
+    /// <see cref="IPAddress.Any"/> listens on all.
+    /// </summary>
+    public IPAddress BindAddress { get; set; } = IPAddress.Loopback;
+
+    /// <summary>Largest number of clients at a time, 1 to 1024; more are closed at once. Default: 32.</summary>
+    public int MaxClients { get; set; } = 32;
+
+    /// <summary>What the server does otherwise than it should, to test clients. Default: nothing.</summary>
+    public CommandReplyQuirks Quirks { get; set; } = new();
+
+    internal CommandServerOptions CopyChecked()
+    {
+        var copy = (CommandServerOptions)MemberwiseClone();
+        Require(Port is >= 0 and <= IPEndPoint.MaxPort, nameof(Port), "is 0 to 65535", Port);
+        Require(BindAddress is not null, nameof(BindAddress), "is an address", BindAddress);
+        Require(MaxClients is >= 1 and <= 1024, nameof(MaxClients), "is 1 to 1024", MaxClients);
+        Require(Quirks is not null, nameof(Quirks), "is not null", Quirks);
+        copy.Quirks = Quirks!.Copy();
+        CommandReplyQuirks quirks = copy.Quirks;
+        Require(quirks.ReplyId is null or (>= 0 and <= ushort.MaxValue), "Quirks.ReplyId", "is 0 to 65535", quirks.ReplyId);
+        Require(quirks.PayloadSize is null or (>= 0 and <= 1_048_576), "Quirks.PayloadSize", "is 0 to 1,048,576", quirks.PayloadSize);
+        Require(quirks.Answers is >= 0 and <= 16, "Quirks.Answers", "is 0 to 16", quirks.Answers);
+        Require(quirks.Fragment is null or >= 1, "Quirks.Fragment", "is at least 1", quirks.Fragment);
+        Require(quirks.Delay >= TimeSpan.Zero && quirks.Delay <= TimeSpan.FromMinutes(5), "Quirks.Delay", "is 0 to 5 minutes", quirks.Delay);
+        return copy;
+    }
+
+    private static void Require(bool condition, string setting, string requirement, object? value)
+    {
+        if (!condition)
+            throw new ArgumentException($"{nameof(CommandServerOptions)}.{setting} {requirement}; it is {value}.", setting);
+    }
+}

@@ -1,0 +1,53 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Commands;
+using NeuronMocap.Frames;
+
+namespace NeuronMocap;
+
+// Asks the server's command channel, once for every connection of the reader, what an Axis Neuron stream does not say: the order of the
+// rotation values, and through the names in the BVH header the variant of the skeleton. What it learns or why it learnt nothing becomes part of
+// the status message. The reader never waits for it.
+internal sealed class FormatDiscovery(NeuronCommandOptions options, FrameFormat format) : IDisposable
+{
+    // Servers count from 0, and all avatars of one have the same kind of skeleton.
+    private const int Avatar = 0;
+
+    private readonly NeuronCommandClient _client = new(options);
+    private int _isAsking;
+
+    // A connection stands. Any thread.
+    public void Begin()
+    {
+        if (Interlocked.Exchange(ref _isAsking, 1) == 0)
+            _ = AskAsync();
+    }
+
+    // Ends the questions, without waiting for it.
+    public void Dispose() => _ = _client.DisposeAsync().AsTask();
+
+    private async Task AskAsync()
+    {
+        try
+        {
+            format.Learn(await _client.GetRotationOrderAsync().ConfigureAwait(false), variant: null);
+            BvhDocument header = await _client.GetBvhHeaderAsync(Avatar).ConfigureAwait(false);
+            if (!BvhSkeletonMap.TryCreate(header, out BvhSkeletonMap? map, out string? reason))
+                throw new NeuronCommandException(CommandFailure.InvalidReply, $"The BVH header of avatar {Avatar} has another skeleton: {reason}");
+
+            format.Learn(order: null, map.Format.Variant);
+            format.DiscoveryFailure = null;
+        }
+        catch (NeuronCommandException exception)
+        {
+            format.DiscoveryFailure = exception.Message;
+        }
+        catch (ObjectDisposedException)
+        {
+            // The reader was stopped.
+        }
+        finally
+        {
+            Volatile.Write(ref _isAsking, 0);
+        }
+    }
+}

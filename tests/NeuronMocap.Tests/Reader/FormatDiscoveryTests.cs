@@ -1,0 +1,176 @@
+using System.Text;
+using NeuronMocap.Bvh;
+using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Commands;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Reader;
+
+// What the stream does not say, asked for on the command channel.
+public sealed class FormatDiscoveryTests : IDisposable
+{
+    private static readonly SkeletonFormat Told = new(RotationOrder.ZXY, SkeletonVariant.Spine3);
+
+    private readonly TestServer _server = new();
+
+    public void Dispose() => _server.Dispose();
+
+    [Fact]
+    public async Task Frames_are_understood_as_the_command_channel_says_and_the_status_says_so()
+    {
+        using CommandScript commands = Commands(Told);
+        await using var reader = new NeuronReader(Options(commands));
+        var log = new StatusLog(reader);
+        using LatestFrames latest = reader.OpenLatest();
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+
+        MotionFrame frame = await SendUntilAsync(connection, latest, sent => sent.Format == Told);
+        Assert.Equal(EulerAngles.ToQuaternion(frame.GetEulerAngles(Bone.Head), RotationOrder.ZXY), frame.GetRotation(Bone.Head));
+        ConnectionStatus status = await log.WaitAsync(told => told.Message.Contains("ZXY", StringComparison.Ordinal));
+        Assert.Contains("rotation order ZXY, as the command channel says; bones with Spine3, as the command channel says", status.Message, StringComparison.Ordinal);
+        Assert.Equal(ConnectionReason.None, status.Reason);
+    }
+
+    [Fact]
+    public async Task The_options_win_and_what_the_command_channel_says_otherwise_is_told()
+    {
+        using CommandScript commands = Commands(Told);
+        NeuronReaderOptions options = Options(commands);
+        options.RotationOrder = RotationOrder.XYZ;
+        await using var reader = new NeuronReader(options);
+        var log = new StatusLog(reader);
+        using LatestFrames latest = reader.OpenLatest();
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+
+        MotionFrame frame = await SendUntilAsync(connection, latest, sent => sent.Format.Variant == SkeletonVariant.Spine3);
+        Assert.Equal(RotationOrder.XYZ, frame.Format.RotationOrder);
+        ConnectionStatus status = await log.WaitAsync(told => told.Reason == ConnectionReason.RotationOrderMismatch);
+        Assert.Contains("XYZ", status.Message, StringComparison.Ordinal);
+        Assert.Contains("the command channel says ZXY", status.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Another_variant_than_the_option_is_told()
+    {
+        using CommandScript commands = Commands(Told);
+        NeuronReaderOptions options = Options(commands);
+        options.SkeletonVariant = SkeletonVariant.Neck1;
+        await using var reader = new NeuronReader(options);
+        var log = new StatusLog(reader);
+        using LatestFrames latest = reader.OpenLatest();
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+
+        MotionFrame frame = await SendUntilAsync(connection, latest, sent => sent.Format.RotationOrder == RotationOrder.ZXY);
+        Assert.Equal(SkeletonVariant.Neck1, frame.Format.Variant);
+        ConnectionStatus status = await log.WaitAsync(told => told.Reason == ConnectionReason.SkeletonVariantMismatch);
+        Assert.Contains("Spine3", status.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_command_channel_that_does_not_answer_is_told_and_frames_come_all_the_same()
+    {
+        using var nobody = new TestServer();
+        int port = nobody.Port;
+        nobody.Dispose();
+        NeuronReaderOptions options = _server.Options();
+        options.CommandPort = port;
+        await using var reader = new NeuronReader(options);
+        var log = new StatusLog(reader);
+        using LatestFrames latest = reader.OpenLatest();
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+
+        MotionFrame frame = await SendUntilAsync(connection, latest, _ => true);
+        Assert.Equal(SkeletonFormat.Default, frame.Format);
+        ConnectionStatus status = await log.WaitAsync(told => told.Reason == ConnectionReason.NotDiscovered);
+        Assert.Contains("YXZ assumed", status.Message, StringComparison.Ordinal);
+        Assert.Contains("refused the connection", status.Message, StringComparison.Ordinal);
+        Assert.Contains("CommandPort", status.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_header_of_another_skeleton_leaves_the_variant_and_is_told()
+    {
+        const string Other = "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 3 Yrotation Xrotation Zrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n";
+        using var commands = new CommandScript(request => request.ReplyAsync(request.Id == 1003 ? [2, 0, 0, 0] : Encoding.ASCII.GetBytes(Other)));
+        await using var reader = new NeuronReader(Options(commands));
+        var log = new StatusLog(reader);
+        using LatestFrames latest = reader.OpenLatest();
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+
+        MotionFrame frame = await SendUntilAsync(connection, latest, sent => sent.Format.RotationOrder == RotationOrder.XYZ);
+        Assert.Equal(SkeletonVariant.Neck1, frame.Format.Variant);
+        ConnectionStatus status = await log.WaitAsync(told => told.Reason == ConnectionReason.NotDiscovered);
+        Assert.Contains("rotation order XYZ, as the command channel says", status.Message, StringComparison.Ordinal);
+        Assert.Contains("another skeleton", status.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Every_new_connection_asks_again()
+    {
+        SkeletonFormat told = Told;
+        using var commands = new CommandScript(request => AnswerAsync(request, told));
+        await using var reader = new NeuronReader(Options(commands, reconnect: true));
+        using LatestFrames latest = reader.OpenLatest();
+        reader.Start();
+        using (TestConnection first = await _server.AcceptAsync())
+            await SendUntilAsync(first, latest, sent => sent.Format == Told);
+
+        told = new SkeletonFormat(RotationOrder.XZY, SkeletonVariant.Neck1);
+        using TestConnection second = await _server.AcceptAsync();
+        await SendUntilAsync(second, latest, sent => sent.Format == told);
+    }
+
+    [Fact]
+    public async Task A_reader_that_waits_for_the_answer_stops_at_once()
+    {
+        var asked = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        using var commands = new CommandScript(_ =>
+        {
+            asked.TrySetResult();
+            return Task.CompletedTask;
+        });
+        var reader = new NeuronReader(Options(commands));
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+        await asked.Task.Soon();
+
+        await reader.DisposeAsync().AsTask().Soon();
+        await reader.Completion.Soon();
+    }
+
+    private static CommandScript Commands(SkeletonFormat told) => new(request => AnswerAsync(request, told));
+
+    private static Task AnswerAsync(ScriptedRequest request, SkeletonFormat told) => request.ReplyAsync(request.Id == 1003
+        ? [(byte)told.RotationOrder, 0, 0, 0]
+        : Encoding.ASCII.GetBytes(BvhHierarchyText.Create(told, new ChannelLayout(hasDisplacement: true, hasReference: false))));
+
+    private NeuronReaderOptions Options(CommandScript commands, bool reconnect = false)
+    {
+        NeuronReaderOptions options = _server.Options(reconnect);
+        options.CommandPort = commands.Port;
+        return options;
+    }
+
+    private static async Task<MotionFrame> SendUntilAsync(TestConnection connection, LatestFrames latest, Predicate<MotionFrame> wanted)
+    {
+        MotionFrame? found = null;
+        int number = 0;
+        while (found is null)
+        {
+            await connection.SendAsync(TestPackets.Motion(++number));
+            await Limits.UntilAsync(() => latest.TryTakeMotion(0, out _));
+            latest.TryTakeMotion(0, out MotionFrame? frame);
+            found = wanted(frame!) ? frame : null;
+        }
+
+        return found;
+    }
+}
