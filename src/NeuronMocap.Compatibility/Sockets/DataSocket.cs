@@ -30,7 +30,7 @@ internal abstract class DataSocket : VendorSocket
             return;
         }
 
-        _reader.CallbackFailed += VendorCallbacks.Report;
+        _reader.CallbackFailed += CompatibilityEvents.Report;
         _reader.StatusChanged += OnReaderStatus;
         _reader.MotionReceived += frame =>
         {

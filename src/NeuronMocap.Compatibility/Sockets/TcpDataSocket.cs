@@ -69,7 +69,7 @@ internal sealed class TcpDataSocket(IVendorCallbacks callbacks, string host, int
         }
         catch (Exception exception)
         {
-            VendorCallbacks.Report(exception);
+            CompatibilityEvents.Report(exception);
         }
     }
 }

@@ -4,7 +4,7 @@ namespace NeuronDataReaderWraper;
 
 /// <summary>
 /// Called with every frame, of BVH or of calculation data, on the receive thread of its connection. Callbacks of two connections may run at
-/// the same time. What it throws goes to <see cref="NeuronMocap.Compatibility.VendorCallbacks.Failed"/>.
+/// the same time. What it throws goes to <see cref="NeuronMocap.Compatibility.CompatibilityEvents.CallbackFailed"/>.
 /// </summary>
 /// <param name="customObject">The object given with the callback.</param>
 /// <param name="sockRef">The connection or service.</param>

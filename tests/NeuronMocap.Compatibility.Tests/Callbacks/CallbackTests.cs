@@ -258,7 +258,7 @@ public sealed class CallbackTests
     // Takes all handlers of failures away for a while.
     private sealed class Unheard : IDisposable
     {
-        private static readonly FieldInfo Field = typeof(VendorCallbacks).GetField(nameof(VendorCallbacks.Failed), BindingFlags.Static | BindingFlags.NonPublic)!;
+        private static readonly FieldInfo Field = typeof(CompatibilityEvents).GetField(nameof(CompatibilityEvents.CallbackFailed), BindingFlags.Static | BindingFlags.NonPublic)!;
 
         private readonly object? _handlers = Field.GetValue(null);
 

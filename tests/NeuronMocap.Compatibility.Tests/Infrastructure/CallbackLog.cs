@@ -48,7 +48,7 @@ internal sealed class CallbackLog : IDisposable
         NeuronDataReader.BRRegisterFrameDataCallback(FrameObject, OnFrameData);
         NeuronDataReader.BRRegisterCalculationDataCallback(CalculationObject, OnCalculationData);
         NeuronDataReader.BRRegisterSocketStatusCallback(StatusObject, OnStatusChanged);
-        VendorCallbacks.Failed += OnFailed;
+        CompatibilityEvents.CallbackFailed += OnFailed;
     }
 
     /// <summary>Called with the handle, in the callback, after the frame was kept.</summary>
@@ -86,7 +86,7 @@ internal sealed class CallbackLog : IDisposable
         NeuronDataReader.BRRegisterCalculationDataCallback(IntPtr.Zero, null);
         NeuronDataReader.BRRegisterSocketStatusCallback(IntPtr.Zero, null);
         NeuronDataReader.BRRegisterCommandDataCallback(IntPtr.Zero, null);
-        VendorCallbacks.Failed -= OnFailed;
+        CompatibilityEvents.CallbackFailed -= OnFailed;
     }
 
     private static LoggedFrame Read(IntPtr customObject, IntPtr socket, IntPtr header, IntPtr data)

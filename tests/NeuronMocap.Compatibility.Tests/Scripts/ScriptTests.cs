@@ -219,6 +219,43 @@ public sealed class ScriptTests
         }
     }
 
+    // As the C functions of b18 are used: a stream, and a second connection for commands.
+    [Fact]
+    public async Task A_script_with_a_command_connection_turns_the_simulators_actor()
+    {
+        BroadcasterOptions options = Options(displacement: true, reference: false, fragment: null, avatars: 1);
+        options.Sources = [new Server.Sources.SyntheticActor()];
+        options.Rate = 240;
+        options.RotationOrder = RotationOrder.XYZ;
+        using var server = new Broadcaster(options);
+        using var commands = new CommandServer(server, new CommandServerOptions { Port = 0 });
+        server.Start();
+        commands.Start();
+        try
+        {
+            W2Script.Init(IntPtr.Zero, IntPtr.Zero);
+            W2Script.Connect("127.0.0.1", server.LocalEndPoint!.Port);
+            IntPtr pipe = NeuronDataReader.BRConnectCmd("127.0.0.1", commands.LocalEndPoint!.Port);
+            await Limits.UntilAsync(static () => W2Script.Count(W2Script.Frames) > 0);
+
+            Assert.True(NeuronDataReader.GetBvhRotation(pipe, out RotateOrders order));
+            Assert.Equal(RotateOrders.RO_XYZ, order);
+            Assert.True(NeuronDataReader.GetBoneSize(pipe, 0, out BoneDimension sizes));
+            Assert.InRange(sizes.UpperLeg, 0.3f, 0.6f);
+            var header = new System.Text.StringBuilder();
+            Assert.True(NeuronDataReader.GetBvhHeader(pipe, 0, header, 100_000));
+            Assert.StartsWith("HIERARCHY", header.ToString(), StringComparison.Ordinal);
+            Assert.True(NeuronDataReader.ZeroOut(pipe, 0));
+            Assert.False(NeuronDataReader.ZeroOut(pipe, 1));
+            Assert.True(NeuronDataReader.ZeroOutAll(pipe));
+            NeuronDataReader.BRCloseSocket(pipe);
+        }
+        finally
+        {
+            W2Script.CloseAll();
+        }
+    }
+
     [Theory]
     [InlineData(false)]
     [InlineData(true)]

@@ -8,7 +8,7 @@ namespace NeuronMocap.Compatibility.Tests.Surface;
 public sealed class SurfaceTests
 {
     private static readonly string[] Namespaces = ["NeuronDataReaderWraper", "NeuronDataReaderManaged"];
-    private static readonly Assembly Library = typeof(VendorCallbacks).Assembly;
+    private static readonly Assembly Library = typeof(CompatibilityEvents).Assembly;
 
     [Fact]
     public void The_public_surface_is_the_one_on_file() => PublicSurfaceFile.Check(Library);

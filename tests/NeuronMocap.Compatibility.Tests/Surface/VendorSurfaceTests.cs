@@ -7,7 +7,7 @@ namespace NeuronMocap.Compatibility.Tests.Surface;
 /// <summary>Both namespaces against the tables of the vendor's wrappers: what any of the three generations has, both have.</summary>
 public sealed partial class VendorSurfaceTests
 {
-    private static readonly Assembly Library = typeof(VendorCallbacks).Assembly;
+    private static readonly Assembly Library = typeof(CompatibilityEvents).Assembly;
 
     private static readonly Dictionary<string, Type> Keywords = new(StringComparer.Ordinal)
     {

@@ -5,7 +5,7 @@ namespace NeuronMocap.Compatibility;
 /// <summary>
 /// What became of exceptions that registered callbacks threw. They end neither the connection nor the process; other callbacks go on.
 /// </summary>
-public static class VendorCallbacks
+public static class CompatibilityEvents
 {
     private static readonly object Lock = new();
     private static readonly TimeSpan Pause = TimeSpan.FromSeconds(10);
@@ -15,13 +15,13 @@ public static class VendorCallbacks
     /// Called with every exception that a callback threw, on the thread that called the callback. Exceptions of this event's own handlers
     /// are ignored. While it has no handler, exceptions are written to the standard error stream, at most one every 10 s.
     /// </summary>
-    public static event Action<Exception>? Failed;
+    public static event Action<Exception>? CallbackFailed;
 
     internal static void Report(Exception exception)
     {
         try
         {
-            if (Failed is { } handler)
+            if (CallbackFailed is { } handler)
                 handler(exception);
             else if (IsLineDue())
                 Console.Error.WriteLine($"NeuronMocap: a callback of the application threw: {exception}");
