@@ -30,10 +30,10 @@ internal abstract class VendorSocket : IDisposable
     {
         _openingThread = Environment.CurrentManagedThreadId;
         bool stands = TryOpen();
-        _opened.Set();
         if (!stands)
             _isOver = true;
 
+        _opened.Set();
         return stands && !IsClosed;
     }
 
