@@ -1,0 +1,21 @@
+namespace NeuronMocap.Compatibility.Callbacks;
+
+// Counts the frames of each avatar of each sender from 0, for streams that carry no frame index.
+internal sealed class FrameCounter
+{
+    // Avatars come from the network; those beyond so many share one count.
+    private const int MaxAvatars = 1024;
+
+    private readonly Dictionary<(int Source, int Avatar), uint> _next = [];
+    private uint _nextOfOthers;
+
+    public uint Next(int source, int avatar)
+    {
+        (int Source, int Avatar) key = (source, avatar);
+        if (!_next.TryGetValue(key, out uint index) && _next.Count >= MaxAvatars)
+            return _nextOfOthers++;
+
+        _next[key] = unchecked(index + 1);
+        return index;
+    }
+}

@@ -1,0 +1,57 @@
+using NeuronMocap.Compatibility.Callbacks;
+
+namespace NeuronMocap.Compatibility.Sockets;
+
+// All handles of the process.
+internal static class SocketTable
+{
+    private static readonly object Lock = new();
+    private static readonly Dictionary<IntPtr, VendorSocket> Sockets = [];
+    private static int _lastHandle;
+
+    // The handle of the socket, or of one that already is what it shall become, or zero.
+    public static IntPtr Open(VendorSocket socket)
+    {
+        if (FindSame(socket) is { } other)
+            return other.WaitUntilOpen() ? other.Handle : IntPtr.Zero;
+
+        if (socket.Open())
+            return socket.Handle;
+
+        Remove(socket);
+        return IntPtr.Zero;
+    }
+
+    public static VendorSocket? Find(IntPtr handle)
+    {
+        lock (Lock)
+            return Sockets.TryGetValue(handle, out VendorSocket? socket) ? socket : null;
+    }
+
+    public static void Remove(VendorSocket socket)
+    {
+        lock (Lock)
+            Sockets.Remove(socket.Handle);
+    }
+
+    // Enters the socket where there is none, and replaces a dead one, whose handle then means nothing and is never used again.
+    private static VendorSocket? FindSame(VendorSocket socket)
+    {
+        VendorSocket? other;
+        lock (Lock)
+        {
+            other = Sockets.Values.FirstOrDefault(socket.IsTo);
+            if (other is { State: not SocketState.OffWork })
+                return other;
+
+            if (other is not null)
+                Sockets.Remove(other.Handle);
+            _lastHandle++;
+            socket.Handle = (IntPtr)_lastHandle;
+            Sockets.Add(socket.Handle, socket);
+        }
+
+        other?.Abandon();
+        return null;
+    }
+}

@@ -1,0 +1,28 @@
+using System.Net.Sockets;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Compatibility.Sockets;
+
+// The number that the last error ends with.
+internal static class SystemError
+{
+    public static int CodeOf(ConnectionReason reason) => CodeOf(reason switch
+    {
+        ConnectionReason.Refused => SocketError.ConnectionRefused,
+        ConnectionReason.TimedOut => SocketError.TimedOut,
+        ConnectionReason.HostNotFound => SocketError.HostNotFound,
+        ConnectionReason.Unreachable => SocketError.HostUnreachable,
+        ConnectionReason.Reset => SocketError.ConnectionReset,
+        ConnectionReason.PortInUse => SocketError.AddressAlreadyInUse,
+        ConnectionReason.AddressUnavailable => SocketError.AddressNotAvailable,
+        ConnectionReason.AccessDenied => SocketError.AccessDenied,
+        _ => SocketError.SocketError,
+    });
+
+    public static int InvalidArgument => CodeOf(SocketError.InvalidArgument);
+
+    // The system's own number, where it has one; a name without an address is no error of a socket, and has Windows' number everywhere.
+    private static int CodeOf(SocketError error) => error is SocketError.HostNotFound or SocketError.SocketError
+        ? (int)error
+        : new SocketException((int)error).ErrorCode;
+}

@@ -1,0 +1,75 @@
+using NeuronMocap.Compatibility.Callbacks;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Compatibility.Sockets;
+
+// A TCP connection, and the status callbacks that tell its course (protocol.md section 10; spelling as there).
+internal sealed class TcpDataSocket(IVendorCallbacks callbacks, string host, int port)
+    : DataSocket(callbacks, new NeuronReaderOptions { Host = host, Port = port })
+{
+    private const string Stopped = "Service is stoped\n";
+
+    private readonly string _target = $"{host}:{port}";
+
+    public override bool IsTo(VendorSocket other) => other is TcpDataSocket tcp
+        && tcp.Callbacks == Callbacks
+        && string.Equals(tcp._target, _target, StringComparison.OrdinalIgnoreCase);
+
+    protected override bool TryOpen()
+    {
+        Tell(SocketState.Starting, $"Connecting to {_target} ...\n");
+        if (IsClosed)
+            return false;
+
+        int? error = StartReader();
+        if (IsClosed)
+            return false;
+
+        if (error is int code)
+        {
+            string message = $"Failed to connect to '{_target}'.";
+            LastError.Set(message, code);
+            Tell(SocketState.Starting, message);
+            SetOver();
+            Tell(SocketState.OffWork, Stopped);
+            return false;
+        }
+
+        SetOpen();
+        Tell(SocketState.Running, $"Successfully connected to '{_target}'.");
+        return true;
+    }
+
+    protected override void OnClosed() => Invoke(SocketState.OffWork, Stopped);
+
+    protected override void OnEnded(ConnectionReason reason)
+    {
+        const string message = "Failed to read data.";
+        if (reason == ConnectionReason.ClosedByPeer)
+            LastError.Set(message);
+        else
+            LastError.Set(message, SystemError.CodeOf(reason));
+
+        Tell(SocketState.Running, message);
+        Tell(SocketState.Running, "Data thread exited.\n");
+    }
+
+    // What happens behind the back of whoever has closed the connection is not told.
+    private void Tell(SocketState status, string message)
+    {
+        if (!IsClosed)
+            Invoke(status, message);
+    }
+
+    private void Invoke(SocketState status, string message)
+    {
+        try
+        {
+            Callbacks.OnStatus(Handle, status, message);
+        }
+        catch (Exception exception)
+        {
+            CompatibilityEvents.Report(exception);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+using System;
+using System.Diagnostics;
+using System.Threading;
+
+// A program of its own: receives from a port until the server has closed the connection, and says what it got.
+public static class ScriptProgram
+{
+    public static int Main(string[] args)
+    {
+        int port = int.Parse(args[0]);
+        int frames = int.Parse(args[1]);
+        Stopwatch watch = Stopwatch.StartNew();
+        Console.WriteLine(NeuronDataReaderWraper.NeuronDataReader.strBRGetLastErrorMessage());
+        W2Script.Init(new IntPtr(5), new IntPtr(6));
+        IntPtr connection = W2Script.Connect("127.0.0.1", port);
+        while (W2Script.Count(W2Script.CalculationFrames) < frames || W2Script.IsRunning(connection))
+        {
+            if (watch.Elapsed > TimeSpan.FromSeconds(30))
+                break;
+            Thread.Sleep(1);
+        }
+
+        Console.WriteLine("motion " + W2Script.Count(W2Script.Frames) + " " + Sum(W2Script.Frames.ToArray()));
+        Console.WriteLine("calculation " + W2Script.Count(W2Script.CalculationFrames) + " " + Sum(W2Script.CalculationFrames.ToArray()));
+
+        // From a closed port, and a name that is none: failures, and no end of the program.
+        UserScripts.ManagedScript refused = UserScripts.ManagedScript.Connect("127.0.0.1", 1, 0, false);
+        IntPtr unknown = W2Script.Connect("no-such-computer.invalid", port);
+        Console.WriteLine((refused == null) + " " + unknown + " " + W2Script.IsRunning(connection));
+        W2Script.CloseAll();
+        foreach (string line in W2Script.Log)
+            Console.WriteLine(line.TrimEnd('\n'));
+        return 0;
+    }
+
+    // Over all bits of all values, in their order.
+    public static uint Sum(ReceivedFrame[] frames)
+    {
+        uint sum = 17;
+        foreach (ReceivedFrame frame in frames)
+        {
+            foreach (float value in frame.Values)
+                sum = unchecked((sum * 31) + (uint)BitConverter.ToInt32(BitConverter.GetBytes(value), 0));
+        }
+
+        return sum;
+    }
+}

@@ -1,0 +1,79 @@
+using System.Diagnostics;
+using Mono.Cecil;
+
+namespace NeuronMocap.Compatibility.Tests.Mono;
+
+/// <summary>
+/// Debian's Mono, the nearest there is to the runtime of Unity's editor: compiles a program of C# files against copies of the netstandard2.1
+/// assemblies, and runs it.
+/// </summary>
+internal sealed class MonoProgram : IDisposable
+{
+    private const string Runtime = "/usr/bin/mono";
+    private const string Compiler = "/usr/bin/mcs";
+    private const string Facade = "/usr/lib/mono/4.5/Facades/netstandard.dll";
+
+    private readonly string _folder = Directory.CreateTempSubdirectory("neuron-mocap-mono-").FullName;
+
+    private string Executable => Path.Combine(_folder, "program.exe");
+
+    public static void Require() => Assert.SkipUnless(
+        File.Exists(Runtime) && File.Exists(Compiler) && File.Exists(Facade), "Mono and its compiler are not installed (Debian's mono-devel).");
+
+    public async Task CompileAsync(IEnumerable<string> sources)
+    {
+        foreach (string assembly in (string[])["NeuronMocap.dll", "NeuronMocap.Compatibility.dll"])
+            Adapt(Path.Combine(AppContext.BaseDirectory, assembly), Path.Combine(_folder, assembly));
+
+        string reference = "-r:" + Path.Combine(_folder, "NeuronMocap.Compatibility.dll");
+        await RunAsync(Compiler, ["-warnaserror", "-r:" + Facade, reference, "-out:" + Executable, .. sources]);
+    }
+
+    public Task<string[]> RunAsync(params string[] arguments) => RunAsync(Runtime, [Executable, .. arguments]);
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    // Debian built that Mono's own library without the modifier that references to members of ReadOnlySpan carry for their read-only results, and
+    // then does not find the members. Unity's has it.
+    private static void Adapt(string source, string target)
+    {
+        using var module = ModuleDefinition.ReadModule(source, new ReaderParameters(ReadingMode.Immediate));
+        IEnumerable<MethodReference> called = module.GetTypes()
+            .SelectMany(static type => type.Methods)
+            .Where(static method => method.HasBody)
+            .SelectMany(static method => method.Body.Instructions)
+            .Select(static instruction => instruction.Operand)
+            .OfType<MethodReference>();
+        foreach (MethodReference method in called)
+        {
+            if (method.GetElementMethod() is { ReturnType: RequiredModifierType { ModifierType.Name: "InAttribute" } modified } reference)
+                reference.ReturnType = modified.ElementType;
+        }
+
+        module.Write(target);
+    }
+
+    private static async Task<string[]> RunAsync(string program, string[] arguments)
+    {
+        var start = new ProcessStartInfo(program) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true };
+        foreach (string argument in arguments)
+            start.ArgumentList.Add(argument);
+
+        using Process process = Process.Start(start)!;
+        Task<string> output = process.StandardOutput.ReadToEndAsync(TestContext.Current.CancellationToken);
+        Task<string> error = process.StandardError.ReadToEndAsync(TestContext.Current.CancellationToken);
+        try
+        {
+            await process.WaitForExitAsync(TestContext.Current.CancellationToken).Soon();
+        }
+        finally
+        {
+            if (!process.HasExited)
+                process.Kill();
+        }
+
+        string text = await output.Soon();
+        Assert.True(process.ExitCode == 0, $"{program} ended with {process.ExitCode}: {text}{await error.Soon()}");
+        return text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+    }
+}
