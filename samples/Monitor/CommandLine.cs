@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Net;
+using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Diagnosis;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
@@ -18,7 +19,8 @@ internal sealed class CommandLine
 
     private const string Usage =
         "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--once] [--frames N] "
-        + "[--duration SECONDS] [--json | --quiet]";
+        + "[--duration SECONDS] [--json | --quiet]\n"
+        + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]";
 
     private const double LongestDuration = 1_000_000;
 
@@ -116,6 +118,8 @@ internal sealed class CommandLine
         Description = "Print nothing but the summary at the end, as one JSON object.",
     };
 
+    private readonly CommandArguments _commands = new();
+
     private readonly RootCommand _root = new(
         "Shows what a Perception Neuron server (Axis Neuron, Axis Studio or a simulator) sends: on a terminal live, with the skeleton, "
         + "rates and losses; redirected, as one plain line a second. Positions are centimetres, angles degrees.");
@@ -131,6 +135,8 @@ internal sealed class CommandLine
 
             _root.Options.Add(option);
         }
+
+        _commands.AddTo(_root);
 
         _root.Validators.Add(RejectContradictions);
         HelpExamples.AddTo(_root);
@@ -164,9 +170,12 @@ internal sealed class CommandLine
         return exitCode;
     }
 
-    private static Task<int> RunAsync(MonitorOptions options, StandardStreams streams, CancellationToken cancellation) => options.Diagnose
-        ? new DiagnosisRun(options, streams).RunAsync(cancellation)
-        : new MonitorRun(options, streams).RunAsync(cancellation);
+    private static Task<int> RunAsync(MonitorOptions options, StandardStreams streams, CancellationToken cancellation) => options switch
+    {
+        { Commands: { } commands } => new CommandRun(options, commands, streams).RunAsync(cancellation),
+        { Diagnose: true } => new DiagnosisRun(options, streams).RunAsync(cancellation),
+        _ => new MonitorRun(options, streams).RunAsync(cancellation),
+    };
 
     private static ServerAddress? ParseServer(ArgumentResult result)
     {
@@ -212,6 +221,7 @@ internal sealed class CommandLine
             RejectForDiagnosis(result);
         if (IsGiven(result, _allowSender) && !IsGiven(result, _udp))
             result.AddError("--allow-sender needs --udp: over TCP the data comes from the server that --connect names.");
+        _commands.RejectContradictions(result, [_connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
         if (IsGiven(result, _json) && IsGiven(result, _quiet))
             result.AddError("--json and --quiet exclude each other.");
     }
@@ -234,11 +244,12 @@ internal sealed class CommandLine
             result.AddError($"--duration: a diagnosis takes {ShortestDiagnosis.TotalSeconds} to {LongestDiagnosis.TotalSeconds} seconds.");
     }
 
-    private static bool IsGiven(CommandResult result, Option option) => result.GetResult(option) is { Implicit: false };
+    internal static bool IsGiven(CommandResult result, Option option) => result.GetResult(option) is { Implicit: false };
 
     private MonitorOptions Read(ParseResult result) => new()
     {
         Server = FindServer(result),
+        Commands = _commands.Read(result, isDemo: result.GetValue(_demo)),
         Diagnose = result.GetResult(_diagnose) is { Implicit: false },
         UdpPort = result.GetValue(_udp),
         AllowedSenders = result.GetValue(_allowSender) ?? [],

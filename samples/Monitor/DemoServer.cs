@@ -10,6 +10,7 @@ internal sealed class DemoServer : IDisposable
     private const double FrameRate = 60;
 
     private readonly Broadcaster _broadcaster;
+    private readonly CommandServer _commands;
 
     private DemoServer(RotationOrder order)
     {
@@ -21,6 +22,7 @@ internal sealed class DemoServer : IDisposable
             WaitForClient = true,
             RotationOrder = order,
         });
+        _commands = new CommandServer(_broadcaster, new CommandServerOptions { Port = 0 });
         _broadcaster.Start();
     }
 
@@ -30,5 +32,18 @@ internal sealed class DemoServer : IDisposable
     /// <exception cref="BroadcasterException">The system gives no port.</exception>
     public static DemoServer Start(RotationOrder order) => new(order);
 
-    public void Dispose() => _broadcaster.Dispose();
+    /// <summary>Opens the command channel, too.</summary>
+    /// <returns>Where it is.</returns>
+    /// <exception cref="BroadcasterException">The system gives no port.</exception>
+    public ServerAddress OpenCommands()
+    {
+        _commands.Start();
+        return new ServerAddress(_commands.LocalEndPoint!.Address.ToString(), _commands.LocalEndPoint.Port);
+    }
+
+    public void Dispose()
+    {
+        _commands.Dispose();
+        _broadcaster.Dispose();
+    }
 }

@@ -15,6 +15,7 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
           0  done as asked, or ended by q, Ctrl+C or SIGTERM
           1  nothing could be connected, bound or received; standard error says which setting to look at
           2  wrong options
+          Of --commands: 0 answered, 1 not, 2 wrong options, 130 ended by Ctrl+C or SIGTERM before it knew
           Of --diagnose: 0 frames arrive, 1 a fault was found, 2 wrong options, 130 ended by Ctrl+C or SIGTERM before it knew
 
         Examples:
@@ -24,6 +25,8 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
           neuron-monitor --udp 7012                             Axis Neuron set to UDP, with this computer as destination
           neuron-monitor --diagnose 192.168.1.20                no data? What is wrong, and which setting to change
           neuron-monitor --diagnose --udp 7012                  the same for UDP; with --demo it shows a healthy stream
+          neuron-monitor --commands 192.168.1.20                bone sizes, rotation order and BVH header; port 8013
+          neuron-monitor --commands 192.168.1.20 --zero-out all all avatars face front
           neuron-monitor --udp 7012 --allow-sender 192.168.1.20 the same, and nobody else may send
           neuron-monitor --connect studio --json --frames 100   100 frames for another program
           neuron-monitor --connect studio --quiet --duration 10 does anything arrive? The exit code tells

@@ -1,4 +1,5 @@
 using System.Net;
+using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
@@ -42,6 +43,9 @@ internal sealed record MonitorOptions
 
     /// <summary>Whether to say what is wrong instead of showing the stream.</summary>
     public bool Diagnose { get; init; }
+
+    /// <summary>What to ask of a command channel instead of showing a stream; null for a stream.</summary>
+    public CommandSettings? Commands { get; init; }
 
     /// <summary>Number of frames, motion and calculation together, to end after; null for no end.</summary>
     public long? Frames { get; init; }

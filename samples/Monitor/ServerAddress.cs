@@ -11,7 +11,11 @@ namespace NeuronMocap.Monitor;
 /// <param name="Port">1 to 65535.</param>
 internal readonly record struct ServerAddress(string Host, int Port)
 {
-    public static bool TryParse(string text, out ServerAddress address, [NotNullWhen(false)] out string? error)
+    public static bool TryParse(
+        string text,
+        out ServerAddress address,
+        [NotNullWhen(false)] out string? error,
+        int defaultPort = ProtocolConstants.DefaultPort)
     {
         address = default;
         (string host, string? port) = Split(text.Trim());
@@ -19,7 +23,7 @@ internal readonly record struct ServerAddress(string Host, int Port)
         if (error is not null)
             return false;
 
-        int number = ProtocolConstants.DefaultPort;
+        int number = defaultPort;
         if (port is not null && !TryParsePort(port, out number))
         {
             error = $"'{port}' is no port: it must be a number from 1 to {IPEndPoint.MaxPort}.";

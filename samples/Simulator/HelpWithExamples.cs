@@ -20,6 +20,8 @@ internal sealed class HelpWithExamples : SynchronousCommandLineAction
                   A take again and again, in datagrams as Axis Neuron on macOS sends them.
               neuron-simulator --format text --rate 1
                   Lines to look at, with nc 127.0.0.1 7001.
+              neuron-simulator --commands
+                  With a command channel on port 8013: neuron-monitor --commands shows what it answers.
 
             Exit codes: 0 done or stopped, 1 no such port, address or file, 2 bad usage.
             """);

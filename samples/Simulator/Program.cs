@@ -26,10 +26,11 @@ int Run(ParseResult parsed)
         SimulatorSources sources = CreateSources(parsed);
         BroadcasterOptions options = SimulatorOptions.Create(command, parsed, sources);
         using var broadcaster = new Broadcaster(options);
+        using CommandServer? commands = OpenCommands(parsed, broadcaster, options);
         using PosixSignalRegistration interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Stop);
         using PosixSignalRegistration terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Stop);
         broadcaster.Start();
-        new SimulatorReport(broadcaster, options, sources.Description).Run();
+        new SimulatorReport(broadcaster, commands, options, sources.Description).Run();
         return Done;
 
         void Stop(PosixSignalContext context)
@@ -53,6 +54,23 @@ int Run(ParseResult parsed)
     catch (BroadcasterException exception)
     {
         return Fail($"{OptionOf(exception.Setting)}: {exception.Message}");
+    }
+}
+
+CommandServer? OpenCommands(ParseResult parsed, Broadcaster broadcaster, BroadcasterOptions options)
+{
+    if (parsed.GetValue(command.Commands) is not { } port)
+        return null;
+
+    var server = new CommandServer(broadcaster, new CommandServerOptions { Port = port, BindAddress = options.BindAddress });
+    try
+    {
+        server.Start();
+        return server;
+    }
+    catch (BroadcasterException exception)
+    {
+        throw new SimulatorException($"--commands: {exception.Message}");
     }
 }
 

@@ -34,11 +34,12 @@ internal sealed class SimulatorCommand : RootCommand
         Format.CustomParser = ParseWord<BroadcastFormat>("binary", "text", "studio");
         Header.CustomParser = ParseWord<HeaderLayout>("new", "old");
         Decimals.CustomParser = ParseNumber(0, TextEncoder.MaxDecimals);
+        Commands.CustomParser = static result => result.Tokens.Count == 0 ? ProtocolConstants.DefaultCommandPort : ParseNumber(0, 65_535)(result);
         DataCommands.CustomParser = ParseWord<OnOff>("on", "off");
         foreach (Option option in (Option[])
             [
                 Bvh, Synthetic, Bind, Port, Udp, Avatars, Rate, Frames, Loop, WaitForClient,
-                Displacement, Reference, Order, Format, Header, Decimals, Calculation, Fragment, DataCommands,
+                Displacement, Reference, Order, Format, Header, Decimals, Calculation, Fragment, DataCommands, Commands,
             ])
         {
             Add(option);
@@ -151,6 +152,14 @@ internal sealed class SimulatorCommand : RootCommand
     {
         HelpName = "on|off",
         Description = "Answer commands of the b11 and b12 libraries on the data connection; newer servers do not. Default: on.",
+    };
+
+    public Option<int?> Commands { get; } = new("--commands")
+    {
+        HelpName = "PORT",
+        Description = "Open a command channel, too, on this TCP port, 0 to 65535: rotation order, bone sizes, BVH headers and zero-out. "
+            + $"Default without PORT: {ProtocolConstants.DefaultCommandPort}.",
+        Arity = ArgumentArity.ZeroOrOne,
     };
 
     /// <summary>All options in one line, for those who made a mistake.</summary>

@@ -6,7 +6,7 @@ using NeuronMocap.Server;
 namespace NeuronMocap.Simulator;
 
 /// <summary>What the program says on standard output: what it sends, where, and on a terminal how it is going.</summary>
-internal sealed class SimulatorReport(Broadcaster broadcaster, BroadcasterOptions options, string description)
+internal sealed class SimulatorReport(Broadcaster broadcaster, CommandServer? commands, BroadcasterOptions options, string description)
 {
     private static readonly TimeSpan Interval = TimeSpan.FromSeconds(1);
 
@@ -19,6 +19,8 @@ internal sealed class SimulatorReport(Broadcaster broadcaster, BroadcasterOption
         // Scripts wait for these lines.
         if (broadcaster.LocalEndPoint is { } endPoint)
             Console.WriteLine($"Listening on {endPoint}");
+        if (commands?.LocalEndPoint is { } commandPoint)
+            Console.WriteLine($"Commands on {commandPoint}");
         foreach (IPEndPoint destination in options.UdpDestinations)
             Console.WriteLine($"Sending to {destination}");
 

@@ -45,16 +45,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     public Broadcaster(BroadcasterOptions options)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).CopyChecked();
-        _actors = [.. _options.Sources.Select(static source => new TurnableSource(source))];
-        _options.Sources = _actors;
-
-        // A zero-out turns the body between two frames, which no sensor would feel; and a writer is given the very source that the options hold until then.
-        if (_options.Calculation is { } calculate)
-            _options.Calculation = (source, frame, values) => calculate(source.At(frame), frame, values);
-
-        if (_options.StudioCalculation is { } calculateStudio)
-            _options.StudioCalculation = (source, frame, payload) => calculateStudio(source.At(frame), frame, payload);
-
+        _actors = UseTurnableSources();
         Rate = _options.Rate ?? _options.Sources[0].FrameRate;
         _plan = CreatePlan(_options, Rate);
         _replies = new DataCommandReplies(_plan, _options.DataCommandLength);
@@ -133,31 +124,6 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
                 client.Push(DataCommandId.CombinationMode, avatar);
         }
     }
-
-    /// <summary>
-    /// Turns an avatar to face front, along Z, where it stands: from the next frame on that has not been made yet, the whole performance is turned about
-    /// the vertical through its hips. Of a motion packet only the hips' values change; calculation packets follow. May be repeated, and called at any time.
-    /// </summary>
-    /// <param name="avatar">Index of the avatar, from 0.</param>
-    /// <returns>False when there is no such avatar.</returns>
-    public bool ZeroOut(int avatar)
-    {
-        if ((uint)avatar >= (uint)_actors.Length)
-            return false;
-
-        _actors[avatar].FaceFront(_plan.FrameCount);
-        return true;
-    }
-
-    /// <summary>Does what <see cref="ZeroOut"/> does, for all avatars.</summary>
-    public void ZeroOutAll()
-    {
-        foreach (TurnableSource actor in _actors)
-            actor.FaceFront(_plan.FrameCount);
-    }
-
-    // For the command channel.
-    internal FramePlan Plan => _plan;
 
     /// <summary>Takes the port, begins to listen and, unless told to wait for a client, to send.</summary>
     /// <exception cref="BroadcasterException">The port or a destination cannot be had. The broadcaster can be started again.</exception>

@@ -35,11 +35,11 @@ internal sealed class FormatDiscovery(NeuronCommandOptions options, FrameFormat 
                 throw new NeuronCommandException(CommandFailure.InvalidReply, $"The BVH header of avatar {Avatar} has another skeleton: {reason}");
 
             format.Learn(order: null, map.Format.Variant);
-            format.DiscoveryFailure = null;
+            format.LearnFailure(null);
         }
         catch (NeuronCommandException exception)
         {
-            format.DiscoveryFailure = exception.Message;
+            format.LearnFailure(exception.Message);
         }
         catch (ObjectDisposedException)
         {

@@ -114,6 +114,9 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         remove => _eventHandlers.Remove(value);
     }
 
+    // What discovery tells it is used for the frames from then on, and told with the status.
+    internal FrameFormat Format => _format;
+
     /// <summary>What metrics and logs call this reader: <see cref="NeuronReaderOptions.Name"/>, or the server's address or the UDP port.</summary>
     public string Name => _metrics.Name;
 

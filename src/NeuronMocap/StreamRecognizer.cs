@@ -16,6 +16,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
     // Of each kind, the newest frame's version and first reserved field: what the format and the rotation order follow from.
     private readonly ulong[] _keys = new ulong[(int)PacketKind.StudioCalculation + 1];
     private volatile int _recognized;
+    private volatile Described? _described;
     private int _source;
     private long _seen;
 
@@ -35,9 +36,19 @@ internal sealed class StreamRecognizer(FrameFormat format)
         return (_keys[(int)packet.Kind] != key || _recognized == 0) && Recognize(packet, key);
     }
 
+    // Often asked and seldom new: the words are made once.
     public StreamDescription Describe()
     {
-        var stream = Recognized.FromNumber(_recognized);
+        (int recognized, FormatFindings findings) = (_recognized, format.Findings);
+        Described? described = _described;
+        if (described is null || described.Recognized != recognized || described.Findings != findings)
+            _described = described = new Described(recognized, findings, Describe(Recognized.FromNumber(recognized), findings));
+
+        return described.Description;
+    }
+
+    private StreamDescription Describe(Recognized stream, FormatFindings findings)
+    {
         if (stream.Format == StreamFormat.Unknown)
             return default;
 
@@ -51,11 +62,11 @@ internal sealed class StreamRecognizer(FrameFormat format)
         if (!stream.IsMotion)
             return new StreamDescription(stream.Format, ConnectionReason.None, $": {text}, calculation data.");
 
-        (ConnectionReason reason, string fault) = FindFault(stream);
-        return new StreamDescription(stream.Format, reason, $": {text}; {DescribeOrder(stream)}{DescribeVariant()}.{fault}");
+        (ConnectionReason reason, string fault) = FindFault(stream, findings);
+        return new StreamDescription(stream.Format, reason, $": {text}; {DescribeOrder(stream, findings)}{DescribeVariant(findings)}.{fault}");
     }
 
-    private string DescribeOrder(Recognized stream) => (format.OptionOrder, stream.Order, format.LearntOrder) switch
+    private string DescribeOrder(Recognized stream, FormatFindings findings) => (format.OptionOrder, stream.Order, findings.Order) switch
     {
         ({ } option, _, _) => $"rotation order {option}, as the options say",
         (_, { } told, _) => $"rotation order {told}, as the stream says",
@@ -64,16 +75,16 @@ internal sealed class StreamRecognizer(FrameFormat format)
     };
 
     // Appendix A's is what everybody expects: nothing to say about where nobody said anything.
-    private string DescribeVariant() => (format.OptionVariant, format.LearntVariant) switch
+    private string DescribeVariant(FormatFindings findings) => (format.OptionVariant, findings.Variant) switch
     {
         (null, { } learnt) => $"; bones with {learnt}, as the command channel says",
         _ => string.Empty,
     };
 
     // What is wrong with how the frames are understood, or may be.
-    private (ConnectionReason Reason, string Text) FindFault(Recognized stream)
+    private (ConnectionReason Reason, string Text) FindFault(Recognized stream, FormatFindings findings)
     {
-        (RotationOrder? told, string teller) = stream.Order is { } order ? (order, "the stream") : (format.LearntOrder, "the command channel");
+        (RotationOrder? told, string teller) = stream.Order is { } order ? (order, "the stream") : (findings.Order, "the command channel");
         if (format.OptionOrder is { } option && told is not null && told != option)
         {
             return (
@@ -81,7 +92,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
                 $" But {teller} says {told}: one of them is wrong. Leave RotationOrder out of the options to use {told}.");
         }
 
-        if (format.OptionVariant is { } variant && format.LearntVariant is { } learnt && learnt != variant)
+        if (format.OptionVariant is { } variant && findings.Variant is { } learnt && learnt != variant)
         {
             return (
                 ConnectionReason.SkeletonVariantMismatch,
@@ -89,7 +100,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
                 + $"SkeletonVariant out of the options to use {learnt}.");
         }
 
-        return format.DiscoveryFailure is { } failure
+        return findings.Failure is { } failure
             ? (ConnectionReason.NotDiscovered, $" What the stream does not say could not be asked for (CommandPort): {failure}")
             : (ConnectionReason.None, string.Empty);
     }
@@ -131,6 +142,8 @@ internal sealed class StreamRecognizer(FrameFormat format)
             _ => StreamFormat.Binary,
         };
     }
+
+    private sealed record Described(int Recognized, FormatFindings Findings, StreamDescription Description);
 
     // One whole number, so that whoever reads it sees all of it: 0 for nothing.
     private readonly record struct Recognized(StreamFormat Format, bool IsMotion, RotationOrder? Order)

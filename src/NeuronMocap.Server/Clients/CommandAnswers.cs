@@ -1,7 +1,5 @@
 using System.Buffers.Binary;
-using System.Numerics;
 using System.Text;
-using NeuronMocap.Bvh;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
@@ -42,15 +40,8 @@ internal sealed class CommandAnswers(Broadcaster broadcaster)
 
     private static byte[] GetDimensions(MotionSource source)
     {
-        Span<Vector3> offsets = stackalloc Vector3[BoneHierarchy.BoneCount];
-        Span<Vector3> endSites = stackalloc Vector3[BoneHierarchy.BoneCount];
-        source.GetBody(offsets, endSites);
-        Span<BoneTransform> body = stackalloc BoneTransform[BoneHierarchy.BoneCount];
-        for (int bone = 0; bone < body.Length; bone++)
-            body[bone] = new BoneTransform(offsets[bone], Quaternion.Identity);
-
         byte[] bytes = new byte[BoneDimensions.Size];
-        BoneDimensions.Measure(body, source.Variant, endSites).Write(bytes);
+        SourceBody.Measure(source).Write(bytes);
         return bytes;
     }
 
@@ -59,12 +50,8 @@ internal sealed class CommandAnswers(Broadcaster broadcaster)
     // Appendix B goes on to the first lines of the motion; of a live stream there are no rows.
     private string GetHeader(MotionSource source)
     {
-        Span<Vector3> offsets = stackalloc Vector3[BoneHierarchy.BoneCount];
-        Span<Vector3> endSites = stackalloc Vector3[BoneHierarchy.BoneCount];
-        source.GetBody(offsets, endSites);
         double rate = double.IsPositiveInfinity(broadcaster.Rate) ? source.FrameRate : broadcaster.Rate;
-        var format = new SkeletonFormat(broadcaster.Plan.Order, source.Variant);
-        return BvhHierarchyText.Create(offsets, endSites, format, broadcaster.Layout)
+        return SourceBody.GetHierarchy(source, broadcaster.Plan.Order, broadcaster.Layout)
             + FormattableString.Invariant($"MOTION\r\nFrames: 0\r\nFrame Time: {1 / rate:0.000000}\r\n");
     }
 }

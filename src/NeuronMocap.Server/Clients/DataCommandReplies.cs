@@ -1,7 +1,5 @@
 using System.Buffers.Binary;
-using System.Numerics;
 using System.Text;
-using NeuronMocap.Bvh;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Server.Sources;
@@ -16,7 +14,6 @@ internal sealed class DataCommandReplies(FramePlan plan, int? lengthField)
 {
     private const int LengthOffset = 6;
     private const int BoneNameSize = 60;
-    private const float MetresPerCentimetre = 0.01f;
 
     private readonly int[] _modes = [.. Enumerable.Repeat((int)SensorCombination.FullBody, plan.AvatarCount)];
 
@@ -70,43 +67,21 @@ internal sealed class DataCommandReplies(FramePlan plan, int? lengthField)
     private ReadOnlySpan<byte> GetPayload(DataCommandId id, int avatar) => id switch
     {
         DataCommandId.BoneSize => _boneSizes[avatar] ??= CreateBoneSizes(plan.Sources[avatar]),
-        DataCommandId.BvhText => _texts[avatar] ??= CreateText(plan.Sources[avatar]),
+        DataCommandId.BvhText => _texts[avatar] ??= Encoding.UTF8.GetBytes(SourceBody.GetHierarchy(plan.Sources[avatar], plan.Order, plan.Layout)),
         _ => default,
     };
 
-    private byte[] CreateText(MotionSource source)
-    {
-        Span<Vector3> offsets = stackalloc Vector3[BoneHierarchy.BoneCount];
-        Span<Vector3> endSites = stackalloc Vector3[BoneHierarchy.BoneCount];
-        source.GetBody(offsets, endSites);
-        return Encoding.ASCII.GetBytes(BvhHierarchyText.Create(offsets, endSites, new SkeletonFormat(plan.Order, source.Variant), plan.Layout));
-    }
-
-    // Metres, as in the newer commands; from a bone's joint to the next one of its chain, or to its end.
     private static byte[] CreateBoneSizes(MotionSource source)
     {
-        Span<Vector3> offsets = stackalloc Vector3[BoneHierarchy.BoneCount];
-        Span<Vector3> endSites = stackalloc Vector3[BoneHierarchy.BoneCount];
-        source.GetBody(offsets, endSites);
-        byte[] entries = new byte[BoneHierarchy.BoneCount * CommandHeader.BoneSizeEntry];
+        float[] lengths = SourceBody.GetLengths(source);
+        byte[] entries = new byte[lengths.Length * CommandHeader.BoneSizeEntry];
         foreach (Bone bone in BoneHierarchy.Bones)
         {
             Span<byte> entry = entries.AsSpan((int)bone * CommandHeader.BoneSizeEntry, CommandHeader.BoneSizeEntry);
-            Encoding.ASCII.GetBytes(BoneHierarchy.GetName(bone, source.Variant), entry[..BoneNameSize]);
-            bool isLast = DefaultOffsets.TryGetEndSite(bone, out _);
-            float length = (isLast ? endSites[(int)bone] : offsets[(int)GetNext(bone)]).Length() * MetresPerCentimetre;
-            BinaryPrimitives.WriteInt32LittleEndian(entry[BoneNameSize..], BitConverter.SingleToInt32Bits(length));
+            Encoding.UTF8.GetBytes(BoneHierarchy.GetName(bone, source.Variant), entry[..BoneNameSize]);
+            BinaryPrimitives.WriteInt32LittleEndian(entry[BoneNameSize..], BitConverter.SingleToInt32Bits(lengths[(int)bone]));
         }
 
         return entries;
     }
-
-    // The spine continues the hips, the middle finger a hand.
-    private static Bone GetNext(Bone bone) => bone switch
-    {
-        Bone.Hips => Bone.Spine,
-        Bone.RightHand => Bone.RightInHandMiddle,
-        Bone.LeftHand => Bone.LeftInHandMiddle,
-        _ => bone + 1,
-    };
 }

@@ -21,6 +21,7 @@ public static class StudioCalculationSynthesizer
     public const int PayloadSize = BoneHierarchy.BoneCount * BoneSize;
 
     private const int BoneSize = 84;
+    private const int FloatsPerBone = 20;
     private const int ValuesPerBone = 16;
     private const int ContactCount = 2;
     private const float MetresPerCentimetre = 0.01f;
@@ -49,22 +50,21 @@ public static class StudioCalculationSynthesizer
         Sample(source, frame, now);
         Sample(source, after, later);
 
+        Span<float> values = stackalloc float[FloatsPerBone];
         for (int index = 0; index < BoneHierarchy.BoneCount; index++)
         {
             int bone = (int)CalculationOrder.Bones[index];
             ReadOnlySpan<float> sensor = sensors[((index * ValuesPerBone) + (index < CalculationOrder.BodyBoneCount ? 0 : ContactCount))..];
-            Vector3 velocity = (later[bone].Position - earlier[bone].Position) * (differenceRate * MetresPerCentimetre);
+            sensor.Slice(7, 3).CopyTo(values);
+            values[3] = sensor[6];
+            sensor.Slice(13, 3).CopyTo(values[4..]);
+            sensor.Slice(10, 3).CopyTo(values[7..]);
+            Write(values[10..], (later[bone].Position - earlier[bone].Position) * (differenceRate * MetresPerCentimetre));
+            Write(values[13..], now[bone].Position * MetresPerCentimetre);
             Quaternion rotation = now[bone].Rotation;
-            WriteBone(
-                payload.Slice(bone * BoneSize, BoneSize),
-                [
-                    sensor[7], sensor[8], sensor[9], sensor[6],
-                    sensor[13], sensor[14], sensor[15],
-                    sensor[10], sensor[11], sensor[12],
-                    velocity.X, velocity.Y, velocity.Z,
-                    now[bone].Position.X * MetresPerCentimetre, now[bone].Position.Y * MetresPerCentimetre, now[bone].Position.Z * MetresPerCentimetre,
-                    rotation.X, rotation.Y, rotation.Z, rotation.W,
-                ]);
+            Write(values[16..], new Vector3(rotation.X, rotation.Y, rotation.Z));
+            values[19] = rotation.W;
+            WriteBone(payload.Slice(bone * BoneSize, BoneSize), values);
         }
     }
 
@@ -81,5 +81,12 @@ public static class StudioCalculationSynthesizer
 
         // The sensor is not lost.
         BinaryPrimitives.WriteInt32LittleEndian(target[(values.Length * sizeof(float))..], 0);
+    }
+
+    private static void Write(Span<float> destination, Vector3 vector)
+    {
+        destination[0] = vector.X;
+        destination[1] = vector.Y;
+        destination[2] = vector.Z;
     }
 }

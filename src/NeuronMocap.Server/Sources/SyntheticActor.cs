@@ -94,6 +94,16 @@ public sealed class SyntheticActor : MotionSource
         return (moment.GetFoot(right: false).IsPlanted, moment.GetFoot(right: true).IsPlanted);
     }
 
+    /// <summary>Writes the default body.</summary>
+    /// <param name="offsets">Room for the places of the 59 bones relative to their parents, in <see cref="Bone"/> order; centimetres.</param>
+    /// <param name="endSites">Room for 59 places where the bones end, relative to them; zero for bones that have children.</param>
+    public override void GetBody(Span<Vector3> offsets, Span<Vector3> endSites)
+    {
+        Offsets.CopyTo(offsets);
+        foreach (Bone bone in BoneHierarchy.Bones)
+            DefaultOffsets.TryGetEndSite(bone, out endSites[(int)bone]);
+    }
+
     private static float PelvisHeading(in GaitMoment moment) => WalkingPath.Heading(moment.Station) + (moment.Stride * 5);
 
     private static void WriteHands(in Gesture gesture, float lap, Span<BoneTransform> pose)

@@ -10,42 +10,28 @@ internal sealed class FrameFormat(RotationOrder? order, SkeletonVariant? variant
     // Axis Studio's 1.1.0.1, as its four bytes are read.
     private const uint StudioVersion = 0x01010001;
 
-    // Each stands alone, so that each is whole.
-    private volatile int _learntOrder = -1;
-    private volatile int _learntVariant = -1;
-
-    private volatile string? _discoveryFailure;
+    // Replaced as a whole, so that it is read as a whole.
+    private volatile FormatFindings _findings = FormatFindings.None;
 
     public RotationOrder? OptionOrder => order;
 
-    public RotationOrder? LearntOrder => _learntOrder < 0 ? null : (RotationOrder)_learntOrder;
-
     public SkeletonVariant? OptionVariant => variant;
 
-    public SkeletonVariant? LearntVariant => _learntVariant < 0 ? null : (SkeletonVariant)_learntVariant;
-
-    // Why the command channel did not tell, in words; null while nobody asked, and when it did.
-    public string? DiscoveryFailure
-    {
-        get => _discoveryFailure;
-        set => _discoveryFailure = value;
-    }
+    public FormatFindings Findings => _findings;
 
     public static implicit operator FrameFormat(SkeletonFormat format) => new(format.RotationOrder, format.Variant);
 
-    // What was found out otherwise than from the stream; null leaves what is known.
-    public void Learn(RotationOrder? order, SkeletonVariant? variant)
-    {
-        if (order is { } knownOrder)
-            _learntOrder = (int)knownOrder;
-        if (variant is { } knownVariant)
-            _learntVariant = (int)knownVariant;
-    }
+    // Null leaves what is known. One thread at a time.
+    public void Learn(RotationOrder? order, SkeletonVariant? variant) =>
+        _findings = _findings with { Order = order ?? _findings.Order, Variant = variant ?? _findings.Variant };
+
+    // Null when all was answered. One thread at a time.
+    public void LearnFailure(string? failure) => _findings = _findings with { Failure = failure };
 
     // The caller has seen a motion header.
     public SkeletonFormat Of(ReadOnlySpan<byte> header) => new(
-        order ?? ReadOrder(header) ?? LearntOrder ?? SkeletonFormat.Default.RotationOrder,
-        variant ?? LearntVariant ?? SkeletonFormat.Default.Variant);
+        order ?? ReadOrder(header) ?? _findings.Order ?? SkeletonFormat.Default.RotationOrder,
+        variant ?? _findings.Variant ?? SkeletonFormat.Default.Variant);
 
     // The order that Axis Studio writes into the first reserved field (protocol.md section 9); null where there is none.
     public static RotationOrder? ReadOrder(ReadOnlySpan<byte> header)

@@ -98,9 +98,9 @@ internal sealed class StreamScanner(PacketScanner packets)
             return new StreamScan(StreamPart.Packet, result.Length, result.Kind);
         }
 
-        int lineFeed = source[..result.Length].IndexOf((byte)'\n');
-        _place = lineFeed < 0 ? Place.Noise : Place.Start;
-        return Skip(lineFeed < 0 ? result.Length : lineFeed + 1, result.Reason);
+        int lineStart = FindLineStart(source[..result.Length]);
+        _place = lineStart < 0 ? Place.Noise : Place.Start;
+        return Skip(lineStart < 0 ? result.Length : lineStart, result.Reason);
     }
 
     private StreamScan PassBlanks(ReadOnlySpan<byte> blanks)
@@ -165,13 +165,7 @@ internal sealed class StreamScanner(PacketScanner packets)
     {
         PacketKind kind = _line.Read(line, _words, isWhole: _place != Place.Unsure, out SkipReason reason);
         Forget();
-        if (kind == PacketKind.None && reason == SkipReason.NoTokens)
-        {
-            _place = Place.Start;
-            return Skip(line.Length, reason);
-        }
-
-        _place = Place.BehindLine;
+        _place = kind == PacketKind.None ? Place.Start : Place.BehindLine;
         return kind == PacketKind.None ? Skip(line.Length, reason) : new StreamScan(StreamPart.Line, line.Length, kind);
     }
 
@@ -181,6 +175,21 @@ internal sealed class StreamScanner(PacketScanner packets)
         _words = 0;
         _inWord = false;
         _last = 0;
+    }
+
+    // Behind a line feed from which, over blanks, a line may begin, or nothing else has come yet.
+    private static int FindLineStart(ReadOnlySpan<byte> skipped)
+    {
+        int at = 0;
+        while (skipped[at..].IndexOf((byte)'\n') is >= 0 and var next)
+        {
+            int start = at + next + 1;
+            at = start + CountBlanks(skipped[start..]);
+            if (at == skipped.Length || TextAlphabet.MayStartLine(skipped[at]))
+                return start;
+        }
+
+        return -1;
     }
 
     private static int CountBlanks(ReadOnlySpan<byte> source)

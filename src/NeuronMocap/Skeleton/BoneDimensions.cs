@@ -13,7 +13,7 @@ public readonly record struct BoneDimensions
     public const int Size = Count * sizeof(float);
 
     private const int Count = 12;
-    private const float MetresPerCentimetre = 0.01f;
+    private const float CentimetresPerMetre = 100;
 
     /// <summary>Length of the head, in metres.</summary>
     public float Head { get; init; }
@@ -91,7 +91,7 @@ public readonly record struct BoneDimensions
         Vector3 leftFoot = EndSite(Bone.LeftFoot, endSites);
         return new BoneDimensions
         {
-            Head = MetresPerCentimetre * EndSite(Bone.Head, endSites).Length(),
+            Head = EndSite(Bone.Head, endSites).Length() / CentimetresPerMetre,
             Neck = Along(pose, neck + 1, Bone.Head),
             Body = Along(pose, Bone.Spine, neck),
             ShoulderWidth = Width(
@@ -179,12 +179,12 @@ public readonly record struct BoneDimensions
         for (Bone bone = first; bone <= last; bone++)
             length += Place(pose, bone).Length();
 
-        return length * MetresPerCentimetre;
+        return length / CentimetresPerMetre;
     }
 
-    private static float Width(Vector3 right, Vector3 left) => (left - right).Length() * MetresPerCentimetre;
+    private static float Width(Vector3 right, Vector3 left) => (left - right).Length() / CentimetresPerMetre;
 
     private static float Horizontal(Vector3 offset) => new Vector2(offset.X, offset.Z).Length();
 
-    private static float Mean(float right, float left) => (right + left) / 2 * MetresPerCentimetre;
+    private static float Mean(float right, float left) => (right + left) / 2 / CentimetresPerMetre;
 }

@@ -62,7 +62,7 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
         }
 
         // Numbers first: the text format begins with any number, also one that a greeting begins with.
-        return OfText(start) ?? OfProgram(start) ?? Unknown(start);
+        return OfText(start, reason) ?? OfProgram(start) ?? Unknown(start);
     }
 
     public static string ToHex(ReadOnlySpan<byte> bytes)
@@ -85,7 +85,7 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
         return null;
     }
 
-    private static FormatGuess? OfText(ReadOnlySpan<byte> start) => NumericText.IsAt(start)
+    private static FormatGuess? OfText(ReadOnlySpan<byte> start, SkipReason reason) => reason == SkipReason.MalformedLine || NumericText.IsAt(start)
         ? new(
             ForeignFormat.Text,
             "text, but no line of it holds the values of the 59 bones (180, 186, 354 or 360 of motion, 338 or 946 of calculation data)",

@@ -26,6 +26,7 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
     private int _framesSeen;
     private long _quietSince;
     private long _described;
+    private volatile string? _description;
 
     // Timer: refused datagrams before the present period of silence, when it began, and whether they came in a stream in the one before.
     private long _refusedBefore;
@@ -69,6 +70,7 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
         _hasPackets = true;
         StreamDescription stream = Describe();
         Volatile.Write(ref _described, timestamp);
+        _description = stream.Text;
         status.TrySet(
             current => current.IsConnected && current.State != ConnectionState.Receiving,
             current => current with
@@ -89,6 +91,10 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
             return;
 
         StreamDescription stream = Describe();
+        if (string.Equals(stream.Text, _description, StringComparison.Ordinal))
+            return;
+
+        _description = stream.Text;
         string message = MessageOf(stream);
         bool isTold = status.TrySet(
             current => current.State == ConnectionState.Receiving && (current.Format != stream.Format || !string.Equals(current.Message, message, StringComparison.Ordinal)),
@@ -147,7 +153,12 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
             BeginPeriod(now);
         }
 
-        (ConnectionReason reason, string message) = ExplainSilence();
+        // Every further check of a long silence comes here: the words are made once.
+        ConnectionReason reason = FindReason();
+        if (status.Current is { State: ConnectionState.Silent } told && told.Reason == reason)
+            return;
+
+        string message = ExplainSilence(reason);
         status.TrySet(
             current => current.IsConnected && (current.State != ConnectionState.Silent || current.Reason != reason),
             current => current with { State = ConnectionState.Silent, Reason = reason, Message = message, Timestamp = now });
@@ -161,21 +172,18 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
         _refusedBefore = udpSenders?.RefusedDatagrams ?? 0;
     }
 
-    private (ConnectionReason Reason, string Message) ExplainSilence()
+    private ConnectionReason FindReason() => _skippedLength > 0 ? ConnectionReason.UnknownFormat
+        : !_hasOtherPackets && udpSenders is not null && _isRefusing ? ConnectionReason.SenderNotAllowed
+        : ConnectionReason.NoData;
+
+    private string ExplainSilence(ConnectionReason reason) => (reason, udpSenders) switch
     {
-        if (_skippedLength > 0)
-            return (ConnectionReason.UnknownFormat, Advice.UnknownFormat(_target, DescribeSkipped()));
-
-        if (_hasOtherPackets)
-            return (ConnectionReason.NoData, Advice.NoValues(_target));
-
-        if (udpSenders is null)
-            return (ConnectionReason.NoData, Advice.NoFrames(_target, silence));
-
-        return _isRefusing
-            ? (ConnectionReason.SenderNotAllowed, Advice.SenderNotAllowed(_target, udpSenders.RefusedSenders))
-            : (ConnectionReason.NoData, Advice.NoDatagrams(_target, silence, udpSenders.RefusedDatagrams));
-    }
+        (ConnectionReason.UnknownFormat, _) => Advice.UnknownFormat(_target, DescribeSkipped()),
+        (ConnectionReason.SenderNotAllowed, { } senders) => Advice.SenderNotAllowed(_target, senders.RefusedSenders),
+        _ when _hasOtherPackets => Advice.NoValues(_target),
+        (_, { } senders) => Advice.NoDatagrams(_target, silence, senders.RefusedDatagrams),
+        _ => Advice.NoFrames(_target, silence),
+    };
 
     private string DescribeSkipped() => FormatGuess.Of(_skipped.AsSpan(0, _skippedLength), _skipReason).Description;
 }

@@ -15,6 +15,8 @@ internal sealed record Corpus(IReadOnlyList<byte[]> Fixtures, int OwnCount, IRea
     public static Corpus Load(CorpusKind kind, string? data) => kind switch
     {
         CorpusKind.Packets => With(PacketFixtures.Create(), PacketFixtures.Words, Find(data, "*.bin")),
+        CorpusKind.Commands => With(CommandFixtures.Create(), CommandFixtures.Words, []),
+        CorpusKind.Text => With(TextFixtures.Create(), TextFixtures.Words, Find(data, "text*.bin")),
         CorpusKind.Bvh => With(BvhFixtures.Create(), BvhFixtures.Words, Find(data, "*.bvh")),
         _ => throw new ArgumentOutOfRangeException(nameof(kind)),
     };

@@ -6,6 +6,12 @@ internal enum CorpusKind
     /// <summary>Packets of the stream.</summary>
     Packets,
 
+    /// <summary>Replies of a command server.</summary>
+    Commands,
+
+    /// <summary>Lines of the text stream.</summary>
+    Text,
+
     /// <summary>BVH text.</summary>
     Bvh,
 }

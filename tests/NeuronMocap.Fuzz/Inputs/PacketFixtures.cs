@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Runtime.InteropServices;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Fuzz.Inputs;
@@ -9,7 +10,7 @@ internal static class PacketFixtures
     /// <summary>Tokens, versions, and counts at edges in both widths.</summary>
     public static IReadOnlyList<byte[]> Words { get; } =
     [
-        [0xFF, 0xDD], [0xFF, 0xEE], [0xFF, 0x88], [0xFF, 0x99], [0xFF, 0xAA], [0xFF, 0xBB], [0xCF, 0xDC], [0xFF, 0xFF],
+        [0xFF, 0xDD], [0xFF, 0xEE], [0xFF, 0x88], [0xFF, 0x99], [0xFF, 0xAA], [0xFF, 0xBB], [0xCF, 0xDC], [0xCF, 0xEC], [0xFF, 0xFF],
         [0, 0, 1, 1], [1, 0, 1, 1], [2, 0, 0, 1], [3, 0, 0, 1], [0, 0, 0, 2], [0, 0, 2, 1],
         .. Numbers.Select(number => Little(number, sizeof(ushort))),
         .. Numbers.Select(number => Little(number, sizeof(uint))),
@@ -33,6 +34,8 @@ internal static class PacketFixtures
             Command(id: 0, count: 2),
             Command(id: 4, count: 90),
             Command(id: 5, count: 1),
+            Studio(59),
+            Studio(2),
         ];
         byte[] noise = [.. "GET / HTTP/1.1\r\n"u8, 0xFF, 0xDD, 0xFF];
         byte[] mixed = [.. packets[1], .. noise, .. packets[8], .. packets[14], .. packets[11], .. packets[4], .. packets[3]];
@@ -78,6 +81,15 @@ internal static class PacketFixtures
         byte[] packet = new byte[ProtocolConstants.HeaderSize + header.PayloadSize];
         header.Write(packet);
         packet.AsSpan(ProtocolConstants.HeaderSize).Fill((byte)'H');
+        return packet;
+    }
+
+    private static byte[] Studio(int bones)
+    {
+        byte[] payload = new byte[bones * 84];
+        Values(bones * 21).CopyTo(MemoryMarshal.Cast<byte, float>(payload.AsSpan()));
+        byte[] packet = new byte[ProtocolConstants.HeaderSize + payload.Length];
+        PacketEncoder.WriteStudioCalculation(packet, new StudioCalculationHeader { AvatarName = new AvatarName("chr00"), FrameIndex = 41 }, payload);
         return packet;
     }
 

@@ -3,7 +3,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The input in pieces of different sizes; each way has to give what the scanner gives for the whole.</summary>
+/// <summary>The input in pieces of different sizes; each way has to give what the whole gives in one.</summary>
 internal sealed class AssemblerTarget
 {
     private static readonly int[] LargestPieces = [1, 3, 80, 2_000];
@@ -57,16 +57,6 @@ internal sealed class AssemblerTarget
     private void ReadWhole(ArraySegment<byte> stream)
     {
         _whole.Begin(stream);
-        ArraySegment<byte> rest = stream;
-        while (_scanner.Scan(rest) is { Status: not ScanStatus.NeedMore } result)
-        {
-            ArraySegment<byte> found = rest.Slice(0, result.Length);
-            if (result.Status == ScanStatus.Packet)
-                _whole.OnPacket(new ReceivedPacket(result.Kind, found, timestamp: 0, source: 0));
-            else
-                _whole.OnSkipped(found, result.Reason);
-
-            rest = rest.Slice(result.Length);
-        }
+        new PacketAssembler(_scanner, _whole).Push(stream, timestamp: 0);
     }
 }

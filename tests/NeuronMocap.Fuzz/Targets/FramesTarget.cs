@@ -12,6 +12,7 @@ internal sealed class FramesTarget
 {
     private readonly PacketScanner _scanner = new();
     private readonly CalculationFrame _calculation = new();
+    private readonly StudioCalculationFrame _studio = new();
     private readonly BoneTransform[] _bones = new BoneTransform[BoneHierarchy.BoneCount];
 
     private readonly MotionFrame[] _motion =
@@ -48,6 +49,11 @@ internal sealed class FramesTarget
             _calculation.Borrow(packet);
             ReadShared(_calculation, packet, input);
             ReadCalculation(_calculation, input);
+        }
+        else if (packet.Kind == PacketKind.StudioCalculation)
+        {
+            _studio.Borrow(packet);
+            ReadStudio(_studio, packet, input);
         }
         else
         {
@@ -115,6 +121,30 @@ internal sealed class FramesTarget
             Add(ref input.Digest, frame.GetVelocity(bone));
             Add(ref input.Digest, new BoneTransform(frame.GetAcceleration(bone), frame.GetRotation(bone)));
             Add(ref input.Digest, frame.GetAngularVelocity(bone));
+        }
+    }
+
+    private static void ReadStudio(StudioCalculationFrame frame, in ReceivedPacket packet, FuzzInput input)
+    {
+        WrongResultException.ThrowUnless(frame.Payload.SequenceEqual(packet.Bytes[ProtocolConstants.HeaderSize..]), "The payload is not the packet's.");
+        WrongResultException.ThrowUnless(frame.Header.ByteCount == frame.Payload.Length, "The header counts other bytes.");
+        input.Digest.Add((long)frame.AvatarIndex);
+        input.Digest.Add(frame.AvatarName);
+        input.Digest.Add(frame.FrameIndex ?? -1L);
+        input.Digest.Add(frame.HasSkeleton);
+        if (!frame.HasSkeleton)
+        {
+            CheckThrows(input, static frame => frame.GetPosition(Bone.Hips), frame);
+            return;
+        }
+
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            Add(ref input.Digest, new BoneTransform(frame.GetPosition(bone), frame.GetRotation(bone)));
+            Add(ref input.Digest, new BoneTransform(frame.GetVelocity(bone), frame.GetSensorRotation(bone)));
+            Add(ref input.Digest, frame.GetAcceleration(bone));
+            Add(ref input.Digest, frame.GetAngularVelocity(bone));
+            input.Digest.Add(frame.IsSensorLost(bone));
         }
     }
 

@@ -10,9 +10,12 @@ internal static class TargetList
     [
         new("scanner", CorpusKind.Packets, () => new ScannerTarget().Run),
         new("assembler", CorpusKind.Packets, () => new AssemblerTarget().Run) { AllocatedPerInput = 32 * 1024, AllocatedPerByte = 16 },
+        new("text", CorpusKind.Text, () => new AssemblerTarget().Run) { AllocatedPerInput = 64 * 1024, AllocatedPerByte = 16 },
+        new("udp-text", CorpusKind.Text, () => new UdpTarget().Run) { AllocatedPerInput = UdpTarget.AllocatedForSenders, AllocatedPerByte = 16 },
         new("udp", CorpusKind.Packets, () => new UdpTarget().Run) { AllocatedPerInput = UdpTarget.AllocatedForSenders, AllocatedPerByte = 16 },
         new("headers", CorpusKind.Packets, () => HeadersTarget.Run),
         new("frames", CorpusKind.Packets, () => new FramesTarget().Run) { AllocatedPerByte = 16 },
+        new("commands", CorpusKind.Commands, () => new CommandsTarget().Run) { AllocatedPerInput = 512 * 1024, AllocatedPerByte = 64 },
         new("bvh", CorpusKind.Bvh, () => BvhTarget.Run) { Refusal = typeof(BvhFormatException), AllocatedPerInput = 96 * 1024, AllocatedPerByte = 64 },
     ];
 }

@@ -25,6 +25,17 @@ public sealed class CommandLineTests
     [InlineData("--allow-sender", "--udp", "7001", "--allow-sender")]
     [InlineData("--udp", "--connect", "studio", "--allow-sender", "127.0.0.1")]
     [InlineData("--udp", "--allow-sender", "127.0.0.1")]
+    [InlineData("--commands", "--commands", "studio:port")]
+    [InlineData("--commands", "--avatar", "1")]
+    [InlineData("--commands", "--zero-out", "all")]
+    [InlineData("--commands", "--bvh-header")]
+    [InlineData("--avatar", "--commands", "--avatar", "-1")]
+    [InlineData("--zero-out", "--commands", "--zero-out", "some")]
+    [InlineData("--zero-out", "--commands", "--zero-out", "1", "--avatar", "1")]
+    [InlineData("--json", "--commands", "--bvh-header", "--json")]
+    [InlineData("--connect", "--commands", "--connect", "studio")]
+    [InlineData("--diagnose", "--commands", "--diagnose")]
+    [InlineData("--quiet", "--commands", "--quiet")]
     [InlineData("--colour", "--colour")]
     [InlineData("studio", "studio")]
     public async Task Wrong_options_are_named_with_the_usage_and_end_with_2(string named, params string[] args)
@@ -34,7 +45,7 @@ public sealed class CommandLineTests
         Assert.Equal(2, result.ExitCode);
         Assert.Empty(result.Output);
         Assert.Contains(named, result.Error[0], StringComparison.Ordinal);
-        Assert.StartsWith("Usage: neuron-monitor", result.Error[^1], StringComparison.Ordinal);
+        Assert.StartsWith("Usage: neuron-monitor", result.Error[^2], StringComparison.Ordinal);
     }
 
     [Fact]
@@ -45,7 +56,7 @@ public sealed class CommandLineTests
         Assert.Equal(0, result.ExitCode);
         Assert.Empty(result.Error);
         string text = string.Join('\n', result.Output);
-        foreach (string option in (string[])["--connect", "--udp", "--allow-sender", "--demo", "--diagnose", "--order", "--once", "--frames", "--duration", "--json", "--quiet", "--version"])
+        foreach (string option in (string[])["--connect", "--udp", "--allow-sender", "--demo", "--diagnose", "--commands", "--avatar", "--zero-out", "--bvh-header", "--order", "--once", "--frames", "--duration", "--json", "--quiet", "--version"])
             Assert.Contains($"  {option} ", text, StringComparison.Ordinal);
 
         Assert.Contains("Examples:", text, StringComparison.Ordinal);

@@ -26,6 +26,7 @@ public sealed class SimulatorProcessTests
     [InlineData("--decimals", "3")]
     [InlineData("--format", "text", "--decimals", "7")]
     [InlineData("--data-commands", "perhaps")]
+    [InlineData("--commands", "65536")]
     [InlineData("--unknown")]
     public async Task Bad_usage_ends_with_2_and_the_usage_line(params string[] args)
     {
@@ -41,6 +42,28 @@ public sealed class SimulatorProcessTests
         other.Start();
         int port = ((IPEndPoint)other.LocalEndpoint).Port;
         await AssertFailsAsync("--port", "--port", $"{port}");
+    }
+
+    [Fact]
+    public async Task A_command_port_in_use_ends_with_1_and_one_line_that_names_the_option()
+    {
+        using var other = new TcpListener(IPAddress.Loopback, 0);
+        other.Start();
+        await AssertFailsAsync("--commands", "--port", "0", "--commands", $"{((IPEndPoint)other.LocalEndpoint).Port}");
+    }
+
+    [Fact]
+    public async Task The_command_channel_says_where_it_is_and_answers_the_monitor()
+    {
+        using var simulator = new SampleProcess(Program, "--port", "0", "--commands", "0", "--order", "XZY");
+        await ReadAddressAsync(simulator);
+        string? line = await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken);
+        Assert.StartsWith("Commands on ", line, StringComparison.Ordinal);
+        using var monitor = new SampleProcess("neuron-monitor", "--commands", line!["Commands on ".Length..], "--json");
+        string answer = await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.Contains("\"rotationOrder\":\"XZY\"", answer, StringComparison.Ordinal);
+        Assert.Equal(0, await monitor.WaitForExitAsync());
     }
 
     [Fact]

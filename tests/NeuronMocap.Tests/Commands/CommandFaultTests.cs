@@ -31,11 +31,11 @@ public class CommandFaultTests
                 await TryAsync(() => unanswered!.ReplyAsync(XYZ));
                 await request.ReplyAsync(ZXY);
             });
-        using NeuronCommandClient client = server.CreateClient(static options => options.Timeout = TimeSpan.FromSeconds(1));
+        using NeuronCommandClient client = server.CreateClient(static options => options.Timeout = Short);
 
         await FailsAsync(client.GetRotationOrderAsync(), CommandFailure.TimedOut, "NeuronCommandOptions.Timeout");
-        Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync().Soon());
-        Assert.Equal(2, server.Connections);
+        Assert.Equal(RotationOrder.ZXY, await RepeatAsync(client.GetRotationOrderAsync));
+        Assert.Equal(server.Requests, server.Connections);
     }
 
     [Theory]
@@ -47,7 +47,11 @@ public class CommandFaultTests
     {
         using var server = new CommandScript(request => request.SendAsync(CommandScript.Packet(Bytes(Sizes(0)), request.Id)[..length]));
         using NeuronCommandClient client = server.CreateClient(static options => options.Timeout = Short);
-        await FailsAsync(client.GetBoneDimensionsAsync(0), CommandFailure.TimedOut, "not complete");
+
+        // On a busy machine not even the beginning may come in time.
+        string message = string.Empty;
+        while (!message.Contains("not complete", StringComparison.Ordinal))
+            message = (await FailsAsync(client.GetBoneDimensionsAsync(0), CommandFailure.TimedOut, "within 0.06 s")).Message;
     }
 
     [Theory]
@@ -276,6 +280,22 @@ public class CommandFaultTests
         catch (Exception exception) when (exception is SocketException or ObjectDisposedException or OperationCanceledException)
         {
             // The client has had enough.
+        }
+    }
+
+    // Until it is not too late: on a busy machine an answer may be.
+    private static async Task<T> RepeatAsync<T>(Func<CancellationToken, Task<T>> call)
+    {
+        while (true)
+        {
+            try
+            {
+                return await call(TestContext.Current.CancellationToken).Soon();
+            }
+            catch (NeuronCommandException exception) when (exception.Reason == CommandFailure.TimedOut)
+            {
+                // Once more.
+            }
         }
     }
 

@@ -92,6 +92,33 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
+    public async Task Text_is_read_and_named()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Line(i));
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
+        Assert.True(diagnosis.FramesArrive);
+        Assert.Contains(DiagnosisVerdict.TextFormat, diagnosis.Findings);
+        Assert.Equal("lines of text: motion (BVH) data", diagnosis.Step("token").Detail);
+        Assert.Contains("set Format to Binary", diagnosis.Advice, StringComparison.Ordinal);
+        Assert.Equal(DataVersion.None, Assert.Single(diagnosis.Avatars).Version);
+    }
+
+    [Fact]
+    public async Task Axis_studios_calculation_data_are_no_motion()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Studio(i));
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        diagnosis.AssertFault(DiagnosisVerdict.StudioCalculationOnly, "token", "Axis Studio's calculation data; no motion (BVH) data among them");
+
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient);
+        how.Wanted = PacketKind.StudioCalculation;
+        diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = server.Port }, how);
+        Assert.True(diagnosis.FramesArrive);
+        Assert.Equal("0xDCCF: Axis Studio's calculation data", diagnosis.Step("token").Detail);
+        Assert.Contains("ReadStudioCalculationAsync", diagnosis.Code, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task An_unknown_version_is_told_with_its_number()
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i =>

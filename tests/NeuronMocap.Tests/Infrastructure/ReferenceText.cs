@@ -28,7 +28,7 @@ internal enum ReferenceLineKind
 /// <param name="Packet">The frame.</param>
 /// <param name="Reason">Why it is none.</param>
 /// <param name="Place">What the position behind it is.</param>
-internal sealed record ReferenceLine(ReferenceLineKind Kind, int Length = 0, FoundPacket? Packet = null, SkipReason Reason = default, ReferencePlace Place = ReferencePlace.BehindLine);
+internal sealed record ReferenceLine(ReferenceLineKind Kind, int Length = 0, FoundPacket? Packet = null, SkipReason Reason = default, ReferencePlace Place = ReferencePlace.Start);
 
 /// <summary>The rules of the text format (protocol.md section 8), told slowly.</summary>
 internal static class ReferenceText
@@ -112,12 +112,9 @@ internal static class ReferenceText
             : words.Length > 2 && ParseNumber(words[0]) is not null && ParseNumber(words[2]) is not null ? SkipReason.MalformedLine
             : SkipReason.NoTokens;
         if (isUnsure && !IsTelling(words))
-            return new ReferenceLine(ReferenceLineKind.Refused, length, Place: ReferencePlace.Start);
+            return new ReferenceLine(ReferenceLineKind.Refused, length);
         if (!isKnown || count > maxValues || !IsGood())
-        {
-            ReferencePlace place = reason == SkipReason.NoTokens ? ReferencePlace.Start : ReferencePlace.BehindLine;
-            return new ReferenceLine(ReferenceLineKind.Refused, length, Reason: reason, Place: place);
-        }
+            return new ReferenceLine(ReferenceLineKind.Refused, length, Reason: reason);
 
         byte[] name = isLed ? Cut(Encoding.Latin1.GetBytes(words[1])) : [];
         uint avatar = isLed ? uint.Parse(words[0], CultureInfo.InvariantCulture) : 0;
@@ -128,7 +125,8 @@ internal static class ReferenceText
             image.Hex("FF 88 00 00 00 00").U32((uint)count).U32(avatar).Bytes(name, 32).Zeros(18);
 
         image.Floats([.. values.Select(value => value!.Value)]);
-        return new ReferenceLine(ReferenceLineKind.Frame, length, new FoundPacket(isMotion ? PacketKind.Motion : PacketKind.Calculation, image.ToArray()));
+        var packet = new FoundPacket(isMotion ? PacketKind.Motion : PacketKind.Calculation, image.ToArray());
+        return new ReferenceLine(ReferenceLineKind.Frame, length, packet, Place: ReferencePlace.BehindLine);
 
         bool IsGood() => values.All(value => value is not null) && (!isLed || IsIndex(words[0]));
     }

@@ -28,7 +28,12 @@ internal sealed record ExpectedPacket(
     uint[]? Reserved,
     float[] Values)
 {
-    public PacketKind Kind => Type is "frame" ? PacketKind.Motion : PacketKind.Calculation;
+    public PacketKind Kind => Type switch
+    {
+        "frame" => PacketKind.Motion,
+        "calculation" => PacketKind.Calculation,
+        _ => PacketKind.StudioCalculation,
+    };
 
     public static ExpectedPacket Parse(JsonElement packet) => new(
         packet.GetProperty("type").GetString()!,

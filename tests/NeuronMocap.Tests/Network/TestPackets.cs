@@ -1,3 +1,6 @@
+using System.Globalization;
+using System.Runtime.InteropServices;
+using System.Text;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Network;
@@ -28,6 +31,27 @@ internal static class TestPackets
         var header = new CalculationHeader { AvatarIndex = (uint)avatar, AvatarName = new AvatarName("Char00"), FrameIndex = (uint)frame };
         byte[] packet = new byte[64 + (4 * count)];
         PacketEncoder.WriteCalculation(packet, header, Values(frame, avatar, count));
+        return packet;
+    }
+
+    // A frame's line, each value in as many digits as it takes to be exact.
+    public static byte[] Line(int frame, int avatar = 0, int count = 354, string? lead = null, string separator = " ", string end = " ||\r\n") =>
+        Encoding.UTF8.GetBytes((lead ?? $"{avatar} Char00 ") + string.Join(separator, Values(frame, avatar, count).Select(
+            static value => value.ToString("R", CultureInfo.InvariantCulture))) + end);
+
+    public static byte[] Studio(int frame, int avatar = 0, int bones = 59, uint mask = StudioCalculationHeader.FullDataMask)
+    {
+        byte[] payload = new byte[bones * 84];
+        Values(frame, avatar, bones * 21).CopyTo(MemoryMarshal.Cast<byte, float>(payload.AsSpan()));
+        byte[] packet = new byte[64 + payload.Length];
+        var header = new StudioCalculationHeader
+        {
+            AvatarIndex = (uint)avatar,
+            AvatarName = new AvatarName("Char00"),
+            FrameIndex = (uint)frame,
+            DataMask = mask,
+        };
+        PacketEncoder.WriteStudioCalculation(packet, header, payload);
         return packet;
     }
 

@@ -178,7 +178,7 @@ public sealed class MotionHeaderTests
     }
 
     [Theory]
-    [InlineData(0, 0)]
+    [InlineData(0, 2)]
     [InlineData(2, 0)]
     [InlineData(0, 1)]
     [InlineData(1, 7)]

@@ -1,4 +1,6 @@
+using System.Runtime.InteropServices;
 using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Protocol;
 
@@ -39,17 +41,44 @@ public sealed class StreamFixtureTests
     }
 
     [Theory]
-    [EverySplitting("text", "studio-calculation")]
-    public void A_stream_of_another_format_is_skipped_whole(string name, Splitting splitting)
+    [EverySplitting]
+    public void A_line_of_text_comes_out_as_the_image_of_a_packet(Splitting splitting)
     {
-        StreamFixture fixture = StreamFixture.Load(name);
+        StreamFixture fixture = StreamFixture.Load("text");
+        foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(fixture.Bytes, splitting))
+        {
+            var log = new PacketLog();
+            var assembler = new PacketAssembler(new PacketScanner(), log);
+            foreach (ArraySegment<byte> piece in pieces)
+                assembler.Push(piece, timestamp: 0);
+
+            Assert.Equal(fixture.Expected.Count, log.Packets.Count);
+            for (int i = 0; i < log.Packets.Count; i++)
+            {
+                (ExpectedPacket expected, byte[] image) = (fixture.Expected[i], log.Packets[i].Bytes);
+                var header = MotionHeader.Read(image);
+                Assert.Equal(
+                    (PacketKind.Motion, DataVersion.None, expected.Avatar, expected.Name, (uint?)null, expected.Values.Length),
+                    (log.Packets[i].Kind, header.Version, header.AvatarIndex, header.AvatarName.ToString(), header.FrameIndex, header.ValueCount));
+                Assert.Equal(expected.Values, MemoryMarshal.Cast<byte, float>(image.AsSpan(64)).ToArray());
+            }
+
+            Assert.Equal((fixture.Bytes.Length, 0, 0), (log.Text, log.Skipped, assembler.PendingBytes));
+        }
+    }
+
+    [Theory]
+    [EverySplitting]
+    public void Axis_studios_calculation_packet_is_one_packet(Splitting splitting)
+    {
+        StreamFixture fixture = StreamFixture.Load("studio-calculation");
         foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(fixture.Bytes, splitting))
         {
             var scan = ScanAll.Of(pieces);
+            FoundPacket packet = Assert.Single(scan.Packets);
 
-            Assert.Empty(scan.Packets);
-            Assert.Equal(fixture.Bytes.Length, scan.Skipped + scan.Pending);
-            Assert.InRange(scan.Pending, 0, 63);
+            Assert.Equal(PacketKind.StudioCalculation, packet.Kind);
+            Assert.Equal(fixture.Bytes, packet.Bytes);
         }
     }
 

@@ -85,8 +85,48 @@ public sealed partial class AllocationTests
             () => Interlocked.Exchange(ref frames, 0));
     }
 
-    private static async Task MeasureTcpAsync(Func<NeuronReader, Func<int>> open, Func<TcpReceiver>? takeReceiver = null)
+    [Fact]
+    public Task Lines_of_text_cost_no_allocation_per_frame() => MeasureTcpAsync(CountMotion, frame: TestPackets.Line(1));
+
+    [Fact]
+    public Task Frames_of_axis_studio_cost_no_allocation_per_frame() => MeasureTcpAsync(CountMotion, frame: AsOfStudio(TestPackets.Motion(1)));
+
+    [Fact]
+    public Task Axis_studios_calculation_frames_cost_no_allocation_per_frame() => MeasureTcpAsync(
+        reader =>
+        {
+            int frames = 0;
+            float sum = 0;
+            reader.StudioCalculationReceived += frame =>
+            {
+                sum += frame.GetPosition(Bone.Head).Y + frame.AvatarName.Length;
+                Interlocked.Increment(ref frames);
+            };
+            return () => Interlocked.Exchange(ref frames, 0);
+        },
+        frame: TestPackets.Studio(1));
+
+    private static Func<int> CountMotion(NeuronReader reader)
     {
+        int frames = 0;
+        float sum = 0;
+        reader.MotionReceived += frame =>
+        {
+            sum += frame.GetRotation(Bone.Hips).W + (frame.Timecode?.Seconds ?? 0) + (int)frame.Format.RotationOrder;
+            Interlocked.Increment(ref frames);
+        };
+        return () => Interlocked.Exchange(ref frames, 0);
+    }
+
+    private static byte[] AsOfStudio(byte[] packet)
+    {
+        (packet[2], packet[50], packet[54]) = (1, 4, 30);
+        return packet;
+    }
+
+    private static async Task MeasureTcpAsync(Func<NeuronReader, Func<int>> open, Func<TcpReceiver>? takeReceiver = null, byte[]? frame = null)
+    {
+        byte[] sent = frame ?? Frame;
         using var server = new TestServer();
         using var reader = server.Options().CreateReader(takeReceiver ?? (static () => new BlockingTcpReceiver()));
         Func<int> take = open(reader);
@@ -95,8 +135,8 @@ public sealed partial class AllocationTests
         AssertNothingAllocated(
             () =>
             {
-                connection.Socket.Send(Frame, 0, 700, SocketFlags.None);
-                connection.Socket.Send(Frame, 700, Frame.Length - 700, SocketFlags.None);
+                connection.Socket.Send(sent, 0, 700, SocketFlags.None);
+                connection.Socket.Send(sent, 700, sent.Length - 700, SocketFlags.None);
                 return 1;
             },
             take);

@@ -2,6 +2,7 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
+using NeuronMocap.Tests.Frames;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 
@@ -10,7 +11,7 @@ namespace NeuronMocap.Tests.Reader;
 // The streams of a foreign encoder over real sockets, to the frames that an application sees.
 public sealed class FixtureReaderTests
 {
-    public static TheoryData<string> Names => ["new-180", "new-186", "new-354", "new-360", "old-354", "studio-354", "calculation", "mixed", "zero-count"];
+    public static TheoryData<string> Names => ["new-180", "new-186", "new-354", "new-360", "old-354", "studio-354", "calculation", "mixed", "zero-count", "text", "studio-calculation"];
 
     [Theory]
     [MemberData(nameof(Names))]
@@ -70,8 +71,9 @@ public sealed class FixtureReaderTests
             {
                 ExpectedPacket expected = fixture.Expected[next++];
                 Assert.Equal("frame", expected.Type);
-                Assert.Equal((expected.Displacement, expected.Reference), (motion.Header.HasDisplacement, motion.Header.HasReference));
-                Assert.Equal((expected.Displacement, expected.Reference), (motion.Layout.HasDisplacement, motion.Layout.HasReference));
+                Assert.Equal(expected.Displacement ?? true, motion.Header.HasDisplacement);
+                Assert.Equal(expected.Reference ?? false, motion.Header.HasReference);
+                Assert.Equal((motion.Header.HasDisplacement, motion.Header.HasReference), (motion.Layout.HasDisplacement, motion.Layout.HasReference));
                 AssertFrame(expected, motion);
             },
             calculation =>
@@ -79,6 +81,13 @@ public sealed class FixtureReaderTests
                 ExpectedPacket expected = fixture.Expected[next++];
                 Assert.Equal("calculation", expected.Type);
                 AssertFrame(expected, calculation);
+            },
+            studio =>
+            {
+                ExpectedPacket expected = fixture.Expected[next++];
+                Assert.Equal("studioCalculation", expected.Type);
+                Assert.Equal((expected.Avatar, expected.Name, expected.Index), ((uint)studio.AvatarIndex, studio.AvatarName, studio.FrameIndex));
+                StudioCalculations.AssertFixture(studio);
             });
         Assert.Equal(fixture.Expected.Count, count);
     }

@@ -50,7 +50,6 @@ public sealed class LinkActivityTests
     [Theory]
     [InlineData("0 Char00 0.00 93.02 0.00", "Binary")]
     [InlineData("HTTP/1.1 400 Bad Request", "7001")]
-    [InlineData("\u00CF\u00DC\0\0\0\u0002", "Axis Studio")]
     [InlineData("SSH-2.0-OpenSSH_9.6", "SSH")]
     [InlineData("\u0016\u0003\u0001\u0002", "TLS")]
     [InlineData("\u0016\u0004\u0001\u0002", "16 04 01 02")]

@@ -54,13 +54,41 @@ public sealed class JsonLinesTests
     }
 
     [Fact]
+    public void A_studio_calculation_frame_has_the_numbers_of_each_bone_and_which_sensors_are_lost()
+    {
+        byte[] payload = new byte[StudioCalculationFrame.FullByteCount];
+        for (int bone = 0; bone < 59; bone++)
+        {
+            for (int field = 0; field < 20; field++)
+                BitConverter.TryWriteBytes(payload.AsSpan((bone * 84) + (field * 4)), bone + (field / 32f));
+        }
+
+        payload[(4 * 84) + 80] = 1;
+        var header = new StudioCalculationHeader { AvatarIndex = 2, AvatarName = new AvatarName("chr00"), FrameIndex = 9 };
+        using var line = JsonDocument.Parse(_lines.StudioCalculation(new StudioCalculationFrame(header, payload)).ToArray());
+        JsonElement root = line.RootElement;
+        Assert.Equal(
+            ("studioCalculation", 2, "chr00", 9, 254, 59),
+            (root.GetProperty("type").GetString(), root.GetProperty("avatar").GetInt32(), root.GetProperty("name").GetString(),
+                root.GetProperty("index").GetInt32(), root.GetProperty("dataMask").GetInt32(), root.GetProperty("bones").GetInt32()));
+        float[] values = [.. root.GetProperty("values").EnumerateArray().Select(value => value.GetSingle())];
+        Assert.Equal(59 * 20, values.Length);
+        Assert.Equal(58 + (19 / 32f), values[^1]);
+        Assert.Equal([4], root.GetProperty("sensorsLost").EnumerateArray().Select(bone => bone.GetInt32()));
+
+        using var other = JsonDocument.Parse(_lines.StudioCalculation(new StudioCalculationFrame(header with { DataMask = 2 }, payload.AsSpan(0, 8))).ToArray());
+        Assert.Equal(0, other.RootElement.GetProperty("bones").GetInt32());
+        Assert.Equal(2, other.RootElement.GetProperty("values").GetArrayLength());
+    }
+
+    [Fact]
     public void Status_and_summary_are_lines_too()
     {
         Assert.Equal(
-            """{"type":"status","state":"Silent","message":"Nothing."}""" + "\n",
-            Encoding.UTF8.GetString(_lines.Status(new ConnectionStatus(ConnectionState.Silent, ConnectionReason.NoData, "Nothing."))));
+            """{"type":"status","state":"Silent","message":"Nothing.","format":"Text"}""" + "\n",
+            Encoding.UTF8.GetString(_lines.Status(new ConnectionStatus(ConnectionState.Silent, ConnectionReason.NoData, "Nothing.") { Format = StreamFormat.Text })));
         Assert.Equal(
-            """{"type":"summary","frames":1,"calculationFrames":2,"lost":3,"dropped":4,"skippedBytes":5,"seconds":0,"gaps":6,"restarts":7,"reconnects":8}""" + "\n",
+            """{"type":"summary","frames":1,"calculationFrames":2,"lost":3,"dropped":4,"skippedBytes":5,"seconds":0,"gaps":6,"restarts":7,"reconnects":8,"studioCalculationFrames":9}""" + "\n",
             Encoding.UTF8.GetString(_lines.Summary(
                 new ReaderStatistics
                 {
@@ -72,6 +100,7 @@ public sealed class JsonLinesTests
                     Gaps = 6,
                     Restarts = 7,
                     Reconnects = 8,
+                    StudioCalculationFrames = 9,
                 })));
     }
 
