@@ -23,11 +23,11 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
           neuron-monitor --connect 192.168.1.20                 Axis Neuron on another computer, TCP port 7001
           neuron-monitor --connect [::1]:7003 --order XYZ       IPv6, another port, another rotation order
           neuron-monitor --udp 7012                             Axis Neuron set to UDP, with this computer as destination
+          neuron-monitor --udp 7012 --allow-sender 192.168.1.20 the same, and nobody else may send
           neuron-monitor --diagnose 192.168.1.20                no data? What is wrong, and which setting to change
           neuron-monitor --diagnose --udp 7012                  the same for UDP; with --demo it shows a healthy stream
           neuron-monitor --commands 192.168.1.20                bone sizes, rotation order and BVH header; port 8013
-          neuron-monitor --commands 192.168.1.20 --zero-out all all avatars face front
-          neuron-monitor --udp 7012 --allow-sender 192.168.1.20 the same, and nobody else may send
+          neuron-monitor --commands 192.168.1.20 --zero-out 0   avatar 0 faces front; all for all of them
           neuron-monitor --connect studio --json --frames 100   100 frames for another program
           neuron-monitor --connect studio --quiet --duration 10 does anything arrive? The exit code tells
 

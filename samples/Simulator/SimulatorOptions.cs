@@ -22,12 +22,14 @@ internal static class SimulatorOptions
         string[] udp = result.GetValue(command.Udp) ?? [];
         BroadcastFormat format = result.GetValue(command.Format) ?? BroadcastFormat.Binary;
         bool calculation = result.GetValue(command.Calculation);
+        int? port = result.GetValue(command.Port) ?? (udp.Length > 0 ? null : ProtocolConstants.DefaultPort);
         CheckFormat(command, result, format);
+        CheckPorts(port, result.GetResult(command.Commands) is null ? null : result.GetValue(command.Commands));
         return new BroadcasterOptions
         {
             Sources = sources.Avatars,
             BindAddress = result.GetValue(command.Bind) ?? IPAddress.Loopback,
-            Port = result.GetValue(command.Port) ?? (udp.Length > 0 ? null : ProtocolConstants.DefaultPort),
+            Port = port,
             UdpDestinations = [.. udp.Select(Resolve)],
             Rate = result.GetValue(command.Rate),
             FrameLimit = result.GetValue(command.Frames),
@@ -54,6 +56,12 @@ internal static class SimulatorOptions
             throw new UsageException("--format studio has the new header; Axis Studio's old one is --format binary --header old.");
         if (format != BroadcastFormat.Text && result.GetValue(command.Decimals) is not null)
             throw new UsageException("--decimals is for --format text; packets carry every value as it is.");
+    }
+
+    private static void CheckPorts(int? port, int? commands)
+    {
+        if (port == commands && port > 0)
+            throw new UsageException($"--port and --commands are both {port}; frames and commands have a port each.");
     }
 
     private static IPEndPoint Resolve(string destination)

@@ -1,25 +1,37 @@
+using System.Diagnostics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
 using NeuronMocap.Frames;
 
 namespace NeuronMocap;
 
-// Asks the server's command channel, once for every connection of the reader, what an Axis Neuron stream does not say: the order of the
-// rotation values, and through the names in the BVH header the variant of the skeleton. What it learns or why it learnt nothing becomes part of
-// the status message. The reader never waits for it.
-internal sealed class FormatDiscovery(NeuronCommandOptions options, FrameFormat format) : IDisposable
+// Asks the server's command channel, on every connection of the reader until it is answered, what an Axis Neuron stream does not say: the order
+// of the rotation values, and through the names in the BVH header the variant of the skeleton. What it learns or why it learnt nothing becomes
+// part of the status message. The reader never waits for it.
+internal sealed class FormatDiscovery(NeuronCommandOptions options, FrameFormat format, Action learnt) : IDisposable
 {
+    // Whoever switches the command channel on while frames arrive does not want to start the reader anew.
+    private static readonly long RetryPeriod = 5 * Stopwatch.Frequency;
+
     // Servers count from 0, and all avatars of one have the same kind of skeleton.
     private const int Avatar = 0;
 
     private readonly NeuronCommandClient _client = new(options);
     private int _isAsking;
+    private long _asked;
 
     // A connection stands. Any thread.
     public void Begin()
     {
         if (Interlocked.Exchange(ref _isAsking, 1) == 0)
             _ = AskAsync();
+    }
+
+    // Timer, while a connection stands.
+    public void Check(long now)
+    {
+        if (format.Findings.Failure is not null && now - Volatile.Read(ref _asked) > RetryPeriod)
+            Begin();
     }
 
     // Ends the questions, without waiting for it.
@@ -30,6 +42,7 @@ internal sealed class FormatDiscovery(NeuronCommandOptions options, FrameFormat 
         try
         {
             format.Learn(await _client.GetRotationOrderAsync().ConfigureAwait(false), variant: null);
+            learnt();
             BvhDocument header = await _client.GetBvhHeaderAsync(Avatar).ConfigureAwait(false);
             if (!BvhSkeletonMap.TryCreate(header, out BvhSkeletonMap? map, out string? reason))
                 throw new NeuronCommandException(CommandFailure.InvalidReply, $"The BVH header of avatar {Avatar} has another skeleton: {reason}");
@@ -47,7 +60,9 @@ internal sealed class FormatDiscovery(NeuronCommandOptions options, FrameFormat 
         }
         finally
         {
+            Volatile.Write(ref _asked, Stopwatch.GetTimestamp());
             Volatile.Write(ref _isAsking, 0);
+            learnt();
         }
     }
 }

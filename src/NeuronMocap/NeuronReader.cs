@@ -75,7 +75,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _status = new StatusBoard(OnStatusChanged);
         _senders = new SenderFilter(_options.AllowedSenders);
         _format = _options.Format;
-        _discovery = _options.Commands is { } commands ? new FormatDiscovery(commands, _format) : null;
+        _discovery = _options.Commands is { } commands ? new FormatDiscovery(commands, _format, OnFormatLearnt) : null;
         var recognizer = new StreamRecognizer(_format);
         _activity = new LinkActivity(
             _status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp ? _senders : null, recognizer.Describe);
@@ -250,6 +250,8 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private void Check(long now)
     {
         _activity.Check(now);
+        if (_status.Current.IsConnected)
+            _discovery?.Check(now);
         if (!_eventHandlers.IsEmpty)
             _reporter.Check(now);
     }
@@ -279,6 +281,8 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         if (status.State == ConnectionState.Stopped)
             End(status);
     }
+
+    private void OnFormatLearnt() => _activity.Redescribe(Stopwatch.GetTimestamp(), isDue: true);
 
     private void OnCallbackFailed(Exception exception)
     {

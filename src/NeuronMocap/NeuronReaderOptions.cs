@@ -73,8 +73,8 @@ public sealed partial class NeuronReaderOptions
 
     /// <summary>
     /// TCP port of the command channel on <see cref="Host"/>, 1 to 65535, also where frames come over UDP; null, the default, for none. With one, the
-    /// reader asks there for the rotation order and the skeleton variant, on every new connection and without waiting for it: see
-    /// <see cref="ProtocolConstants.DefaultCommandPort"/>.
+    /// reader asks there for the rotation order and the skeleton variant, on every new connection, and every 5 s until it is answered. Frames do not
+    /// wait for the answer: those that come before it are understood as without this option. See <see cref="ProtocolConstants.DefaultCommandPort"/>.
     /// </summary>
     public int? CommandPort { get; set; }
 
@@ -131,6 +131,8 @@ public sealed partial class NeuronReaderOptions
             return $"SkeletonVariant is {variant}; it must be Neck1, Spine3 or null.";
         if (CommandPort is < 1 or > IPEndPoint.MaxPort)
             return $"CommandPort is {CommandPort}; it must be 1 to {IPEndPoint.MaxPort}, or null.";
+        if (CommandPort == Port && Transport == TransportKind.Tcp)
+            return $"CommandPort and Port are both {Port}; frames and the command channel have a port each, by default 7001 and 8013.";
         if (MaxValues is < 1 or > 1_000_000)
             return $"MaxValues is {MaxValues}; it must be 1 to 1,000,000.";
         if (AllowedSenders?.Contains(null!) == true)

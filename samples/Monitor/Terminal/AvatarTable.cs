@@ -12,21 +12,22 @@ internal static class AvatarTable
     public const int FixedHeight = 2;
 
     private const int Gap = 1;
+    private const int Small = 72;
     private const int Wide = 95;
     private const int Widest = 120;
     private const int WidestName = 40;
 
-    // Their widths are fixed, so that the table stands still while its numbers change.
+    // Their widths are fixed, so that the table stands still while its numbers change. A small screen has room for the essential ones.
     private static readonly Column[] Columns =
     [
         new("stream", 6, 12, Justify.Left),
         new("Hz", 6, 8, Justify.Right),
-        new("jitter", 8, 10, Justify.Right),
+        new("jitter", 8, 10, Justify.Right, From: Small),
         new("frames", 10, 12, Justify.Right),
         new("lost", 6, 8, Justify.Right),
-        new("gaps", 6, 6, Justify.Right, IsExtra: true),
-        new("disordered", 6, 11, Justify.Right),
-        new("restarts", 8, 8, Justify.Right, IsExtra: true),
+        new("gaps", 6, 6, Justify.Right, From: Widest),
+        new("disordered", 6, 11, Justify.Right, From: Small),
+        new("restarts", 8, 8, Justify.Right, From: Widest),
         new("age", 7, 8, Justify.Right),
         new("feet", 4, 5, Justify.Left),
     ];
@@ -42,7 +43,7 @@ internal static class AvatarTable
         bool isWide = width >= Wide;
         IReadOnlyList<AvatarStatistics> avatars = state.Counters.Avatars;
         int shown = avatars.Count <= rows ? avatars.Count : Math.Max(rows - 1, 0);
-        Column[] columns = [.. Columns.Where(column => width >= Widest || !column.IsExtra)];
+        Column[] columns = [.. Columns.Where(column => width >= column.From)];
         Table table = new Table().Border(TableBorder.None);
         int nameWidth = Math.Min(width - Gap - columns.Sum(column => Gap + column.WidthWhen(isWide)), WidestName);
         table.AddColumn(MakeColumn("avatar", nameWidth, Justify.Left));
@@ -50,7 +51,7 @@ internal static class AvatarTable
             table.AddColumn(MakeColumn(column.TitleWhen(isWide), column.WidthWhen(isWide), column.Alignment));
 
         foreach (AvatarStatistics avatar in avatars.OrderBy(avatar => (uint)avatar.AvatarIndex).ThenBy(avatar => avatar.Kind).Take(shown))
-            table.AddRow(MakeRow(state, avatar, isWide, hasExtra: width >= Widest));
+            table.AddRow(MakeRow(state, avatar, width));
         if (shown < avatars.Count)
             table.AddRow(new Text(Quantity.Format($"  and {avatars.Count - shown} more"), Palette.DimStyle));
         else if (avatars.Count == 0)
@@ -69,25 +70,35 @@ internal static class AvatarTable
         Padding = new Padding(0, 0, Gap, 0),
     };
 
-    private static IRenderable[] MakeRow(LiveState state, AvatarStatistics avatar, bool isWide, bool hasExtra)
+    private static IEnumerable<IRenderable> MakeRow(LiveState state, AvatarStatistics avatar, int width) =>
+    [
+        MakeName(state, avatar),
+        .. MakeCells(state, avatar, width >= Wide).Zip(Columns).Where(pair => width >= pair.Second.From).Select(pair => pair.First),
+    ];
+
+    private static StyledLine MakeName(LiveState state, AvatarStatistics avatar)
     {
-        bool isMotion = avatar.Kind == PacketKind.Motion;
-        bool isSelected = isMotion && avatar.AvatarIndex == state.Avatar;
-        TimeSpan age = avatar.GetAge(state.TakenAt);
-        bool isStale = age > Stale;
+        bool isSelected = avatar.Kind == PacketKind.Motion && avatar.AvatarIndex == state.Avatar;
         string sender = avatar.Source > 0 ? Quantity.Format($" (sender {avatar.Source})") : string.Empty;
         string name = Quantity.Format($"{(isSelected ? '>' : ' ')} {(uint)avatar.AvatarIndex} {avatar.AvatarName}{sender}");
+        return new StyledLine().Add(name, isSelected ? Palette.StrongStyle : Style.Plain);
+    }
+
+    // One for each of the columns.
+    private static IRenderable[] MakeCells(LiveState state, AvatarStatistics avatar, bool isWide)
+    {
+        TimeSpan age = avatar.GetAge(state.TakenAt);
+        bool isStale = age > Stale;
         return
         [
-            new StyledLine().Add(name, isSelected ? Palette.StrongStyle : Style.Plain),
             new Text(NameOf(avatar.Kind, isWide)),
             isStale ? new Text("0", new Style(Palette.Bad)) : new Text(DescribeRate(avatar)),
             new Text(isStale ? "-" : Quantity.Format($"{avatar.Jitter.TotalMilliseconds:0.0} ms")),
             new Text(Quantity.Count(avatar.Frames)),
             Alarm(avatar.Lost),
-            .. hasExtra ? [Alarm(avatar.Gaps)] : Array.Empty<IRenderable>(),
+            Alarm(avatar.Gaps),
             Alarm(avatar.Disordered),
-            .. hasExtra ? [new Text(Quantity.Count(avatar.Restarts))] : Array.Empty<IRenderable>(),
+            new Text(Quantity.Count(avatar.Restarts)),
             new Text(Quantity.Age(age), isStale ? new Style(Palette.Bad) : Style.Plain),
             avatar.Kind != PacketKind.Calculation ? Text.Empty : Feet(state.GetContacts(avatar.AvatarIndex)),
         ];
@@ -130,7 +141,7 @@ internal static class AvatarTable
             .AddRight($"view {Quantity.Bytes(state.BytesAllocatedByView)}/s · {state.Collections} GC", Palette.DimStyle);
     }
 
-    private readonly record struct Column(string Title, int Narrow, int Wide, Justify Alignment, bool IsExtra = false)
+    private readonly record struct Column(string Title, int Narrow, int Wide, Justify Alignment, int From = 0)
     {
         public int WidthWhen(bool isWide) => isWide ? Wide : Narrow;
 

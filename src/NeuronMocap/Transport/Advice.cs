@@ -25,7 +25,7 @@ internal static class Advice
 
     public static string NoFrames(string target, TimeSpan silence) =>
         $"Connected to {target}, but nothing has arrived for {silence.TotalSeconds:0.#} s. In Axis Neuron, connect the suit or play a take, "
-        + "and check that broadcasting of BVH or calculation data is on.";
+        + "and check that broadcasting of BVH or calculation data is on, and that this is its port and not that of commands.";
 
     public static string NoDatagrams(string target, TimeSpan silence, long refused) =>
         $"Nothing has arrived on {target} for {silence.TotalSeconds:0.#} s"

@@ -84,10 +84,11 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
             });
     }
 
-    // Receive loop, when what arrives has become something else; and timer, which also finds what was learnt otherwise.
-    public void Redescribe(long timestamp)
+    // Receive loop, when what arrives has become something else; timer, which finds what had to wait; and whoever learnt something otherwise,
+    // which does not have to.
+    public void Redescribe(long timestamp, bool isDue = false)
     {
-        if (status.State != ConnectionState.Receiving || timestamp - Volatile.Read(ref _described) < DescriptionPeriod)
+        if (status.State != ConnectionState.Receiving || (!isDue && timestamp - Volatile.Read(ref _described) < DescriptionPeriod))
             return;
 
         StreamDescription stream = Describe();

@@ -27,6 +27,8 @@ public sealed class SimulatorProcessTests
     [InlineData("--format", "text", "--decimals", "7")]
     [InlineData("--data-commands", "perhaps")]
     [InlineData("--commands", "65536")]
+    [InlineData("--commands", "7001")]
+    [InlineData("--commands", "--port", "8013")]
     [InlineData("--unknown")]
     public async Task Bad_usage_ends_with_2_and_the_usage_line(params string[] args)
     {

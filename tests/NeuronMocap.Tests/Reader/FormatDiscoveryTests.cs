@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Text;
 using NeuronMocap.Bvh;
 using NeuronMocap.Delivery;
@@ -30,7 +31,7 @@ public sealed class FormatDiscoveryTests : IDisposable
 
         MotionFrame frame = await SendUntilAsync(connection, latest, sent => sent.Format == Told);
         Assert.Equal(EulerAngles.ToQuaternion(frame.GetEulerAngles(Bone.Head), RotationOrder.ZXY), frame.GetRotation(Bone.Head));
-        ConnectionStatus status = await log.WaitAsync(told => told.Message.Contains("ZXY", StringComparison.Ordinal));
+        ConnectionStatus status = await log.WaitAsync(told => told.Message.Contains("Spine3", StringComparison.Ordinal));
         Assert.Contains("rotation order ZXY, as the command channel says; bones with Spine3, as the command channel says", status.Message, StringComparison.Ordinal);
         Assert.Equal(ConnectionReason.None, status.Reason);
     }
@@ -126,6 +127,35 @@ public sealed class FormatDiscoveryTests : IDisposable
         told = new SkeletonFormat(RotationOrder.XZY, SkeletonVariant.Neck1);
         using TestConnection second = await _server.AcceptAsync();
         await SendUntilAsync(second, latest, sent => sent.Format == told);
+    }
+
+    [Fact]
+    public async Task Who_was_not_answered_asks_again_while_the_connection_stands()
+    {
+        int requests = 0;
+        using var commands = new CommandScript(request => Interlocked.Increment(ref requests) == 1 ? request.ReplyAsync([9, 0, 0, 0]) : AnswerAsync(request, Told));
+        var format = new FrameFormat(order: null, variant: null);
+        using var discovery = new FormatDiscovery(new() { Port = commands.Port }, format, learnt: () => { });
+
+        discovery.Begin();
+        await Limits.UntilAsync(() => format.Findings.Failure is not null);
+        discovery.Check(Stopwatch.GetTimestamp());
+        Assert.Equal(1, Volatile.Read(ref requests));
+
+        await Limits.UntilAsync(() =>
+        {
+            discovery.Check(Stopwatch.GetTimestamp() + (6 * Stopwatch.Frequency));
+            return format.Findings is { Failure: null, Variant: not null };
+        });
+        Assert.Equal(new FormatFindings(Told.RotationOrder, Told.Variant, null), format.Findings);
+    }
+
+    [Fact]
+    public void One_port_cannot_be_that_of_frames_and_of_commands()
+    {
+        ArgumentException exception = Assert.Throws<ArgumentException>(() => new NeuronReader(new NeuronReaderOptions { Port = 7001, CommandPort = 7001 }));
+        Assert.Contains("CommandPort and Port are both 7001", exception.Message, StringComparison.Ordinal);
+        new NeuronReader(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = 7001, CommandPort = 7001 }).Dispose();
     }
 
     [Fact]

@@ -55,6 +55,19 @@ public sealed class DashboardTests
         Assert.Contains("84.1", text, StringComparison.Ordinal);
     }
 
+    // Also where the columns that are not essential have no room.
+    [Theory]
+    [InlineData(60, 16)]
+    [InlineData(71, 20)]
+    [InlineData(72, 20)]
+    [InlineData(95, 24)]
+    public void Every_width_that_is_allowed_shows_the_avatars_and_their_rates(int width, int height)
+    {
+        string text = string.Join('\n', Draw(WithPose(), width, height));
+        foreach (string part in (string[])["avatar", "> 0 Char00", "84.1"])
+            Assert.Contains(part, text, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void More_avatars_than_rows_are_counted()
     {
