@@ -10,6 +10,7 @@ internal enum ForeignFormat
     TooManyValues,
     Incomplete,
     Text,
+    AmbiguousName,
     CommandReply,
     OtherProgram,
 }
@@ -64,7 +65,7 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
         if (reason == SkipReason.AmbiguousName)
         {
             return new(
-                ForeignFormat.Text,
+                ForeignFormat.AmbiguousName,
                 "text, but with some words too many: the avatar's name has spaces and numbers in it, which cannot be told from the values",
                 "Rename the avatar on the server, without spaces. If it has none, set Skeleton to \"Axis Studio\"; or set the format (block type) to Binary.");
         }

@@ -1,5 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
+using System.Text;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
@@ -208,8 +209,10 @@ public sealed class StreamFormatTests
         Assert.Equal(line.Length, reader.GetStatistics().SkippedBytes);
     }
 
-    [Fact]
-    public async Task A_name_with_a_space_and_a_number_is_told_with_what_to_change()
+    [Theory]
+    [InlineData("")]
+    [InlineData("12.50 0.25 ||\r\n")]
+    public async Task A_name_with_a_space_and_a_number_is_told_with_what_to_change(string rest)
     {
         using var server = new TestServer();
         NeuronReaderOptions options = server.Options();
@@ -218,7 +221,7 @@ public sealed class StreamFormatTests
         var log = new StatusLog(reader);
         reader.Start();
         using TestConnection connection = await server.AcceptAsync();
-        await connection.SendAsync(TestPackets.Line(1, lead: "0 Char 02 "));
+        await connection.SendAsync(TestPackets.Join(Encoding.ASCII.GetBytes(rest), TestPackets.Line(1, lead: "0 Char 02 ")));
 
         ConnectionStatus status = await log.WaitAsync(ConnectionState.Silent);
         Assert.Equal(ConnectionReason.UnknownFormat, status.Reason);
