@@ -109,6 +109,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         Commands.OnLinkOpened();
     }
 
+    public void OnLinkClosed() => Commands.OnLinkClosed();
+
     // From here on nothing is delivered, even where the receive thread still holds bytes.
     public void Stop() => _stopped = true;
 

@@ -28,9 +28,12 @@ internal sealed class StreamRecognizer(FrameFormat format)
         _seen = 0;
     }
 
-    // Of frames only. Whether something is new: for all others one comparison.
+    // Of frames only. Whether something is new: for all others two comparisons.
     public bool OnFrame(in ReceivedPacket packet)
     {
+        if (packet.Source == _source)
+            _seen = packet.Timestamp;
+
         ReadOnlySpan<byte> header = packet.Bytes;
         ulong key = ((ulong)BinaryPrimitives.ReadUInt32LittleEndian(header[2..]) << 32) | BinaryPrimitives.ReadUInt32LittleEndian(header[50..]);
         return (_keys[(int)packet.Kind] != key || _recognized == 0) && Recognize(packet, key);
@@ -107,6 +110,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
 
     private bool Recognize(in ReceivedPacket packet, ulong key)
     {
+        // That it sends is what keeps the others out, not that it changes what it sends.
         if (packet.Source != _source && packet.Timestamp - _seen < TakeOverAfter && _recognized != 0)
             return false;
 

@@ -18,6 +18,8 @@ public sealed class DataCommands
     private readonly ReplyWaiters _waiters = new();
     private readonly object _lock = new();
     private readonly SortedSet<DataCommandId> _registered = [];
+    private readonly Turns _sizes = new();
+    private readonly Turns _texts = new();
 
     internal DataCommands(TrySend trySend, Action<Exception> failed)
     {
@@ -80,28 +82,29 @@ public sealed class DataCommands
     }
 
     /// <summary>
-    /// Fetches names and lengths of an avatar's bones. Replies do not say whose they are: ask for one avatar after the other, and after a
-    /// time-out connect anew, or a late reply may be taken for the next avatar's.
+    /// Fetches names and lengths of an avatar's bones. Replies do not say whose they are: so one is asked for after the other, and after one that did
+    /// not come in time the next fetch asks for the number of avatars first, behind whose reply no late one can come. Only a change that the server
+    /// sends by itself, after <see cref="TryRegister"/>, may be taken for the reply.
     /// </summary>
     /// <param name="avatar">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The bones in the order of the server.</returns>
-    /// <exception cref="NeuronCommandException">The request could not be sent, or no reply came in time.</exception>
+    /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<IReadOnlyList<BoneSize>> FetchBoneSizesAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
-        (await FetchAsync(DataCommandId.BoneSize, avatar, cancellationToken).ConfigureAwait(false)).BoneSizes!;
+        (await FetchInTurnAsync(_sizes, DataCommandId.BoneSize, avatar, cancellationToken).ConfigureAwait(false)).BoneSizes!;
 
     /// <summary>Fetches an avatar's hierarchy; whose it is, see <see cref="FetchBoneSizesAsync"/>.</summary>
     /// <param name="avatar">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The text of a BVH file's hierarchy, as the server sent it.</returns>
-    /// <exception cref="NeuronCommandException">The request could not be sent, or no reply came in time.</exception>
+    /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<string> FetchBvhTextAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
-        (await FetchAsync(DataCommandId.BvhText, avatar, cancellationToken).ConfigureAwait(false)).BvhText!;
+        (await FetchInTurnAsync(_texts, DataCommandId.BvhText, avatar, cancellationToken).ConfigureAwait(false)).BvhText!;
 
     /// <summary>Fetches the number of avatars on the server.</summary>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The number as the server sent it.</returns>
-    /// <exception cref="NeuronCommandException">The request could not be sent, or no reply came in time.</exception>
+    /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<int> FetchAvatarCountAsync(CancellationToken cancellationToken = default) =>
         (await FetchAsync(DataCommandId.AvatarCount, avatar: 0, cancellationToken).ConfigureAwait(false)).AvatarCount!.Value;
 
@@ -109,7 +112,7 @@ public sealed class DataCommands
     /// <param name="avatar">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>Frames per second.</returns>
-    /// <exception cref="NeuronCommandException">The request could not be sent, or no reply came in time.</exception>
+    /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<int> FetchFrequencyAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
         (await FetchAsync(DataCommandId.DataFrequency, avatar, cancellationToken).ConfigureAwait(false)).Frequency!.Value;
 
@@ -117,7 +120,7 @@ public sealed class DataCommands
     /// <param name="avatar">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The mode; servers may send numbers that the enumeration lacks.</returns>
-    /// <exception cref="NeuronCommandException">The request could not be sent, or no reply came in time.</exception>
+    /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<SensorCombination> FetchCombinationModeAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
         (await FetchAsync(DataCommandId.CombinationMode, avatar, cancellationToken).ConfigureAwait(false)).CombinationMode!.Value;
 
@@ -139,6 +142,32 @@ public sealed class DataCommands
         {
             foreach (DataCommandId id in _registered)
                 TryRequest(DataCommandId.RegisterEvent, (int)id);
+        }
+    }
+
+    // The connection is gone, and no reply will come.
+    internal void OnLinkClosed()
+    {
+        (_sizes.HasLateReply, _texts.HasLateReply) = (false, false);
+        _waiters.FailAll();
+    }
+
+    private async Task<DataCommandReply> FetchInTurnAsync(Turns turns, DataCommandId id, int avatar, CancellationToken cancellation)
+    {
+        await turns.Free.WaitAsync(cancellation).ConfigureAwait(false);
+        try
+        {
+            if (turns.HasLateReply)
+                await FetchAsync(DataCommandId.AvatarCount, avatar: 0, cancellation).ConfigureAwait(false);
+
+            turns.HasLateReply = true;
+            DataCommandReply reply = await FetchAsync(id, avatar, cancellation).ConfigureAwait(false);
+            turns.HasLateReply = false;
+            return reply;
+        }
+        finally
+        {
+            turns.Free.Release();
         }
     }
 
@@ -178,5 +207,20 @@ public sealed class DataCommands
         Span<byte> request = stackalloc byte[ProtocolConstants.HeaderSize];
         new CommandHeader { CommandId = id, Parameter = parameter }.Write(request);
         return _trySend(request);
+    }
+
+    // Of fetches whose replies do not tell the avatar: one at a time. A server answers in the order of the requests.
+    private sealed class Turns
+    {
+        private volatile bool _hasLateReply;
+
+        public SemaphoreSlim Free { get; } = new(1);
+
+        // Whether the reply to a request that nobody waits for any more may still come.
+        public bool HasLateReply
+        {
+            get => _hasLateReply;
+            set => _hasLateReply = value;
+        }
     }
 }

@@ -47,6 +47,20 @@ internal sealed class ReplyWaiters
         found.Reply.TrySetResult(reply);
     }
 
+    public void FailAll()
+    {
+        Waiter[] waiting;
+        lock (_lock)
+        {
+            waiting = [.. _waiters];
+            _waiters.Clear();
+            _isEmpty = true;
+        }
+
+        foreach (Waiter waiter in waiting)
+            waiter.Reply.TrySetException(new NeuronCommandException(CommandFailure.Closed, "The connection ended before the reply came."));
+    }
+
     internal sealed class Waiter(Func<DataCommandReply, bool> fits)
     {
         public TaskCompletionSource<DataCommandReply> Reply { get; } = new(TaskCreationOptions.RunContinuationsAsynchronously);

@@ -13,7 +13,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     // Longer than a suit that sends is ever silent: whoever sends now cannot be pushed out by any flood.
     public static readonly long StaleAfter = 5 * Stopwatch.Frequency;
 
-    private readonly long[] _skippedByReason = new long[(int)SkipReason.MalformedLine + 1];
+    private readonly long[] _skippedByReason = new long[(int)SkipReason.AmbiguousName + 1];
     private readonly Dictionary<(PacketKind Kind, int Source, uint Avatar), AvatarTracker> _trackers = [];
     private volatile AvatarTracker[] _published = [];
     private AvatarTracker? _last;

@@ -81,7 +81,7 @@ public enum DiagnosisVerdict
     /// <summary>Only Axis Studio's calculation frames arrive where others were asked for.</summary>
     StudioCalculationOnly,
 
-    /// <summary>The stream is text ("String"), but no line of it holds the values of the 59 bones.</summary>
+    /// <summary>The stream is text ("String"), but no line of it holds the values of the 59 bones, or they cannot be told from the avatar's name.</summary>
     MalformedText,
 
     /// <summary>Packets of a data version that this library does not know.</summary>

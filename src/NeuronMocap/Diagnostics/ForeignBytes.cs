@@ -14,7 +14,7 @@ internal static class ForeignBytes
     public static Conclusion Judge(StepLog log, StreamSample sample, StreamPlace place)
     {
         FormatGuess guess = sample.Guess();
-        string quoted = guess.Format is ForeignFormat.OtherProgram or ForeignFormat.Text or ForeignFormat.Unknown && sample.Quote() is { } quote
+        string quoted = guess.Format is ForeignFormat.OtherProgram or ForeignFormat.Text or ForeignFormat.AmbiguousName or ForeignFormat.Unknown && sample.Quote() is { } quote
             ? $" (\"{quote}\")"
             : string.Empty;
         (DiagnosisVerdict verdict, string? advice) = guess.Format switch
@@ -23,6 +23,7 @@ internal static class ForeignBytes
             ForeignFormat.TooManyValues => (DiagnosisVerdict.TooManyValues, TooManyAdvice),
             ForeignFormat.Incomplete => (DiagnosisVerdict.IncompletePackets, IncompleteAdvice(place)),
             ForeignFormat.Text => (DiagnosisVerdict.MalformedText, $"{ServerSettings.Skeleton} Or change to binary. {ServerSettings.Binary}"),
+            ForeignFormat.AmbiguousName => (DiagnosisVerdict.MalformedText, guess.Advice),
             ForeignFormat.CommandReply => (DiagnosisVerdict.CommandPort, guess.Advice),
             ForeignFormat.OtherProgram => (DiagnosisVerdict.OtherProgram, OtherProgramAdvice),
             _ => (DiagnosisVerdict.UnknownFormat, $"{OtherProgramAdvice} {ServerSettings.Binary}"),
@@ -34,7 +35,7 @@ internal static class ForeignBytes
     private static string StepOf(ForeignFormat format) => format switch
     {
         ForeignFormat.UnknownVersion => "version",
-        ForeignFormat.TooManyValues or ForeignFormat.Incomplete or ForeignFormat.Text => "format",
+        ForeignFormat.TooManyValues or ForeignFormat.Incomplete or ForeignFormat.Text or ForeignFormat.AmbiguousName => "format",
         _ => "token",
     };
 

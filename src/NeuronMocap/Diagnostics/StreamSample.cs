@@ -57,6 +57,10 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
     {
     }
 
+    public void OnLinkClosed()
+    {
+    }
+
     public void OnPacket(in ReceivedPacket packet)
     {
         if (!packet.IsText)

@@ -6,6 +6,9 @@ internal interface IPacketReceiver
     // A new connection stands; what comes over it does not continue what came before.
     void OnLinkOpened();
 
+    // The connection is gone, or never came to stand.
+    void OnLinkClosed();
+
     void OnPacket(in ReceivedPacket packet);
 
     // Bytes of the text stream, before OnPacket where they are a line with a frame; else what stands between lines.

@@ -32,6 +32,12 @@ public enum SkipReason
     /// A line of the text stream with another number of values than the 59 bones have, or with a word that is no number: protocol.md section 8.
     /// </summary>
     MalformedLine,
+
+    /// <summary>
+    /// A line of the text stream with a few words more than a frame has: the avatar's name has spaces, and numbers among its words, which cannot be
+    /// told from the values. Names with spaces are read when no word of them is a number.
+    /// </summary>
+    AmbiguousName,
 }
 
 /// <summary>What <see cref="PacketScanner"/> found at the start of the bytes it was given.</summary>

@@ -3,8 +3,9 @@ using System.Buffers.Binary;
 namespace NeuronMocap.Protocol;
 
 // Makes the binary image of a packet from a line of the text stream (protocol.md section 8): avatar number, name, values; calculation lines
-// may be values alone. The number of words says what a line is, so that a name may be a number. The image has the version None and lacks the
-// second token, so that nothing that comes off the wire can be taken for one. Its memory is used again for the next line. Not thread-safe.
+// may be values alone. The number of words says what a line is, so that a name may be a number; a name of several words may have none. The image
+// has the version None and lacks the second token, so that nothing that comes off the wire can be taken for one. Its memory is used again for the
+// next line. Not thread-safe.
 internal sealed class TextLine(int maxValues)
 {
     // Number and name before the values.
@@ -14,6 +15,9 @@ internal sealed class TextLine(int maxValues)
     private const int LongestNumber = 128;
 
     private const int FewestWords = 3;
+
+    // So many words more than a frame has are the name's rather than values.
+    private const int MostNameExcess = 5;
 
     private byte[] _image = [];
     private byte[] _withoutZeros = [];
@@ -27,10 +31,10 @@ internal sealed class TextLine(int maxValues)
     // What stands between two words. A zero byte does not part words: it counts for nothing wherever it stands.
     public static bool IsSeparator(byte value) => value is (byte)' ' or (byte)'\t' or (byte)'\r' or (byte)'\n' or (byte)'|';
 
-    // Whether the bytes begin as only a whole line can: a number, a name that is none, and a number. Where it is not known whether a beginning is
-    // missing, it is not.
+    // Whether the bytes begin as only a whole line can: a number, a name without numbers, and a number. Where it is not known whether a beginning
+    // is missing, it is not.
     public static bool BeginsTelling(ReadOnlySpan<byte> line) =>
-        line.Length > 0 && !IsSeparator(line[0]) && IsIndex(TakeWord(ref line), out _) && !IsNumber(TakeWord(ref line)) && IsNumber(TakeWord(ref line));
+        line.Length > 0 && !IsSeparator(line[0]) && IsIndex(TakeWord(ref line), out _) && TakeName(ref line) > 0 && IsNumber(TakeWord(ref line));
 
     // None where the line is no frame; then the reason says why: NoTokens where it is no line of this format at all, or may be the rest of one whose
     // beginning was missed.
@@ -38,23 +42,47 @@ internal sealed class TextLine(int maxValues)
     {
         line = WithoutZeros(line);
         reason = SkipReason.NoTokens;
-        if (!isWhole && !BeginsTelling(line))
+        bool isTelling = BeginsTelling(line);
+        if (!isWhole && !isTelling)
             return PacketKind.None;
 
-        (PacketKind kind, int count) = KindOf(words);
+        PacketKind kind = Read(line, words, nameWords: 1, ref reason);
+        int nameWords = isTelling ? CountNameWords(line) : 0;
+        if (kind == PacketKind.None && nameWords > 1)
+            kind = Read(line, words, nameWords, ref reason);
+        if (kind == PacketKind.None && reason == SkipReason.NoTokens && (isTelling || IsLike(line, words)))
+            reason = isTelling && HasNameExcess(words) ? SkipReason.AmbiguousName : SkipReason.MalformedLine;
+
+        return kind;
+    }
+
+    private PacketKind Read(ReadOnlySpan<byte> line, int words, int nameWords, ref SkipReason reason)
+    {
+        (PacketKind kind, int count) = KindOf(words - nameWords + 1);
         if (count > maxValues)
         {
             reason = SkipReason.TooLarge;
             return PacketKind.None;
         }
 
-        if (kind != PacketKind.None && TryRead(line, kind, count, isLed: words != count))
-            return kind;
+        return kind != PacketKind.None && TryRead(line, kind, count, words == count ? 0 : nameWords) ? kind : PacketKind.None;
+    }
 
-        if (IsLike(line, words))
-            reason = SkipReason.MalformedLine;
+    private static bool HasNameExcess(int words)
+    {
+        for (int excess = 1; excess <= MostNameExcess; excess++)
+        {
+            if (KindOf(words - excess) is (not PacketKind.None, var count) && count < words - excess)
+                return true;
+        }
 
-        return PacketKind.None;
+        return false;
+    }
+
+    private static int CountNameWords(ReadOnlySpan<byte> line)
+    {
+        TakeWord(ref line);
+        return TakeName(ref line);
     }
 
     private static (PacketKind Kind, int Count) KindOf(int words) => words switch
@@ -74,16 +102,17 @@ internal sealed class TextLine(int maxValues)
         return IsNumber(TakeWord(ref line));
     }
 
-    private bool TryRead(ReadOnlySpan<byte> line, PacketKind kind, int count, bool isLed)
+    // Without a name there is no number of the avatar either.
+    private bool TryRead(ReadOnlySpan<byte> line, PacketKind kind, int count, int nameWords)
     {
         uint avatar = 0;
         ReadOnlySpan<byte> name = default;
-        if (isLed)
+        if (nameWords > 0)
         {
             if (!IsIndex(TakeWord(ref line), out avatar))
                 return false;
 
-            name = TakeWord(ref line);
+            name = TakeWords(ref line, nameWords);
         }
 
         ImageLength = ProtocolConstants.HeaderSize + (count * sizeof(float));
@@ -154,6 +183,32 @@ internal sealed class TextLine(int maxValues)
         }
 
         return _withoutZeros.AsSpan(0, length);
+    }
+
+    // The words up to the next number or the end: how many.
+    private static int TakeName(scoped ref ReadOnlySpan<byte> line)
+    {
+        for (int count = 0; ; count++)
+        {
+            ReadOnlySpan<byte> rest = line;
+            ReadOnlySpan<byte> word = TakeWord(ref rest);
+            if (word.IsEmpty || IsNumber(word))
+                return count;
+
+            line = rest;
+        }
+    }
+
+    // From the first to the last, with what stands between them.
+    private static ReadOnlySpan<byte> TakeWords(scoped ref ReadOnlySpan<byte> line, int count)
+    {
+        ReadOnlySpan<byte> all = line;
+        int length = TakeWord(ref line).Length;
+        int start = all.Length - line.Length - length;
+        for (int i = 1; i < count; i++)
+            TakeWord(ref line);
+
+        return all[start..^line.Length];
     }
 
     private static ReadOnlySpan<byte> TakeWord(scoped ref ReadOnlySpan<byte> line)

@@ -130,17 +130,25 @@ internal static class TextNumber
         if (StartsWith(word, "1.#"u8))
             word = word[3..];
 
-        if (StartsWith(word, "inf"u8))
-        {
-            value = isNegative ? float.NegativeInfinity : float.PositiveInfinity;
-            return true;
-        }
+        bool isInfinite = StartsWith(word, "inf"u8);
+        value = !isInfinite ? float.NaN : isNegative ? float.NegativeInfinity : float.PositiveInfinity;
+        int length = isInfinite || StartsWith(word, "nan"u8) || StartsWith(word, "ind"u8) ? 3
+            : StartsWith(word, "qnan"u8) || StartsWith(word, "snan"u8) ? 4
+            : word.Length + 1;
+        return length <= word.Length && EndsNotFinite(word[length..]);
+    }
 
-        value = float.NaN;
-        return StartsWith(word, "nan"u8)
-            || StartsWith(word, "ind"u8)
-            || StartsWith(word, "qnan"u8)
-            || StartsWith(word, "snan"u8);
+    // Nothing more, digits, a reason in brackets, or the end of "infinity": Nancy and Indy are names.
+    private static bool EndsNotFinite(ReadOnlySpan<byte> rest)
+    {
+        if (rest.Length == 0 || rest[0] == '(')
+            return true;
+
+        int at = 0;
+        while (at < rest.Length && IsDigit(rest[at]))
+            at++;
+
+        return at == rest.Length || (StartsWith(rest, "inity"u8) && rest.Length == 5);
     }
 
     // In any case of the letters; the keyword's are small.

@@ -19,6 +19,7 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
         (SkipReason.TooLarge, nameof(SkipReason.TooLarge)),
         (SkipReason.Incomplete, nameof(SkipReason.Incomplete)),
         (SkipReason.MalformedLine, nameof(SkipReason.MalformedLine)),
+        (SkipReason.AmbiguousName, nameof(SkipReason.AmbiguousName)),
     ];
 
     private readonly object _lock = new();
@@ -181,6 +182,7 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
         SkipReason.TooLarge => "more values than MaxValues allows",
         SkipReason.Incomplete => "packets whose rest never came",
         SkipReason.MalformedLine => "lines of text that are no frames of 59 bones",
+        SkipReason.AmbiguousName => "lines of text whose avatar's name has spaces and numbers in it",
         _ => "no tokens of a packet",
     };
 

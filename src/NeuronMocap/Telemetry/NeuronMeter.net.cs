@@ -23,6 +23,7 @@ internal static class NeuronMeter
         (SkipReason.TooLarge, "too_large"),
         (SkipReason.Incomplete, "incomplete"),
         (SkipReason.MalformedLine, "malformed_line"),
+        (SkipReason.AmbiguousName, "ambiguous_name"),
     ];
 
     private static readonly (ConnectionState State, string Tag)[] States =

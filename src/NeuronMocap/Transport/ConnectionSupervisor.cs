@@ -53,6 +53,7 @@ internal sealed class ConnectionSupervisor(
         finally
         {
             _standing = null;
+            receiver.OnLinkClosed();
             link?.Dispose();
         }
     }

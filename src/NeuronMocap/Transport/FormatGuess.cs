@@ -10,6 +10,7 @@ internal enum ForeignFormat
     TooManyValues,
     Incomplete,
     Text,
+    AmbiguousName,
     CommandReply,
     OtherProgram,
 }
@@ -59,6 +60,14 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
         {
             return new(
                 ForeignFormat.CommandReply, "a reply to a command", "This is the command port; data is broadcast on another, by default 7001.");
+        }
+
+        if (reason == SkipReason.AmbiguousName)
+        {
+            return new(
+                ForeignFormat.AmbiguousName,
+                "text, but with some words too many: the avatar's name has spaces and numbers in it, which cannot be told from the values",
+                "Rename the avatar on the server, without spaces. If it has none, set Skeleton to \"Axis Studio\"; or set the format (block type) to Binary.");
         }
 
         // Numbers first: the text format begins with any number, also one that a greeting begins with.

@@ -112,7 +112,9 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
     {
         int length = _skippedLength;
-        if (length == 0)
+
+        // It says more than what came before it, such as the rest of a line.
+        if (length == 0 || reason == SkipReason.AmbiguousName)
             _skipReason = reason;
 
         bytes = bytes[..Math.Min(bytes.Length, _skipped.Length - length)];

@@ -13,6 +13,7 @@ internal static class TextFixtures
         [
             "||", "|", "\r\n", "\n", "\r", "\t", " ", "\0", "0 Char00 ", "\n1 7 ", "-0.00", "+1", ".5", "5.", "1e3", "1e-46", "1e39", "0,5", "nan",
             "-nan(ind)", "1.#QNAN", "-1.#IND", "inf", "-1.#INF00", "16777217", "1.00000017881393432617187500000000001", "4294967296 A ", "演员一",
+            "0 Anna Lena ", "2 Char 02 ",
         ]).Select(Encoding.UTF8.GetBytes),
         [0xFF, 0xDD], [0xFF, 0xEE], [0xCF, 0xDC], [0xCF, 0xEC], [0xFF], [0x80],
     ];

@@ -31,6 +31,10 @@ internal sealed class StreamReading : IPacketReceiver
     {
     }
 
+    public void OnLinkClosed()
+    {
+    }
+
     public void OnText(ReadOnlySpan<byte> bytes)
     {
         WrongResultException.ThrowUnless(

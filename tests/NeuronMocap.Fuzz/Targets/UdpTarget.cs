@@ -58,6 +58,10 @@ internal sealed class UdpTarget
         {
         }
 
+        public void OnLinkClosed()
+        {
+        }
+
         public void OnPacket(in ReceivedPacket packet)
         {
             _digest.Add((long)packet.Source);

@@ -179,6 +179,84 @@ public sealed class DataCommandsTests : IDisposable
         Assert.Equal(Request(id: 3, parameter: 7), await ReadRequestAsync(connection));
     }
 
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public async Task What_waits_when_the_connection_ends_fails_at_once(bool reconnect)
+    {
+        await using NeuronReader reader = await ConnectAsync(reconnect);
+        reader.DataCommands.Timeout = TimeSpan.FromMinutes(10);
+        TestConnection connection = await _server.AcceptAsync();
+        Task[] fetches = [reader.DataCommands.FetchAvatarCountAsync(), reader.DataCommands.FetchBoneSizesAsync(), reader.DataCommands.FetchFrequencyAsync()];
+        for (int i = 0; i < fetches.Length; i++)
+            await ReadRequestAsync(connection);
+
+        connection.Dispose();
+        foreach (Task fetch in fetches)
+            Assert.Equal(CommandFailure.Closed, (await Assert.ThrowsAsync<NeuronCommandException>(() => fetch.Soon())).Reason);
+
+        if (!reconnect)
+            return;
+
+        // Nothing of the old connection is left to wait for.
+        using TestConnection second = await _server.AcceptAsync();
+        await Limits.UntilAsync(() => reader.Status.IsConnected);
+        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.FetchBoneSizesAsync(avatar: 1);
+        Assert.Equal(Request(id: 0, parameter: 1), await ReadRequestAsync(second));
+        await second.SendAsync(DataReplies.BoneSizes(("Hips", 0.5f)));
+        Assert.Equal([new BoneSize("Hips", 0.5f)], await sizes.Soon());
+    }
+
+    [Fact]
+    public async Task Disposing_of_the_reader_ends_a_wait()
+    {
+        NeuronReader reader = await ConnectAsync();
+        reader.DataCommands.Timeout = TimeSpan.FromMinutes(10);
+        using TestConnection connection = await _server.AcceptAsync();
+        Task<string> text = reader.DataCommands.FetchBvhTextAsync();
+        await ReadRequestAsync(connection);
+        await reader.DisposeAsync();
+        Assert.Equal(CommandFailure.Closed, (await Assert.ThrowsAsync<NeuronCommandException>(() => text.Soon())).Reason);
+    }
+
+    [Fact]
+    public async Task Of_avatars_whose_replies_do_not_tell_them_apart_one_is_asked_for_at_a_time()
+    {
+        await using NeuronReader reader = await ConnectAsync();
+        using TestConnection connection = await _server.AcceptAsync();
+        Task<IReadOnlyList<BoneSize>>[] sizes = [.. Enumerable.Range(0, 3).Select(avatar => reader.DataCommands.FetchBoneSizesAsync(avatar))];
+        for (int avatar = 0; avatar < sizes.Length; avatar++)
+        {
+            Assert.Equal(Request(id: 0, avatar), await ReadRequestAsync(connection));
+            Assert.Equal(0, connection.Socket.Available);
+            await connection.SendAsync(DataReplies.BoneSizes(("Hips", avatar + 0.5f)));
+            Assert.Equal([new BoneSize("Hips", avatar + 0.5f)], await sizes[avatar].Soon());
+        }
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public async Task A_late_reply_is_never_taken_for_another_avatars(bool isLate)
+    {
+        await using NeuronReader reader = await ConnectAsync();
+        using TestConnection connection = await _server.AcceptAsync();
+        reader.DataCommands.Timeout = TimeSpan.FromMilliseconds(20);
+        await Assert.ThrowsAsync<NeuronCommandException>(() => reader.DataCommands.FetchBoneSizesAsync(avatar: 0).Soon());
+        Assert.Equal(Request(id: 0, parameter: 0), await ReadRequestAsync(connection));
+
+        reader.DataCommands.Timeout = TimeSpan.FromMinutes(10);
+        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.FetchBoneSizesAsync(avatar: 1);
+        if (isLate)
+            await connection.SendAsync(DataReplies.BoneSizes(("Hips", 0.25f)));
+
+        Assert.Equal(Request(id: 5, parameter: 0), await ReadRequestAsync(connection));
+        await connection.SendAsync(DataReplies.AvatarCount(2));
+        Assert.Equal(Request(id: 0, parameter: 1), await ReadRequestAsync(connection));
+        await connection.SendAsync(DataReplies.BoneSizes(("Hips", 0.75f)));
+        Assert.Equal([new BoneSize("Hips", 0.75f)], await sizes.Soon());
+    }
+
     private async Task<NeuronReader> ConnectAsync(bool reconnect = false)
     {
         var reader = new NeuronReader(_server.Options(reconnect));

@@ -92,6 +92,14 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
+    public async Task A_name_that_cannot_be_told_from_the_values_is_named()
+    {
+        using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Line(i, lead: "0 Char 02 "));
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        diagnosis.AssertFault(DiagnosisVerdict.MalformedText, "format", "Rename the avatar");
+    }
+
+    [Fact]
     public async Task Text_is_read_and_named()
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Line(i));

@@ -37,7 +37,7 @@ internal static class ReferenceText
 
     private static readonly Regex Finite = new(@"^[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$", RegexOptions.ExplicitCapture, TimeSpan.FromSeconds(5));
 
-    private static readonly Regex NotFinite = new(@"^[+-]?(1\.#)?(?<what>inf|nan|ind|qnan|snan)", RegexOptions.IgnoreCase | RegexOptions.ExplicitCapture, TimeSpan.FromSeconds(5));
+    private static readonly Regex NotFinite = new(@"^[+-]?(1\.#)?(?<what>inf|nan|ind|qnan|snan)(\(.*|\d*|inity)$", RegexOptions.IgnoreCase | RegexOptions.ExplicitCapture, TimeSpan.FromSeconds(5));
 
     public static bool IsBlank(byte value) => value is 0 or 32 or 9 or 13 or 10;
 
@@ -58,7 +58,7 @@ internal static class ReferenceText
             char last = text[^1];
             text.Append(letter);
             if (letter == '\n' || (letter == '|' && last == '|'))
-                return Judge(Words(text.ToString()), i + 1, maxValues, isUnsure);
+                return Judge(text.ToString(), i + 1, maxValues, isUnsure);
 
             if (!IsBetweenWords(letter) && IsBetweenWords(last))
                 word++;
@@ -71,7 +71,7 @@ internal static class ReferenceText
             : new ReferenceLine(ReferenceLineKind.Refused, LongestLine - 1, Reason: SkipReason.MalformedLine, Place: ReferencePlace.Noise);
     }
 
-    /// <summary>Whether the bytes begin with a number, a name that is none, and a number.</summary>
+    /// <summary>Whether the bytes begin with a number, a name of words that are none, and a number.</summary>
     public static bool BeginsTelling(ReadOnlySpan<byte> bytes)
     {
         if (bytes.Length == 0 || " \t\r\n|".Contains((char)bytes[0], StringComparison.Ordinal))
@@ -87,7 +87,7 @@ internal static class ReferenceText
     private static string[] Words(string line) => line.Split([' ', '\t', '\r', '\n', '|'], StringSplitOptions.RemoveEmptyEntries);
 
     private static bool IsTelling(string[] words) =>
-        words.Length > 2 && IsIndex(words[0]) && ParseNumber(words[1]) is null && ParseNumber(words[2]) is not null;
+        words.Length > 2 && IsIndex(words[0]) && ParseNumber(words[1]) is null && words.Skip(2).Any(word => ParseNumber(word) is not null);
 
     private static bool IsBetweenWords(char letter) => letter is ' ' or '\t' or '\r' or '|';
 
@@ -96,39 +96,63 @@ internal static class ReferenceText
         if (IsBetweenWords(letter))
             return true;
         if (letter >= 0x80)
-            return word == 2 && letter != 0xFF && !(letter == 0xDC && last == 0xCF);
+            return word is >= 2 and <= 17 && letter != 0xFF && !(letter == 0xDC && last == 0xCF);
 
         return letter is > ' ' and <= '~' && (word > 1 || "0123456789+-.,#()aAdDeEfFiInNqQsStTyY".Contains(letter, StringComparison.Ordinal));
     }
 
-    private static ReferenceLine Judge(string[] words, int length, int maxValues, bool isUnsure)
+    private static ReferenceLine Judge(string line, int length, int maxValues, bool isUnsure)
     {
-        int count = words.Length is 338 or 946 ? words.Length : words.Length - 2;
-        bool isMotion = count is 180 or 186 or 354 or 360;
-        bool isKnown = isMotion || count is 338 or 946;
-        float?[] values = [.. words.Skip(words.Length - Math.Max(count, 0)).Select(ParseNumber)];
-        bool isLed = words.Length == count + 2;
-        SkipReason reason = isKnown && count > maxValues ? SkipReason.TooLarge
-            : words.Length > 2 && ParseNumber(words[0]) is not null && ParseNumber(words[2]) is not null ? SkipReason.MalformedLine
-            : SkipReason.NoTokens;
-        if (isUnsure && !IsTelling(words))
+        string[] words = Words(line);
+        bool isTelling = IsTelling(words);
+        if (isUnsure && !isTelling)
             return new ReferenceLine(ReferenceLineKind.Refused, length);
-        if (!isKnown || count > maxValues || !IsGood())
-            return new ReferenceLine(ReferenceLineKind.Refused, length, Reason: reason);
 
-        byte[] name = isLed ? Cut(Encoding.Latin1.GetBytes(words[1])) : [];
-        uint avatar = isLed ? uint.Parse(words[0], CultureInfo.InvariantCulture) : 0;
+        // A name of one word, whatever it is, or else of all words before the first number.
+        int[] nameSizes = [1, .. isTelling ? (int[])[words.Skip(1).TakeWhile(word => ParseNumber(word) is null).Count()] : []];
+        bool isTooLarge = false;
+        foreach (int nameSize in nameSizes)
+        {
+            (int count, bool isLed) = words.Length - nameSize + 1 is 338 or 946 ? (words.Length - nameSize + 1, false) : (words.Length - nameSize - 1, true);
+            if (!IsFrame(count))
+                continue;
+
+            float?[] values = [.. words.Skip(words.Length - count).Select(ParseNumber)];
+            if (count > maxValues)
+                isTooLarge = true;
+            else if (values.All(value => value is not null) && (isLed ? IsIndex(words[0]) : count == words.Length))
+                return Frame(isLed ? words[0] : "0", isLed ? NameIn(line, nameSize) : string.Empty, [.. values.Select(value => value!.Value)], length);
+        }
+
+        bool isLike = isTelling || (words.Length > 2 && ParseNumber(words[0]) is not null && ParseNumber(words[2]) is not null);
+        SkipReason reason = isTooLarge ? SkipReason.TooLarge
+            : !isLike ? SkipReason.NoTokens
+            : isTelling && Enumerable.Range(1, 5).Any(excess => IsFrame(words.Length - 2 - excess)) ? SkipReason.AmbiguousName
+            : SkipReason.MalformedLine;
+        return new ReferenceLine(ReferenceLineKind.Refused, length, Reason: reason);
+    }
+
+    private static bool IsFrame(int count) => count is 180 or 186 or 354 or 360 or 338 or 946;
+
+    private static string NameIn(string line, int words)
+    {
+        string word = @"[^ \t\r\n|]+";
+        string gap = @"[ \t\r\n|]+";
+        return Regex.Match(line, $"^{gap}{word}{gap}(?<name>{word}({gap}{word}){{{words - 1}}})", RegexOptions.ExplicitCapture, TimeSpan.FromSeconds(5)).Groups["name"].Value;
+    }
+
+    private static ReferenceLine Frame(string avatar, string name, float[] values, int length)
+    {
+        (uint count, uint index, byte[] cut) = ((uint)values.Length, uint.Parse(avatar, CultureInfo.InvariantCulture), Cut(Encoding.Latin1.GetBytes(name)));
+        bool isMotion = count is not (338 or 946);
         var image = new WireBytes();
         if (isMotion)
-            image.Hex("FF DD 00 00 00 00").U32((uint)count).U32(count > 300 ? 1u : 0).U32(count is 186 or 360 ? 1u : 0).U32(avatar).Bytes(name, 32).Zeros(10);
+            image.Hex("FF DD 00 00 00 00").U32(count).U32(count > 300 ? 1u : 0).U32(count is 186 or 360 ? 1u : 0).U32(index).Bytes(cut, 32).Zeros(10);
         else
-            image.Hex("FF 88 00 00 00 00").U32((uint)count).U32(avatar).Bytes(name, 32).Zeros(18);
+            image.Hex("FF 88 00 00 00 00").U32(count).U32(index).Bytes(cut, 32).Zeros(18);
 
-        image.Floats([.. values.Select(value => value!.Value)]);
-        var packet = new FoundPacket(isMotion ? PacketKind.Motion : PacketKind.Calculation, image.ToArray());
+        var packet = new FoundPacket(isMotion ? PacketKind.Motion : PacketKind.Calculation, image.Floats(values).ToArray());
         return new ReferenceLine(ReferenceLineKind.Frame, length, packet, Place: ReferencePlace.BehindLine);
-
-        bool IsGood() => values.All(value => value is not null) && (!isLed || IsIndex(words[0]));
     }
 
     private static bool IsIndex(string word) => word.All(char.IsAsciiDigit) && decimal.Parse(word, CultureInfo.InvariantCulture) <= uint.MaxValue;

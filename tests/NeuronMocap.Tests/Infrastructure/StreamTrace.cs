@@ -38,6 +38,10 @@ internal sealed class StreamTrace(byte[] stream) : IPacketReceiver
     {
     }
 
+    public void OnLinkClosed()
+    {
+    }
+
     public void OnText(ReadOnlySpan<byte> bytes)
     {
         if (!bytes.SequenceEqual(stream.AsSpan(_position, bytes.Length)))

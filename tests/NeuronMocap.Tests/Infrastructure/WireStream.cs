@@ -52,7 +52,7 @@ internal sealed record WireStream(WirePart[] Parts, int[] PieceSizes)
     /// <summary>Lines of text: frames, and what is nearly one.</summary>
     public static Gen<WirePart> Lines { get; } =
         from count in Gen.Frequency((6, Gen.Elements(180, 186)), (1, Gen.Elements(338, 354, 178, 181)), (2, Gen.Choose(0, 5)))
-        from lead in Gen.Elements("0 Char00 ", "7\t演员一 ", "0 演员一的一个很长很长的名字 ", "1 12.5 ", "2 7up ", "", "4294967296 A ", "-1 A ", "A 0 ", " 0  B  ", "0\0 C ")
+        from lead in Gen.Elements("0 Char00 ", "7\t演员一 ", "0 演员一的一个很长很长的名字 ", "1 12.5 ", "2 7up ", "", "4294967296 A ", "-1 A ", "A 0 ", " 0  B  ", "0\0 C ", "0 Anna 演员 ", "1 A\0 |B\tC ", "0 Char 02 ", "3 7 up ")
         from numbers in Gen.Frequency((3, Gen.Constant(TextNumbers.TwoDecimals)), (1, Gen.Elements(Enum.GetValues<TextNumbers>())))
         from separator in Gen.Frequency((5, Gen.Constant(" ")), (1, Gen.Elements("\t", "  ", "\r")))
         from end in Gen.Elements(" ||\r\n", "||\r\n", "\n", "\r\n", "||", " ||\0\0", "|\r\n", " ", "\r", "||\0\r\n\0")

@@ -18,6 +18,10 @@ internal sealed class PacketLog : IPacketReceiver
     {
     }
 
+    public void OnLinkClosed()
+    {
+    }
+
     public void OnPacket(in ReceivedPacket packet) => Packets.Add((packet.Kind, packet.Bytes.ToArray(), packet.Source));
 
     public void OnText(ReadOnlySpan<byte> bytes) => Text += bytes.Length;

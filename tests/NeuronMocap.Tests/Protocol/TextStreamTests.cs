@@ -1,12 +1,11 @@
-using System.Globalization;
-using System.Runtime.InteropServices;
 using System.Text;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
+using static NeuronMocap.Tests.Protocol.TextReading;
 
 namespace NeuronMocap.Tests.Protocol;
 
-/// <summary>Lines of text through <see cref="PacketAssembler"/>, each case whole and byte by byte.</summary>
+/// <summary>Where lines of text begin and end in a stream. Each case whole and byte by byte.</summary>
 public sealed class TextStreamTests
 {
     [Theory]
@@ -43,157 +42,6 @@ public sealed class TextStreamTests
         assembler.Push(new ArraySegment<byte>(line, line.Length - 1, 1), timestamp: 7);
         Assert.Single(log.Packets);
         Assert.True(endLength > 0);
-    }
-
-    [Theory]
-    [InlineData(180, PacketKind.Motion, false, false)]
-    [InlineData(186, PacketKind.Motion, false, true)]
-    [InlineData(354, PacketKind.Motion, true, false)]
-    [InlineData(360, PacketKind.Motion, true, true)]
-    [InlineData(338, PacketKind.Calculation, false, false)]
-    [InlineData(946, PacketKind.Calculation, false, false)]
-    public void The_number_of_values_says_what_a_line_is(int count, PacketKind kind, bool displacement, bool reference)
-    {
-        PacketLog log = Read(Line(2, count, "||\r\n", lead: "3 Tänzer "));
-        (PacketKind found, byte[] image, _) = Assert.Single(log.Packets);
-        Assert.Equal(kind, found);
-        Assert.Equal(count, ValuesOf(image).Length);
-        Assert.Equal(0, image[62] | image[63]);
-        if (kind == PacketKind.Motion)
-        {
-            var header = MotionHeader.Read(image);
-            Assert.Equal((DataVersion.None, 3u, "Tänzer", displacement, reference), (header.Version, header.AvatarIndex, header.AvatarName.ToString(), header.HasDisplacement, header.HasReference));
-            Assert.False(MotionHeader.TryRead(image, out _));
-        }
-        else
-        {
-            var header = CalculationHeader.Read(image);
-            Assert.Equal((DataVersion.None, 3u, "Tänzer"), (header.Version, header.AvatarIndex, header.AvatarName.ToString()));
-        }
-    }
-
-    [Theory]
-    [InlineData(338, " ")]
-    [InlineData(946, " ")]
-    [InlineData(946, "\t")]
-    [InlineData(946, " \t ")]
-    public void Columns_of_calculation_data_need_neither_number_nor_name(int count, string separator)
-    {
-        PacketLog log = Read(Line(2, count, "\n", lead: "", separator));
-        (PacketKind kind, byte[] image, _) = Assert.Single(log.Packets);
-        var header = CalculationHeader.Read(image);
-        Assert.Equal((PacketKind.Calculation, 0u, ""), (kind, header.AvatarIndex, header.AvatarName.ToString()));
-        Assert.Equal(TestPackets.Value(2, 0, count - 1), ValuesOf(image)[^1]);
-    }
-
-    [Theory]
-    [InlineData("7", "7")]
-    [InlineData("-12.5", "-12.5")]
-    [InlineData("7up", "7up")]
-    [InlineData("nan", "nan")]
-    [InlineData("演员一", "演员一")]
-    [InlineData("演员一演员一演员一演员一", "演员一演员一演员一演")] // 36 bytes, of which 30 are ten whole letters
-    public void Any_word_is_a_name(string name, string expected)
-    {
-        PacketLog log = Read(Line(1, 354, "||\r\n", lead: $"0 {name} ") + Line(2, 180, "||\r\n", lead: $"4294967295 {name} "));
-        Assert.Equal([354, 180], log.Packets.Select(packet => ValuesOf(packet.Bytes).Length));
-        Assert.Equal(expected, MotionHeader.Read(log.Packets[0].Bytes).AvatarName.ToString());
-        Assert.Equal(uint.MaxValue, MotionHeader.Read(log.Packets[1].Bytes).AvatarIndex);
-    }
-
-    [Theory]
-    [InlineData("1.5", 1.5f)]
-    [InlineData("-0.00", -0f)]
-    [InlineData("+2", 2f)]
-    [InlineData(".25", 0.25f)]
-    [InlineData("-5.", -5f)]
-    [InlineData("1e3", 1000f)]
-    [InlineData("-2.5E-3", -0.0025f)]
-    [InlineData("0,125", 0.125f)]
-    [InlineData("-179,99", -179.99f)]
-    [InlineData("93.0199966430664", 93.02f)]
-    [InlineData("16777217", 16777216f)]
-    [InlineData("1.00000017881393432617187499", 1.0000001f)]
-    [InlineData("1e-46", 0f)]
-    [InlineData("1e39", float.PositiveInfinity)]
-    [InlineData("inf", float.PositiveInfinity)]
-    [InlineData("-1.#INF00", float.NegativeInfinity)]
-    [InlineData("nan", float.NaN)]
-    [InlineData("-nan(ind)", float.NaN)]
-    [InlineData("1.#QNAN", float.NaN)]
-    [InlineData("-1.#IND", float.NaN)]
-    public void Numbers_are_read_as_servers_write_them(string word, float expected)
-    {
-        float[] values = ValuesOf(Assert.Single(ReadWith(word).Packets).Bytes);
-        Assert.Equal(BitConverter.SingleToInt32Bits(expected), BitConverter.SingleToInt32Bits(values[100]));
-    }
-
-    [Theory]
-    [InlineData("1x")]
-    [InlineData("--1")]
-    [InlineData("1.5.2")]
-    [InlineData("1,5,2")]
-    [InlineData("1e")]
-    [InlineData("-")]
-    [InlineData("Char00")]
-    [InlineData("0x10")]
-    [InlineData("1.0;")]
-    public void A_line_with_a_word_that_is_no_number_is_refused_and_the_next_is_not(string word)
-    {
-        PacketLog log = ReadWith(word, behind: Line(9, 180, "||\r\n"));
-        Assert.Equal(9, ValuesOf(Assert.Single(log.Packets).Bytes)[0]);
-        Assert.Contains(SkipReason.MalformedLine, log.Reasons);
-    }
-
-    [Fact]
-    public void The_culture_changes_nothing()
-    {
-        CultureInfo before = CultureInfo.CurrentCulture;
-        var foreign = (CultureInfo)CultureInfo.InvariantCulture.Clone();
-        (foreign.NumberFormat.NumberDecimalSeparator, foreign.NumberFormat.NumberGroupSeparator, foreign.NumberFormat.NegativeSign) = (",", ".", "~");
-        try
-        {
-            CultureInfo.CurrentCulture = foreign;
-            Assert.Equal(-1.25f, ValuesOf(Assert.Single(ReadWith("-1.25").Packets).Bytes)[100]);
-            Assert.Equal(0.1f, ValuesOf(Assert.Single(ReadWith("0.1000000014901161193847656250").Packets).Bytes)[100]);
-        }
-        finally
-        {
-            CultureInfo.CurrentCulture = before;
-        }
-    }
-
-    [Theory]
-    [InlineData(353)]
-    [InlineData(355)]
-    [InlineData(1)]
-    [InlineData(948)]
-    public void A_line_of_another_count_is_refused_with_its_reason(int count)
-    {
-        string bad = Line(1, count, "||\r\n");
-        PacketLog log = Read(Line(1, 354, "||\r\n") + bad + Line(2, 354, "||\r\n"));
-        Assert.Equal([1, 2], log.Packets.Select(packet => (int)ValuesOf(packet.Bytes)[0]));
-        Assert.Equal((bad.Length, 1), (log.Skipped, log.Reasons.Count(reason => reason == SkipReason.MalformedLine)));
-    }
-
-    [Theory]
-    [InlineData("-1 Char00 ")]
-    [InlineData("0.5 Char00 ")]
-    [InlineData("4294967296 Char00 ")]
-    public void An_avatars_number_is_a_whole_number(string lead)
-    {
-        PacketLog log = Read(Line(1, 354, "||\r\n", lead));
-        Assert.Empty(log.Packets);
-        Assert.Contains(SkipReason.MalformedLine, log.Reasons);
-    }
-
-    [Fact]
-    public void A_limit_of_values_holds_for_lines_too()
-    {
-        var log = new PacketLog();
-        new PacketAssembler(new PacketScanner(maxValues: 353), log).Push(Encoding.UTF8.GetBytes(Line(1, 354, "||\r\n") + Line(2, 180, "||\r\n")), 0);
-        Assert.Equal(2, ValuesOf(Assert.Single(log.Packets).Bytes)[0]);
-        Assert.Contains(SkipReason.TooLarge, log.Reasons);
     }
 
     [Fact]
@@ -317,44 +165,15 @@ public sealed class TextStreamTests
         Assert.Equal(300, counts.Packets);
     }
 
-    private static string Line(int frame, int count, string end, string? lead = null, string separator = " ") =>
-        Encoding.UTF8.GetString(TestPackets.Line(frame, count: count, lead: lead, separator: separator, end: end));
-
-    private static PacketLog ReadWith(string word, string behind = "")
-    {
-        string[] words = [.. Enumerable.Range(0, 180).Select(index => index == 100 ? word : "0.5")];
-        return Read($"0 Char00 {string.Join(' ', words)} ||\r\n{behind}");
-    }
-
-    private static PacketLog Read(string text) => Read(Encoding.UTF8.GetBytes(text));
-
-    // Whole, and byte by byte: the same has to come out.
-    private static PacketLog Read(byte[] bytes)
-    {
-        PacketLog whole = Push([bytes]);
-        PacketLog dripping = Push(bytes.Select(value => (byte[])[value]));
-        Assert.Equal(whole.Packets.Select(packet => packet.Bytes), dripping.Packets.Select(packet => packet.Bytes));
-        Assert.Equal((whole.Skipped, whole.Text), (dripping.Skipped, dripping.Text));
-        return whole;
-    }
-
-    private static PacketLog Push(IEnumerable<byte[]> pieces)
-    {
-        var log = new PacketLog();
-        var assembler = new PacketAssembler(new PacketScanner(), log);
-        foreach (byte[] piece in pieces)
-            assembler.Push(piece, timestamp: 0);
-
-        return log;
-    }
-
-    private static float[] ValuesOf(byte[] packet) => MemoryMarshal.Cast<byte, float>(packet.AsSpan(64)).ToArray();
-
     private sealed class Counts : IPacketReceiver
     {
         public int Packets { get; private set; }
 
         public void OnLinkOpened()
+        {
+        }
+
+        public void OnLinkClosed()
         {
         }
 

@@ -1,5 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
+using System.Text;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
@@ -164,8 +165,10 @@ public sealed class StreamFormatTests
         Assert.Equal(0, reader.GetStatistics().Lost);
     }
 
-    [Fact]
-    public async Task A_lost_piece_of_a_line_costs_that_line_alone()
+    [Theory]
+    [InlineData("0 Char00 ")]
+    [InlineData("0 Anna Lena ")]
+    public async Task A_lost_piece_of_a_line_costs_that_line_alone(string lead)
     {
         await using var reader = new NeuronReader(new NeuronReaderOptions { Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0 });
         using FrameQueue queue = reader.OpenQueue();
@@ -175,7 +178,7 @@ public sealed class StreamFormatTests
         for (int frame = 0; frame < 6; frame++)
         {
             // Each line begins a datagram of its own; of the third one the last piece is lost.
-            byte[][] pieces = [.. TestPackets.Line(frame).Chunk(1024)];
+            byte[][] pieces = [.. TestPackets.Line(frame, lead: lead).Chunk(1024)];
             foreach (byte[] piece in frame == 2 ? pieces[..^1] : pieces)
                 sender.Send(piece);
         }
@@ -204,6 +207,26 @@ public sealed class StreamFormatTests
         Assert.Contains("180, 186, 354 or 360", status.Message, StringComparison.Ordinal);
         Assert.Contains("set Skeleton to", status.Message, StringComparison.Ordinal);
         Assert.Equal(line.Length, reader.GetStatistics().SkippedBytes);
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("12.50 0.25 ||\r\n")]
+    public async Task A_name_with_a_space_and_a_number_is_told_with_what_to_change(string rest)
+    {
+        using var server = new TestServer();
+        NeuronReaderOptions options = server.Options();
+        options.SilenceTimeout = TimeSpan.FromSeconds(0.1);
+        await using var reader = new NeuronReader(options);
+        var log = new StatusLog(reader);
+        reader.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Join(Encoding.ASCII.GetBytes(rest), TestPackets.Line(1, lead: "0 Char 02 ")));
+
+        ConnectionStatus status = await log.WaitAsync(ConnectionState.Silent);
+        Assert.Equal(ConnectionReason.UnknownFormat, status.Reason);
+        Assert.Contains("the avatar's name has spaces and numbers in it", status.Message, StringComparison.Ordinal);
+        Assert.Contains("Rename the avatar", status.Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -1,0 +1,56 @@
+using System.Diagnostics;
+using NeuronMocap.Frames;
+using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Tests.Reader;
+
+public sealed class StreamRecognizerTests
+{
+    private static readonly byte[] Studio = Packet(build: 1);
+    private static readonly byte[] Binary = Packet(build: 0);
+    private static readonly long Step = Stopwatch.Frequency / 100;
+
+    private readonly StreamRecognizer _recognizer = new(new FrameFormat(order: null, variant: null));
+    private long _now = 1;
+
+    [Fact]
+    public void Of_two_senders_that_both_go_on_the_first_is_told()
+    {
+        for (int i = 0; i < 500; i++)
+        {
+            Receive(Studio, source: 0);
+            Receive(Binary, source: 1);
+            Assert.Equal(StreamFormat.Studio, _recognizer.Describe().Format);
+        }
+    }
+
+    [Fact]
+    public void A_sender_that_stopped_makes_room_after_a_second_and_does_not_push_itself_in_again()
+    {
+        Receive(Studio, source: 0);
+        for (int i = 0; i < 90; i++)
+            Receive(Binary, source: 1);
+
+        Assert.Equal(StreamFormat.Studio, _recognizer.Describe().Format);
+        for (int i = 0; i < 20; i++)
+            Receive(Binary, source: 1);
+
+        Assert.Equal(StreamFormat.Binary, _recognizer.Describe().Format);
+        for (int i = 0; i < 500; i++)
+        {
+            Receive(Studio, source: 0);
+            Receive(Binary, source: 1);
+            Assert.Equal(StreamFormat.Binary, _recognizer.Describe().Format);
+        }
+    }
+
+    private static byte[] Packet(byte build)
+    {
+        byte[] packet = TestPackets.Motion(1);
+        packet[2] = build;
+        return packet;
+    }
+
+    private void Receive(byte[] packet, int source) => _recognizer.OnFrame(new ReceivedPacket(PacketKind.Motion, packet, _now += Step, source));
+}
