@@ -18,7 +18,7 @@ internal sealed class CommandLine
     public const int Interrupted = 130;
 
     private const string Usage =
-        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--once] [--frames N] "
+        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--command-port PORT] [--once] [--frames N] "
         + "[--duration SECONDS] [--json | --quiet]\n"
         + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]";
 
@@ -70,13 +70,22 @@ internal sealed class CommandLine
     private readonly Option<RotationOrder?> _order = new("--order")
     {
         HelpName = string.Join('|', Orders),
-        Description = "Order of the rotation values, a setting of the server. Default: what the stream says, which only Axis Studio's does, or YXZ.",
+        Description = "Order of the rotation values, a setting of the server. Default: what the stream says, which only Axis Studio's does, or the command channel (--command-port), or YXZ.",
         CustomParser = result => Parse<RotationOrder?>(
             result,
             text => Array.FindIndex(Orders, name => name.Equals(text, StringComparison.OrdinalIgnoreCase)) is >= 0 and var index
                 ? Enum.GetValues<RotationOrder>()[index]
                 : null,
             $"one of {string.Join(", ", Orders)}"),
+    };
+
+    private readonly Option<int?> _commandPort = new("--command-port")
+    {
+        HelpName = "PORT",
+        Description = "With --connect: ask the server's command channel on this port for the rotation order and the names of the bones, which most "
+            + "streams do not say. Usually 8013; --commands shows all that it tells.",
+        CustomParser = result => Parse<int?>(
+            result, text => ServerAddress.TryParsePort(text, out int port) ? port : null, $"a number from 1 to {IPEndPoint.MaxPort}"),
     };
 
     private readonly Option<bool> _once = new("--once")
@@ -126,7 +135,7 @@ internal sealed class CommandLine
 
     private CommandLine()
     {
-        foreach (Option option in (Option[])[_connect, _udp, _allowSender, _demo, _diagnose, _order, _once, _frames, _duration, _json, _quiet])
+        foreach (Option option in (Option[])[_connect, _udp, _allowSender, _demo, _diagnose, _order, _commandPort, _once, _frames, _duration, _json, _quiet])
         {
             if (option == _allowSender)
                 option.Arity = ArgumentArity.OneOrMore;
@@ -221,6 +230,8 @@ internal sealed class CommandLine
             RejectForDiagnosis(result);
         if (IsGiven(result, _allowSender) && !IsGiven(result, _udp))
             result.AddError("--allow-sender needs --udp: over TCP the data comes from the server that --connect names.");
+        if (IsGiven(result, _commandPort) && !IsGiven(result, _connect))
+            result.AddError("--command-port needs --connect: it is a port of the server that --connect names.");
         _commands.RejectContradictions(result, [_connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
         if (IsGiven(result, _json) && IsGiven(result, _quiet))
             result.AddError("--json and --quiet exclude each other.");
@@ -254,6 +265,7 @@ internal sealed class CommandLine
         UdpPort = result.GetValue(_udp),
         AllowedSenders = result.GetValue(_allowSender) ?? [],
         RotationOrder = result.GetValue(_order),
+        CommandPort = result.GetValue(_commandPort),
         Once = result.GetValue(_once),
         Frames = result.GetValue(_frames),
         Duration = result.GetValue(_duration),

@@ -39,6 +39,9 @@ internal sealed record MonitorOptions
     /// <summary>Null to find it out; the demo then has YXZ.</summary>
     public RotationOrder? RotationOrder { get; init; }
 
+    /// <summary>Where to ask for what the stream does not say; null for nowhere.</summary>
+    public int? CommandPort { get; init; }
+
     public bool Once { get; init; }
 
     /// <summary>Whether to say what is wrong instead of showing the stream.</summary>
@@ -62,6 +65,7 @@ internal sealed record MonitorOptions
         var options = new NeuronReaderOptions
         {
             RotationOrder = RotationOrder,
+            CommandPort = CommandPort,
             SilenceTimeout = WithinHalfOfDuration(LongestSilence),
             ConnectTimeout = WithinHalfOfDuration(LongestConnect),
             Reconnect = { Enabled = !Once },

@@ -25,6 +25,9 @@ public sealed class CommandLineTests
     [InlineData("--allow-sender", "--udp", "7001", "--allow-sender")]
     [InlineData("--udp", "--connect", "studio", "--allow-sender", "127.0.0.1")]
     [InlineData("--udp", "--allow-sender", "127.0.0.1")]
+    [InlineData("--command-port", "--connect", "studio", "--command-port", "0")]
+    [InlineData("--connect", "--command-port", "8013")]
+    [InlineData("--connect", "--udp", "7001", "--command-port", "8013")]
     [InlineData("--commands", "--commands", "studio:port")]
     [InlineData("--commands", "--avatar", "1")]
     [InlineData("--commands", "--zero-out", "all")]
@@ -56,7 +59,7 @@ public sealed class CommandLineTests
         Assert.Equal(0, result.ExitCode);
         Assert.Empty(result.Error);
         string text = string.Join('\n', result.Output);
-        foreach (string option in (string[])["--connect", "--udp", "--allow-sender", "--demo", "--diagnose", "--commands", "--avatar", "--zero-out", "--bvh-header", "--order", "--once", "--frames", "--duration", "--json", "--quiet", "--version"])
+        foreach (string option in (string[])["--connect", "--udp", "--allow-sender", "--demo", "--diagnose", "--commands", "--avatar", "--zero-out", "--bvh-header", "--order", "--command-port", "--once", "--frames", "--duration", "--json", "--quiet", "--version"])
             Assert.Contains($"  {option} ", text, StringComparison.Ordinal);
 
         Assert.Contains("Examples:", text, StringComparison.Ordinal);
