@@ -28,9 +28,9 @@ internal sealed class VendorFunctions(IVendorCallbacks callbacks)
 
     public static bool Unregister(IntPtr socket, int command) => CommandsOf(socket)?.TryUnregister((DataCommandId)command) ?? false;
 
-    public static bool ZeroOut(IntPtr socket, int avatar) => TryAsk(socket, client => Acknowledged(client.ZeroOutAsync(avatar)), out _);
+    public static bool ZeroOut(IntPtr socket, int avatar) => TryTell(socket, client => client.ZeroOutAsync(avatar));
 
-    public static bool ZeroOutAll(IntPtr socket) => TryAsk(socket, static client => Acknowledged(client.ZeroOutAllAsync()), out _);
+    public static bool ZeroOutAll(IntPtr socket) => TryTell(socket, static client => client.ZeroOutAllAsync());
 
     public static bool TryGetRotationOrder(IntPtr socket, out RotationOrder order) =>
         TryAsk(socket, static client => client.GetRotationOrderAsync(), out order);
@@ -48,16 +48,15 @@ internal sealed class VendorFunctions(IVendorCallbacks callbacks)
         return bytes is not null;
     }
 
+    private static bool TryTell(IntPtr socket, Func<NeuronCommandClient, Task> tell) =>
+        SocketTable.Find(socket) is CommandSocket command && command.TryCall(tell);
+
     private static bool TryAsk<T>(IntPtr socket, Func<NeuronCommandClient, Task<T>> ask, out T? answer)
     {
-        answer = default;
-        return SocketTable.Find(socket) is CommandSocket command && command.TryAsk(ask, out answer);
-    }
-
-    private static async Task<bool> Acknowledged(Task command)
-    {
-        await command.ConfigureAwait(false);
-        return true;
+        Task<T>? answered = null;
+        bool told = SocketTable.Find(socket) is CommandSocket command && command.TryCall(client => answered = ask(client));
+        answer = told ? answered!.Result : default;
+        return told;
     }
 
     private static DataCommands? CommandsOf(IntPtr socket) => (SocketTable.Find(socket) as DataSocket)?.Commands;

@@ -1,5 +1,6 @@
 using System.Net.Sockets;
 using NeuronMocap.Commands;
+using NeuronMocap.Compatibility.Callbacks;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Compatibility.Sockets;
@@ -31,16 +32,17 @@ internal sealed class CommandSocket : VendorSocket
         && command._owner == _owner
         && string.Equals(command._target, _target, StringComparison.OrdinalIgnoreCase);
 
-    // False for everything that is no right answer.
-    public bool TryAsk<T>(Func<NeuronCommandClient, Task<T>> ask, out T? answer)
+    public override SocketState State => _client?.IsLeft == true ? SocketState.OffWork : base.State;
+
+    // False for everything that is no right answer. Blocks on the client's own task: one that goes on after it would need a thread of the pool.
+    public bool TryCall(Func<NeuronCommandClient, Task> call)
     {
-        answer = default;
         if (_client is null || IsClosed)
             return false;
 
         try
         {
-            answer = ask(_client).GetAwaiter().GetResult();
+            call(_client).GetAwaiter().GetResult();
             SetOpen();
             return true;
         }

@@ -15,11 +15,20 @@ internal static class SocketTable
         if (FindSame(socket) is { } other)
             return other.WaitUntilOpen() ? other.Handle : IntPtr.Zero;
 
-        if (socket.Open())
-            return socket.Handle;
-
-        Remove(socket);
-        return IntPtr.Zero;
+        bool isOpen = false;
+        try
+        {
+            isOpen = socket.Open();
+            return isOpen ? socket.Handle : IntPtr.Zero;
+        }
+        finally
+        {
+            if (!isOpen)
+            {
+                Remove(socket);
+                socket.Abandon();
+            }
+        }
     }
 
     public static VendorSocket? Find(IntPtr handle)

@@ -14,7 +14,7 @@ internal abstract class VendorSocket : IDisposable
     // Given by the table.
     public IntPtr Handle { get; set; }
 
-    public SocketState State => (_isOver || IsClosed, _isOpen) switch
+    public virtual SocketState State => (_isOver || IsClosed, _isOpen) switch
     {
         (true, _) => SocketState.OffWork,
         (_, true) => SocketState.Running,
@@ -29,12 +29,20 @@ internal abstract class VendorSocket : IDisposable
     public bool Open()
     {
         _openingThread = Environment.CurrentManagedThreadId;
-        bool stands = TryOpen();
-        if (!stands)
-            _isOver = true;
+        bool stands = false;
+        try
+        {
+            stands = TryOpen();
+            return stands && !IsClosed;
+        }
+        finally
+        {
+            // The program may interrupt or abort its thread, and others wait for this one.
+            if (!stands)
+                _isOver = true;
 
-        _opened.Set();
-        return stands && !IsClosed;
+            _opened.Set();
+        }
     }
 
     // For whoever asks for a connection that somebody is making. A callback that does, on the thread that makes it, cannot wait for itself.

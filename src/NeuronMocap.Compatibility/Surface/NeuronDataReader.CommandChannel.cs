@@ -81,7 +81,7 @@ public partial class NeuronDataReader
         if (data is null || len <= 0 || !VendorFunctions.TryGetBvhHeader(sockRef, avatarIndex, out string? text))
             return false;
 
-        data.Clear().Append(text, 0, Math.Min(len, text.Length));
+        data.Clear().Append(text, 0, Math.Min(Math.Min(len, text.Length), data.MaxCapacity));
         return true;
     }
 

@@ -32,7 +32,7 @@ internal sealed class CommandSession : IDisposable
         _ended = ended;
         socket.NoDelay = true;
         socket.SendTimeout = SendTimeout;
-        TcpLink.KeepAlive(socket);
+        TcpKeepAlive.Enable(socket);
         Worker = new Worker("NeuronMocap commands", Run);
     }
 

@@ -1,6 +1,7 @@
 using System.Net.Sockets;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap.Server.Clients;
 
@@ -22,11 +23,6 @@ internal sealed class TcpClientSession : Recipient
 
     // Between two looks at what a client asks. A flood of requests wakes nobody more often, and waits in the client's own connection.
     private const int ListeningPause = 10;
-
-    // The numbers of these options where the framework's enumeration has no names for them.
-    private const SocketOptionName KeepAliveTime = (SocketOptionName)3;
-    private const SocketOptionName KeepAliveInterval = (SocketOptionName)17;
-    private const SocketOptionName KeepAliveRetryCount = (SocketOptionName)16;
 
     private readonly int? _fragment;
     private readonly TimeSpan _closeTimeout;
@@ -55,7 +51,8 @@ internal sealed class TcpClientSession : Recipient
 
         // A client that vanished without a word takes no more. The wait for room in the buffer ends only when about a third of it is free.
         socket.SendTimeout = (int)options.ClientTimeout.TotalMilliseconds;
-        KeepAlive(socket);
+        // While nothing is sent, only a probe can find out that the client is gone.
+        TcpKeepAlive.Enable(socket);
         _fragment = options.Fragment;
         _closeTimeout = options.CloseTimeout;
         _buffer = new byte[ReadSize + (_fragment ?? 0)];
@@ -111,22 +108,6 @@ internal sealed class TcpClientSession : Recipient
         _isFinishing = true;
         Socket.Shutdown(SocketShutdown.Send);
         _listened.Wait(_closeTimeout);
-    }
-
-    // While nothing is sent, only a probe can find out that the client is gone: after 10 s, then every 2 s; given up after 5 without an answer.
-    private static void KeepAlive(Socket socket)
-    {
-        try
-        {
-            socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.KeepAlive, optionValue: true);
-            socket.SetSocketOption(SocketOptionLevel.Tcp, KeepAliveTime, 10);
-            socket.SetSocketOption(SocketOptionLevel.Tcp, KeepAliveInterval, 2);
-            socket.SetSocketOption(SocketOptionLevel.Tcp, KeepAliveRetryCount, 5);
-        }
-        catch (SocketException)
-        {
-            // Not every system has all of these; without them it takes longer.
-        }
     }
 
     private bool Write(int count)

@@ -12,7 +12,7 @@ namespace NeuronMocap.Commands;
 // A reply carries nothing that says which request it answers, apart from the command's number where the server repeats it. So a reply that comes late,
 // or twice, must never find a later request waiting that it could be the answer to. Three rules see to it, and a new connection is cheap:
 // a connection carries each command at most once; it is given up after anything but a plain exchange, be it a failure, a byte too many or a
-// number that was not repeated; and it is given up when something lies there before a request is sent.
+// number that was not repeated, or need not be; and it is given up when something lies there before a request is sent.
 internal sealed class CommandConnection(NeuronCommandOptions options, LinkOptions link, Func<string, IPAddress[]> resolve)
 {
     private readonly object _lock = new();
@@ -23,6 +23,22 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
 
     // Whether the server has said anything since it was last asked.
     public bool HasHeard { get; private set; }
+
+    // Readable without a byte: the server has closed it, or it was reset.
+    public bool IsLeft
+    {
+        get
+        {
+            try
+            {
+                return !_isClosed && _socket!.Poll(0, SelectMode.SelectRead) && _socket.Available == 0;
+            }
+            catch (Exception exception) when (SocketErrors.IsExpected(exception))
+            {
+                return !_isClosed;
+            }
+        }
+    }
 
     public bool CanAsk(CommandChannelId? id)
     {
@@ -231,7 +247,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
                 throw CommandAdvice.WrongSize(link.Target, header.PayloadSize, options);
 
             bool isAnswer = options.AcceptAnyReplyId || header.CommandId == (int)asked || header.CommandId == 0;
-            isPlain &= header.CommandId == (int)asked;
+            isPlain &= header.CommandId == (int)asked && !options.AcceptAnyReplyId;
             if (isAnswer)
             {
                 request.Complete(payload);

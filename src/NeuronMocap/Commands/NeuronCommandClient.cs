@@ -63,6 +63,16 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
     // Replaced by tests: what a resolver does on a machine without a network cannot be foreseen.
     internal Func<string, IPAddress[]> Resolve { get; init; } = Dns.GetHostAddresses;
 
+    // Whether the server has closed the connection that the next command would have gone over. Nobody else looks while none is under way.
+    internal bool IsLeft
+    {
+        get
+        {
+            lock (_gate)
+                return !_isWorking && _connection?.IsLeft == true;
+        }
+    }
+
     /// <summary>Connects, unless there is a connection that can be used. Need not be called; it tells early whether there is a server.</summary>
     /// <param name="cancellationToken">Ends the call.</param>
     /// <returns>Ends when there is a connection.</returns>

@@ -123,7 +123,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
         try
         {
             socket = new Socket(address.AddressFamily, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true, SendTimeout = SendTimeoutMilliseconds };
-            KeepAlive(socket);
+            TcpKeepAlive.Enable(socket);
             if (!Adopt(socket))
                 return LinkEnd.Requested;
 
@@ -156,26 +156,6 @@ internal sealed class TcpLink(LinkOptions options) : Link
     // On this computer, the system may choose the very port that the connection goes to as the port that it comes from: where nobody listens,
     // the socket then connects to itself, hears nothing for ever, and keeps the port from the server.
     internal static bool IsOwnEcho(Socket socket, EndPoint remote) => remote.Equals(socket.LocalEndPoint);
-
-    // A server whose computer lost its power or its network says nothing more, and a client that only listens would wait for ever.
-    // Probes after 10 s of silence, every 2 s; given up after 5 without an answer.
-    internal static void KeepAlive(Socket socket)
-    {
-        const SocketOptionName Time = (SocketOptionName)3;
-        const SocketOptionName RetryCount = (SocketOptionName)16;
-        const SocketOptionName Interval = (SocketOptionName)17;
-        try
-        {
-            socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.KeepAlive, optionValue: true);
-            socket.SetSocketOption(SocketOptionLevel.Tcp, Time, 10);
-            socket.SetSocketOption(SocketOptionLevel.Tcp, Interval, 2);
-            socket.SetSocketOption(SocketOptionLevel.Tcp, RetryCount, 5);
-        }
-        catch (SocketException)
-        {
-            // Not every system has all of these; without them a dead server is noticed later.
-        }
-    }
 
     // Of several addresses, the one whose answer says most about the server.
     internal static int Weight(ConnectionReason reason) => reason switch

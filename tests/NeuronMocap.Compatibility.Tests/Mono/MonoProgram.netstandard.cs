@@ -20,6 +20,13 @@ internal sealed class MonoProgram : IDisposable
     public static void Require() => Assert.SkipUnless(
         File.Exists(Runtime) && File.Exists(Compiler) && File.Exists(Facade), "Mono and its compiler are not installed (Debian's mono-devel).");
 
+    public async Task CompileAsync(string text)
+    {
+        string source = Path.Combine(_folder, "program.cs");
+        await File.WriteAllTextAsync(source, text, TestContext.Current.CancellationToken);
+        await CompileAsync([source]);
+    }
+
     public async Task CompileAsync(IEnumerable<string> sources)
     {
         foreach (string assembly in (string[])["NeuronMocap.dll", "NeuronMocap.Compatibility.dll"])

@@ -135,6 +135,46 @@ public sealed class CommandChannelTests
         NeuronDataReader.BRCloseSocket(pipe);
     }
 
+    // The vendor's library goes on saying that it runs.
+    [Fact]
+    public async Task A_server_that_closes_an_idle_connection_is_seen_without_asking_it()
+    {
+        TestConnection? connection = null;
+        using var server = new CommandScript(
+            static request => request.ReplyAsync([1, 0, 0, 0]),
+            accepted =>
+            {
+                connection = accepted;
+                return Task.CompletedTask;
+            });
+        IntPtr pipe = NeuronDataReader.BRConnectCmd("127.0.0.1", server.Port);
+        await Limits.UntilAsync(() => connection is not null);
+        Assert.Equal(SocketStatus.CS_Running, NeuronDataReader.BRGetSocketStatus(pipe));
+
+        connection!.Close();
+        await Limits.UntilAsync(() => NeuronDataReader.BRGetSocketStatus(pipe) == SocketStatus.CS_OffWork);
+
+        IntPtr again = NeuronDataReader.BRConnectCmd("127.0.0.1", server.Port);
+        Assert.NotEqual(pipe, again);
+        Assert.True(NeuronDataReader.ZeroOutAll(again));
+        Assert.Equal(SocketStatus.CS_Running, NeuronDataReader.BRGetSocketStatus(again));
+        Assert.False(NeuronDataReader.ZeroOutAll(pipe));
+        NeuronDataReader.BRCloseSocket(again);
+    }
+
+    [Fact]
+    public void A_text_that_may_not_grow_takes_as_much_as_it_can()
+    {
+        using CommandScript server = Answers();
+        IntPtr pipe = NeuronDataReader.BRConnectCmd("127.0.0.1", server.Port);
+        var text = new StringBuilder(4, 9);
+
+        Assert.True(NeuronDataReader.GetBvhHeader(pipe, 0, text, 100_000));
+
+        Assert.Equal("HIERARCHY", text.ToString());
+        NeuronDataReader.BRCloseSocket(pipe);
+    }
+
     [Fact]
     public async Task Commands_can_be_asked_in_a_frame_callback()
     {

@@ -100,6 +100,25 @@ public sealed class ConnectTests
         Assert.Equal($"Failed to connect to '127.0.0.1:{hole.Port}'. System error code: {code}", NeuronDataReader.strBRGetLastErrorMessage());
     }
 
+    // Programs of that time stop their threads so. Whoever asks for the same place afterwards must not wait for a thread that is gone.
+    [Fact]
+    public void A_thread_that_is_interrupted_while_it_connects_leaves_nothing_behind()
+    {
+        using var hole = new BlackHole();
+        using var log = new CallbackLog();
+        log.OnStatus = static _ => Thread.CurrentThread.Interrupt();
+
+        Assert.Throws<ThreadInterruptedException>(() => log.Connect(hole.Port));
+
+        log.OnStatus = null;
+        Assert.Equal(SocketStatus.CS_OffWork, NeuronDataReader.BRGetSocketStatus(log.Statuses[0].Socket));
+        IntPtr again = new(-1);
+        var thread = new Thread(() => again = log.Connect(hole.Port)) { IsBackground = true };
+        thread.Start();
+        Assert.True(thread.Join(Limits.Unexpected));
+        Assert.Equal(IntPtr.Zero, again);
+    }
+
     [Fact]
     public async Task A_second_call_for_the_same_place_gives_the_same_connection()
     {

@@ -182,6 +182,21 @@ public class CommandFaultTests
         Assert.Equal(RotationOrder.ZXY, await lenient.GetRotationOrderAsync().Soon());
     }
 
+    // Where any number will do, the number is no help against an answer that comes twice.
+    [Fact]
+    public async Task A_second_answer_is_never_taken_for_another_calls_where_any_number_will_do_either()
+    {
+        using var server = new CommandScript(request =>
+        {
+            byte[] refusal = CommandScript.Packet([0, 0, 0, 0], request.Id);
+            byte[] late = request is { Id: not 1003, ConnectionNumber: 0 } ? CommandScript.Packet(ZXY, 1003) : [];
+            return request.SendAsync(request.Id == 1003 ? CommandScript.Packet(ZXY, 1003) : [.. late, .. refusal]);
+        });
+        using NeuronCommandClient client = server.CreateClient(static options => options.AcceptAnyReplyId = true);
+        Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync().Soon());
+        await FailsAsync(client.ZeroOutAllAsync(), CommandFailure.Rejected, "did not zero out");
+    }
+
     [Fact]
     public async Task A_server_that_does_not_repeat_the_number_gets_a_connection_for_each_request()
     {
