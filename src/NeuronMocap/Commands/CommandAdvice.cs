@@ -7,7 +7,7 @@ namespace NeuronMocap.Commands;
 internal static class CommandAdvice
 {
     private const string WhichPort =
-        "Check that NeuronCommandOptions.Port is the server's command port: it is a setting of its own, and not the port of the stream.";
+        "Check the command port: on the server it is a setting of its own, and not the port of the stream.";
 
     public static NeuronCommandException NotConnected(ConnectionReason reason, LinkOptions link, Exception? cause) => reason switch
     {
@@ -35,7 +35,7 @@ internal static class CommandAdvice
             (_, > 0) => $"{skipped} bytes came, but no reply, within",
             _ => "No reply came within",
         };
-        string check = skipped > 0 ? WhichPort : "Raise NeuronCommandOptions.Timeout if the server is slow. " + WhichPort;
+        string check = skipped > 0 ? WhichPort : WhichPort + " For a slow server, raise the time-out (NeuronCommandOptions.Timeout).";
         return new(CommandFailure.TimedOut, $"{target}: {what} {Seconds(options.Timeout)}. {check}");
     }
 

@@ -152,7 +152,7 @@ public class CommandClientTests
             port = server.Port;
         using var client = new NeuronCommandClient("127.0.0.1", port);
 
-        await FailsAsync(client.GetRotationOrderAsync(), CommandFailure.Refused, "NeuronCommandOptions.Port");
+        await FailsAsync(client.GetRotationOrderAsync(), CommandFailure.Refused, "Check the command port");
         await FailsAsync(client.ConnectAsync(), CommandFailure.Refused, "refused the connection");
     }
 

@@ -1,0 +1,16 @@
+using NeuronMocap.Monitor;
+
+namespace NeuronMocap.Samples.Tests.Monitor;
+
+public sealed class MonitorOptionsTests
+{
+    [Fact]
+    public void The_reader_asks_the_command_port_of_the_server_that_is_shown()
+    {
+        var server = new ServerAddress("studio", 7003);
+        NeuronReaderOptions options = new MonitorOptions { Server = server, CommandPort = 8014 }.ToReaderOptions(server);
+
+        Assert.Equal(("studio", 7003, 8014), (options.Host, options.Port, options.CommandPort));
+        Assert.Null(new MonitorOptions { Server = server }.ToReaderOptions(server).CommandPort);
+    }
+}
