@@ -23,15 +23,10 @@ public sealed class FormatDiscoveryTests : IDisposable
     public async Task Frames_are_understood_as_the_command_channel_says_and_the_status_says_so()
     {
         using CommandScript commands = Commands(Told);
-        await using var reader = new NeuronReader(Options(commands));
-        var log = new StatusLog(reader);
-        using LatestFrames latest = reader.OpenLatest();
-        reader.Start();
-        using TestConnection connection = await _server.AcceptAsync();
+        (MotionFrame frame, ConnectionStatus status) = await ReceiveAsync(
+            Options(commands), sent => sent.Format == Told, told => told.Message.Contains("Spine3", StringComparison.Ordinal));
 
-        MotionFrame frame = await SendUntilAsync(connection, latest, sent => sent.Format == Told);
         Assert.Equal(EulerAngles.ToQuaternion(frame.GetEulerAngles(Bone.Head), RotationOrder.ZXY), frame.GetRotation(Bone.Head));
-        ConnectionStatus status = await log.WaitAsync(told => told.Message.Contains("Spine3", StringComparison.Ordinal));
         Assert.Contains("rotation order ZXY, as the command channel says; bones with Spine3, as the command channel says", status.Message, StringComparison.Ordinal);
         Assert.Equal(ConnectionReason.None, status.Reason);
     }
@@ -42,15 +37,10 @@ public sealed class FormatDiscoveryTests : IDisposable
         using CommandScript commands = Commands(Told);
         NeuronReaderOptions options = Options(commands);
         options.RotationOrder = RotationOrder.XYZ;
-        await using var reader = new NeuronReader(options);
-        var log = new StatusLog(reader);
-        using LatestFrames latest = reader.OpenLatest();
-        reader.Start();
-        using TestConnection connection = await _server.AcceptAsync();
+        (MotionFrame frame, ConnectionStatus status) = await ReceiveAsync(
+            options, sent => sent.Format.Variant == SkeletonVariant.Spine3, told => told.Reason == ConnectionReason.RotationOrderMismatch);
 
-        MotionFrame frame = await SendUntilAsync(connection, latest, sent => sent.Format.Variant == SkeletonVariant.Spine3);
         Assert.Equal(RotationOrder.XYZ, frame.Format.RotationOrder);
-        ConnectionStatus status = await log.WaitAsync(told => told.Reason == ConnectionReason.RotationOrderMismatch);
         Assert.Contains("XYZ", status.Message, StringComparison.Ordinal);
         Assert.Contains("the command channel says ZXY", status.Message, StringComparison.Ordinal);
     }
@@ -61,15 +51,10 @@ public sealed class FormatDiscoveryTests : IDisposable
         using CommandScript commands = Commands(Told);
         NeuronReaderOptions options = Options(commands);
         options.SkeletonVariant = SkeletonVariant.Neck1;
-        await using var reader = new NeuronReader(options);
-        var log = new StatusLog(reader);
-        using LatestFrames latest = reader.OpenLatest();
-        reader.Start();
-        using TestConnection connection = await _server.AcceptAsync();
+        (MotionFrame frame, ConnectionStatus status) = await ReceiveAsync(
+            options, sent => sent.Format.RotationOrder == RotationOrder.ZXY, told => told.Reason == ConnectionReason.SkeletonVariantMismatch);
 
-        MotionFrame frame = await SendUntilAsync(connection, latest, sent => sent.Format.RotationOrder == RotationOrder.ZXY);
         Assert.Equal(SkeletonVariant.Neck1, frame.Format.Variant);
-        ConnectionStatus status = await log.WaitAsync(told => told.Reason == ConnectionReason.SkeletonVariantMismatch);
         Assert.Contains("Spine3", status.Message, StringComparison.Ordinal);
     }
 
@@ -81,15 +66,9 @@ public sealed class FormatDiscoveryTests : IDisposable
         nobody.Dispose();
         NeuronReaderOptions options = _server.Options();
         options.CommandPort = port;
-        await using var reader = new NeuronReader(options);
-        var log = new StatusLog(reader);
-        using LatestFrames latest = reader.OpenLatest();
-        reader.Start();
-        using TestConnection connection = await _server.AcceptAsync();
+        (MotionFrame frame, ConnectionStatus status) = await ReceiveAsync(options, _ => true, told => told.Reason == ConnectionReason.NotDiscovered);
 
-        MotionFrame frame = await SendUntilAsync(connection, latest, _ => true);
         Assert.Equal(SkeletonFormat.Default, frame.Format);
-        ConnectionStatus status = await log.WaitAsync(told => told.Reason == ConnectionReason.NotDiscovered);
         Assert.Contains("YXZ assumed", status.Message, StringComparison.Ordinal);
         Assert.Contains("refused the connection", status.Message, StringComparison.Ordinal);
         Assert.Contains("CommandPort", status.Message, StringComparison.Ordinal);
@@ -100,15 +79,10 @@ public sealed class FormatDiscoveryTests : IDisposable
     {
         const string Other = "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 3 Yrotation Xrotation Zrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n";
         using var commands = new CommandScript(request => request.ReplyAsync(request.Id == 1003 ? [2, 0, 0, 0] : Encoding.ASCII.GetBytes(Other)));
-        await using var reader = new NeuronReader(Options(commands));
-        var log = new StatusLog(reader);
-        using LatestFrames latest = reader.OpenLatest();
-        reader.Start();
-        using TestConnection connection = await _server.AcceptAsync();
+        (MotionFrame frame, ConnectionStatus status) = await ReceiveAsync(
+            Options(commands), sent => sent.Format.RotationOrder == RotationOrder.XYZ, told => told.Reason == ConnectionReason.NotDiscovered);
 
-        MotionFrame frame = await SendUntilAsync(connection, latest, sent => sent.Format.RotationOrder == RotationOrder.XYZ);
         Assert.Equal(SkeletonVariant.Neck1, frame.Format.Variant);
-        ConnectionStatus status = await log.WaitAsync(told => told.Reason == ConnectionReason.NotDiscovered);
         Assert.Contains("rotation order XYZ, as the command channel says", status.Message, StringComparison.Ordinal);
         Assert.Contains("another skeleton", status.Message, StringComparison.Ordinal);
     }
@@ -187,6 +161,19 @@ public sealed class FormatDiscoveryTests : IDisposable
         NeuronReaderOptions options = _server.Options(reconnect);
         options.CommandPort = commands.Port;
         return options;
+    }
+
+    // The first frame and the first status that are wanted, of a reader that receives from one connection.
+    private async Task<(MotionFrame Frame, ConnectionStatus Status)> ReceiveAsync(
+        NeuronReaderOptions options, Predicate<MotionFrame> wanted, Predicate<ConnectionStatus> told)
+    {
+        await using var reader = new NeuronReader(options);
+        var log = new StatusLog(reader);
+        using LatestFrames latest = reader.OpenLatest();
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+        MotionFrame frame = await SendUntilAsync(connection, latest, wanted);
+        return (frame.Clone(), await log.WaitAsync(told));
     }
 
     private static async Task<MotionFrame> SendUntilAsync(TestConnection connection, LatestFrames latest, Predicate<MotionFrame> wanted)
