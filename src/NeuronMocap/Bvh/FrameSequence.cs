@@ -57,8 +57,9 @@ internal sealed class FrameSequence(BvhGaps gaps)
         double elapsed = (double)_elapsed / Stopwatch.Frequency;
         double rate = _intervals / elapsed;
 
-        // Clocks of suits are off by less than a hundredth; the first and the last frame each come by up to 10 ms early or late.
-        double tolerance = 0.015 + (0.02 / elapsed);
+        // Clocks of suits are off by less than a hundredth; the first and the last frame each come by up to 30 ms early or late, the first ones of a
+        // connection often in one piece.
+        double tolerance = 0.015 + (0.06 / elapsed);
         double? nearest = null;
         foreach (short usual in BvhFrameTimeText.UsualRates)
         {

@@ -81,14 +81,39 @@ internal static class TextDigits
         return twice < spacing || (twice == spacing && mantissa % 2 == 0);
     }
 
+    // From the last digit to the first; zeros are put in front for as many as a number below one needs.
     private static int Write(Span<byte> destination, ulong number, int decimals)
     {
-        Span<byte> reversed = stackalloc byte[MaxSize];
-        int count = 0;
-        for (; number > 0; number /= 10)
-            reversed[count++] = (byte)('0' + (number % 10));
+        int count = Math.Max(CountDigits(number), decimals + 1);
+        int point = decimals == 0 ? -1 : count - decimals;
+        int length = point < 0 ? count : count + 1;
+        Span<byte> text = destination[..length];
+        for (int i = text.Length - 1; i >= 0; i--)
+        {
+            if (i == point)
+            {
+                text[i] = (byte)'.';
+                continue;
+            }
 
-        return Write(destination, reversed, count, decimals);
+            ulong rest = number / 10;
+            text[i] = (byte)('0' + (number - (rest * 10)));
+            number = rest;
+        }
+
+        return length;
+    }
+
+    private static int CountDigits(ulong number)
+    {
+        int count = 0;
+        while (count < PowersOfTen.Length && number >= PowersOfTen[count])
+            count++;
+
+        for (ulong rest = number / PowersOfTen[^1]; rest >= 10; rest /= 10)
+            count++;
+
+        return count;
     }
 
     private static int WriteInteger(Span<byte> destination, uint mantissa, int power, int decimals)

@@ -189,6 +189,48 @@ public sealed class BvhExportTests : IDisposable
         Assert.Equal(257, BvhDocument.Load(Target).FrameCount);
     }
 
+    // The writer waits for the command channel; a disk that does not answer is no different.
+    [Fact]
+    public async Task What_does_not_fit_into_the_queue_is_dropped_and_counted_and_holds_up_nobody()
+    {
+        using var commands = new CommandScript(static _ => Task.CompletedTask);
+        NeuronReaderOptions options = _server.Options();
+        options.CommandPort = commands.Port;
+        await using var reader = new NeuronReader(options);
+        using BvhExport export = reader.ExportBvh(Target, Patient with { Capacity = 4 });
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motions(0, 100));
+        await reader.WaitForFramesAsync(100);
+
+        Assert.Equal(96, export.FramesDropped);
+        export.Dispose();
+        Assert.Null(export.Failure);
+        Assert.Equal(4, BvhDocument.Load(Target).FrameCount);
+        Assert.False(reader.Completion.IsCompleted);
+    }
+
+    [Fact]
+    public async Task An_export_begins_and_ends_while_the_reader_runs()
+    {
+        await using var reader = new NeuronReader(_server.Options());
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motions(0, 3));
+        await reader.WaitForFramesAsync(3);
+        BvhExport export = reader.ExportBvh(Target);
+        await connection.SendAsync(TestPackets.Motions(3, 4));
+        await reader.WaitForFramesAsync(7);
+        export.Dispose();
+        export.Dispose();
+        await connection.SendAsync(TestPackets.Motions(7, 2));
+        await reader.WaitForFramesAsync(9);
+
+        BvhDocument take = BvhDocument.Load(Target);
+        Assert.Equal([3f, 4, 5, 6], Enumerable.Range(0, take.FrameCount).Select(frame => take.GetFrame(frame)[0]));
+        Assert.Equal(4, export.FramesWritten);
+    }
+
     // What a process that is killed at this moment would leave behind: what the system has.
     [Fact]
     public async Task At_any_moment_the_file_opens_with_what_was_flushed()
