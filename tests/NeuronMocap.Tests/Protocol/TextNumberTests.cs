@@ -122,6 +122,9 @@ public class TextNumberTests
     [InlineData("123456789.123456")]
     [InlineData("1.5")]
     [InlineData("5.")]
+    [InlineData("0")]
+    [InlineData("-90")]
+    [InlineData("123456789012345")]
     [InlineData("1.23456789012345")]
     public void Numbers_of_motion_files_are_read_in_the_plain_way(string text)
     {
@@ -136,10 +139,13 @@ public class TextNumberTests
     [Theory]
     [InlineData(" 1.5")]
     [InlineData("+1.5")]
-    [InlineData("1")]
-    [InlineData("-1 5.5")]
+    [InlineData("-")]
+    [InlineData("- 5.5")]
     [InlineData(".5")]
     [InlineData("-.5")]
+    [InlineData("16777217")]
+    [InlineData("9876543210987654")]
+    [InlineData("12:")]
     [InlineData("1.5e3")]
     [InlineData("1.5x")]
     [InlineData("1.234567x")]
@@ -167,7 +173,7 @@ public class TextNumberTests
         for (int i = 0; i < 200_000; i++)
         {
             string digits = string.Concat(Enumerable.Range(0, random.Next(1, 18)).Select(_ => random.Next(10)));
-            string number = (random.Next(2) == 0 ? "-" : "") + digits.Insert(random.Next(digits.Length + 1), ".");
+            string number = (random.Next(2) == 0 ? "-" : "") + (random.Next(4) == 0 ? digits : digits.Insert(random.Next(digits.Length + 1), "."));
             byte[] text = Encoding.UTF8.GetBytes(number + " " + new string((char)random.Next(' ', '~'), 40));
             if (!TextNumber.TryParsePlain(text, out float value, out int length))
                 continue;
