@@ -23,7 +23,7 @@ public sealed class BvhHierarchyBuilder
     /// <exception cref="ArgumentException">
     /// The name cannot stand in a file, the parent is another builder's, what hangs from it is complete, or a channel is none that the format has.
     /// </exception>
-    /// <exception cref="InvalidOperationException">There would be too many joints, or nested too deep, or the hierarchy is built.</exception>
+    /// <exception cref="InvalidOperationException">There would be too many joints or channels, or joints nested too deep; or the hierarchy is built.</exception>
     public BvhJoint Add(string name, BvhJoint? parent, Vector3 offset, ReadOnlySpan<BvhChannel> channels, Vector3? endSite = null)
     {
         ArgumentNullException.ThrowIfNull(name);
@@ -34,18 +34,22 @@ public sealed class BvhHierarchyBuilder
         if (name.AsSpan().IndexOfAny("{}\r\n") >= 0 || name.Trim().Length != name.Length || name.Length == 0)
             throw new ArgumentException("A name is not empty and has no braces, no line ends, and no white space around it.", nameof(name));
 
+        foreach (BvhChannel channel in channels)
+        {
+            if (channel is not (>= BvhChannel.Xposition and <= BvhChannel.Zrotation))
+                throw new ArgumentException($"{channel} is no channel.", nameof(channels));
+        }
+
+        if (_channelCount + channels.Length > BvhDocument.MaxChannels)
+            throw new InvalidOperationException($"There would be more than {BvhDocument.MaxChannels} channels.");
+
         CloseUpTo(parent);
         if (_open.Count == BvhDocument.MaxDepth)
             throw new InvalidOperationException($"Joints are nested {BvhDocument.MaxDepth} deep already.");
 
         var joint = new BvhJoint(name, _joints.Count, parent) { Offset = offset, HasOffset = true, EndSite = endSite, FirstChannel = _channelCount };
         foreach (BvhChannel channel in channels)
-        {
-            if (channel is not (>= BvhChannel.Xposition and <= BvhChannel.Zrotation))
-                throw new ArgumentException($"{channel} is no channel.", nameof(channels));
-
             joint.AddChannel(channel);
-        }
 
         _channelCount += channels.Length;
         _joints.Add(joint);

@@ -246,9 +246,6 @@ internal ref struct BvhHierarchyReader
         int read = 0;
         while (TryReadChannel(isKnownOnly: !hasCount || !(read < count), out BvhChannel channel))
         {
-            if (_channelCount + read == BvhDocument.MaxChannels)
-                throw Refuse($"There are more than {BvhDocument.MaxChannels} channels.");
-
             _open.AddChannel(channel);
             read++;
         }
@@ -267,8 +264,10 @@ internal ref struct BvhHierarchyReader
         channel = ChannelOf(word);
         if (channel == BvhChannel.Unknown && (isKnownOnly || IsStatement(word)))
             return false;
+        if (_channelCount + _open!.Channels.Count == BvhDocument.MaxChannels)
+            throw Refuse($"There are more than {BvhDocument.MaxChannels} channels.");
         if (channel == BvhChannel.Unknown)
-            _repairs.Add(_text.Place, $"The channel {word} of {Describe(_open!)} is unknown", $"it keeps its place in the row");
+            _repairs.Add(_text.Place, $"The channel {word} of {Describe(_open)} is unknown", $"it keeps its place in the row");
 
         _text.Advance(word.Length);
         return true;

@@ -25,7 +25,7 @@ internal sealed class BvhRepairLog(bool isStrict)
         if (isStrict)
             throw new BvhFormatException($"{fault.ToString()}.", place.Line, place.Column);
 
-        Count++;
+        Count += Count < int.MaxValue ? 1 : 0;
         if (!IsFull)
             _listed.Add(new BvhRepair(place.Line, place.Column, $"{fault.ToString()}; {remedy.ToString()}."));
     }

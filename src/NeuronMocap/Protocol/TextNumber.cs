@@ -19,8 +19,8 @@ internal static class TextNumber
     private const ulong RoomForADigit = (ulong.MaxValue - 9) / 10;
     private const int ShortWord = 128;
 
-    // Bytes of a sign, fifteen digits and a point, less than 2^53; then white space, and eight bytes that are read at once.
-    private const int MostPlainDigits = 16;
+    // Bytes of a number that fits into 64 bits in any case; and of those that are looked at with it.
+    private const int LongestPlain = 16;
     private const int PlainRoom = 32;
 
     private const int LargestExponent = 99_999;
@@ -51,7 +51,7 @@ internal static class TextNumber
     }
 
     /// <summary>
-    /// Reads a number as most of them are, off the front of a longer text: digits with a point among them, and white space behind. Whatever else it
+    /// Reads a number as most of them are, off the front of a longer text: digits, most often with a point among them, and white space behind. Whatever else it
     /// may be is left to <see cref="TryParse(ReadOnlySpan{byte}, out float)"/>, and so is a number close to the end of the text.
     /// </summary>
     /// <param name="text">The number and what follows.</param>
@@ -70,34 +70,40 @@ internal static class TextNumber
         int at = start;
         ulong digits = 0;
         uint digit;
-        while ((digit = (uint)(text[at] - '0')) <= 9 && at < MostPlainDigits)
+        while ((digit = (uint)(text[at] - '0')) <= 9 && at < LongestPlain)
         {
             digits = (digits * 10) + digit;
             at++;
         }
 
-        if (at == start || text[at] != '.')
+        if (at == start)
             return false;
 
-        int point = at++;
-        if (TryReadSixDigits(BinaryPrimitives.ReadUInt64LittleEndian(text[at..]), out uint six))
+        int decimals = 0;
+        if (text[at] == '.')
         {
-            digits = (digits * 1_000_000) + six;
-            at += 6;
-        }
-        else
-        {
-            while ((digit = (uint)(text[at] - '0')) <= 9 && at < MostPlainDigits)
+            int point = at++;
+            if (TryReadSixDigits(BinaryPrimitives.ReadUInt64LittleEndian(text[at..]), out uint six))
             {
-                digits = (digits * 10) + digit;
-                at++;
+                digits = (digits * 1_000_000) + six;
+                at += 6;
             }
+            else
+            {
+                while ((digit = (uint)(text[at] - '0')) <= 9 && at < LongestPlain)
+                {
+                    digits = (digits * 10) + digit;
+                    at++;
+                }
+            }
+
+            decimals = at - point - 1;
         }
 
         length = at;
-        double magnitude = digits / PowersOfTen[at - point - 1];
+        double magnitude = digits / PowersOfTen[decimals];
         value = isNegative ? -(float)magnitude : (float)magnitude;
-        return at <= MostPlainDigits
+        return at <= LongestPlain && digits <= ExactIntegers
             && text[at] is (byte)' ' or (>= (byte)'\t' and <= (byte)'\r')
             && (BitConverter.DoubleToInt64Bits(magnitude) & DiscardedBits) != HalfOfThem;
     }

@@ -4,7 +4,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The input as a BVH file: what is read keeps the promises of the documentation, what is refused names its place.</summary>
+/// <summary>The input as a BVH file: what is read keeps the promises of the documentation, what is refused names its place; pieces and strict reading agree with it.</summary>
 internal static class BvhTarget
 {
     public static void Run(FuzzInput input)
@@ -18,6 +18,7 @@ internal static class BvhTarget
         {
             WrongResultException.ThrowUnless(refusal.Line > 0 && refusal.Column > 0, "A refusal names no place.");
             input.Digest.Add(refusal.Message);
+            BvhReading.Compare(refusal, input);
             throw;
         }
 
@@ -26,6 +27,8 @@ internal static class BvhTarget
         CheckFrames(document, input);
         CheckRepairs(document, input);
         CheckSkeleton(document, input);
+        BvhReading.Compare(document, input);
+        BvhReading.CompareStrict(document, input);
     }
 
     private static void CheckJoints(BvhDocument document, FuzzInput input)
@@ -69,7 +72,7 @@ internal static class BvhTarget
             document.Repairs.Count == Math.Min(document.RepairCount, BvhDocument.MaxListedRepairs), "The repairs do not add up.");
         for (int i = 0; i < document.Repairs.Count; i++)
         {
-            WrongResultException.ThrowUnless(document.Repairs[i].Line > 0, "A repair names no line.");
+            WrongResultException.ThrowUnless(document.Repairs[i] is { Line: > 0, Column: > 0 }, "A repair names no place.");
             input.Digest.Add(document.Repairs[i].Description);
         }
     }

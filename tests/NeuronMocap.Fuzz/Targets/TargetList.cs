@@ -16,6 +16,6 @@ internal static class TargetList
         new("headers", CorpusKind.Packets, () => HeadersTarget.Run),
         new("frames", CorpusKind.Packets, () => new FramesTarget().Run) { AllocatedPerByte = 16 },
         new("commands", CorpusKind.Commands, () => new CommandsTarget().Run) { AllocatedPerInput = 512 * 1024, AllocatedPerByte = 64 },
-        new("bvh", CorpusKind.Bvh, () => BvhTarget.Run) { Refusal = typeof(BvhFormatException), AllocatedPerInput = 96 * 1024, AllocatedPerByte = 64 },
+        new("bvh", CorpusKind.Bvh, () => BvhTarget.Run) { Refusal = typeof(BvhFormatException), AllocatedPerInput = 384 * 1024, AllocatedPerByte = 192 },
     ];
 }

@@ -203,6 +203,26 @@ public class BvhHierarchyTests
         Assert.Throws<BvhFormatException>(() => Parse(Nested(BvhDocument.MaxDepth + 1)));
     }
 
+    [Fact]
+    public void As_many_channels_as_the_limit_are_read_and_one_more_is_refused()
+    {
+        string channels = string.Concat(Enumerable.Repeat(" Xposition", BvhDocument.MaxChannels));
+        Assert.Equal(BvhDocument.MaxChannels, Parse($"HIERARCHY\nROOT a {{ OFFSET 0 0 0 CHANNELS 1{channels}\n}}").ChannelCount);
+        BvhFormatException refusal = Assert.Throws<BvhFormatException>(
+            () => Parse($"HIERARCHY\nROOT a {{ OFFSET 0 0 0 CHANNELS 1{channels}\nXposition }}"));
+        Assert.Equal((3, 1), (refusal.Line, refusal.Column));
+    }
+
+    [Theory]
+    [InlineData(BvhText.LongestWord, true)]
+    [InlineData(BvhText.LongestWord + 1, false)]
+    public void As_long_a_name_as_the_limit_is_read_and_a_longer_one_is_refused(int length, bool isRead)
+    {
+        string text = TwoRows.Replace("Hips", new string('h', length), StringComparison.Ordinal);
+        string reading = BvhReadings.AssertAlike(Encoding.UTF8.GetBytes(text), seed: 1);
+        Assert.Equal(!isRead, reading.StartsWith("refused: line 2, column 6: A name is longer", StringComparison.Ordinal));
+    }
+
     private static string Nested(int depth) => "HIERARCHY\nROOT a { OFFSET 0 0 0\n"
         + string.Concat(Enumerable.Repeat("JOINT a { OFFSET 0 0 0\n", depth - 1))
         + new string('}', depth);

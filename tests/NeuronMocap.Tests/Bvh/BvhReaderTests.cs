@@ -58,8 +58,8 @@ public class BvhReaderTests
     public void A_file_longer_than_the_window_is_read_in_the_same_way_however_it_comes()
     {
         var random = new Random(7);
-        var text = new StringBuilder(Hierarchy + "MOTION\r\nFrames: 9000\r\nFrame Time: 0.0083333\r\n");
-        for (int row = 0; row < 9000; row++)
+        var text = new StringBuilder(Hierarchy + "MOTION\r\nFrames: 4000\r\nFrame Time: 0.0083333\r\n");
+        for (int row = 0; row < 4000; row++)
         {
             for (int value = 0; value < 9; value++)
                 text.Append(System.Globalization.CultureInfo.InvariantCulture, $"{(random.NextDouble() - 0.5) * 360:F6} ");
@@ -69,7 +69,7 @@ public class BvhReaderTests
 
         byte[] bytes = Encoding.UTF8.GetBytes(text.ToString());
         Assert.InRange(bytes.Length, 5 * BvhText.LongestWord, int.MaxValue);
-        Assert.EndsWith("9 repairs", BvhReadings.AssertAlike(bytes, seed: 1), StringComparison.Ordinal);
+        Assert.EndsWith("4 repairs", BvhReadings.AssertAlike(bytes, seed: 1), StringComparison.Ordinal);
     }
 
     [Theory]
@@ -147,7 +147,7 @@ public class BvhReaderTests
         Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 16 * 1024);
         Assert.Equal(part.Contains('9', StringComparison.Ordinal) ? count + 2 : 2, reader.FrameCount);
         AssertBits([1, 2, 3, 4, 5, 6, 7, 8, 9], row.AsSpan(0, 9));
-        BvhReadings.AssertAlike(bytes.AsSpan(0, Math.Min(bytes.Length, 300_000)).ToArray(), seed: 2);
+        BvhReadings.AssertAlike(bytes.AsSpan(0, Math.Min(bytes.Length, 150_000)).ToArray(), seed: 2);
     }
 
     [Fact]

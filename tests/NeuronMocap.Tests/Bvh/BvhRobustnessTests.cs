@@ -89,6 +89,49 @@ public class BvhRobustnessTests
         Assert.InRange(allocated, 1, 200_000);
     }
 
+    // What a recorder left behind that somebody had to throw away; once without its beginning and once with it.
+    [Fact]
+    public void A_corrupt_file_of_headings_and_blank_lines_is_refused_or_read_without_frames()
+    {
+        string rest = $"MOTION\r\nFrames: -6.27744e+66\r\nFrame Time: 0.008\r\n{string.Concat(Enumerable.Repeat("\r\n", 138_000))}MOTION\r\nFrames: -6.27744e+66\r\nMOTION\r\n";
+        Assert.Equal(
+            "refused: line 1, column 1: There is no HIERARCHY; the file begins with 'MOTION'. (1, 1)",
+            BvhReadings.AssertAlike(Encoding.UTF8.GetBytes(rest), seed: 1));
+
+        BvhDocument document = Parse(Hierarchy + rest);
+        Assert.Equal(0, document.FrameCount);
+        Assert.Equal(
+            [(17, 9), (138_019, 1), (138_020, 9), (138_021, 1), (138_021, 1)],
+            document.Repairs.Select(repair => (repair.Line, repair.Column)));
+    }
+
+    // Nothing beside the values: neither a copy of the file nor rows that are moved from one array to another.
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void A_file_is_loaded_into_its_values_and_a_window(bool isHonest)
+    {
+        const int frames = 20_000;
+        string path = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName() + ".bvh");
+        try
+        {
+            File.WriteAllText(path, $"{Hierarchy}MOTION\nFrames: {(isHonest ? frames : 3)}\nFrame Time: 0.008\n{string.Concat(Enumerable.Repeat(Row, frames))}");
+            BvhDocument.Load(path);
+
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            BvhDocument document = BvhDocument.Load(path);
+            long allocated = GC.GetAllocatedBytesForCurrentThread() - before;
+
+            Assert.Equal(frames, document.FrameCount);
+            const int values = frames * 9 * sizeof(float);
+            Assert.InRange(allocated, values, isHonest ? values + 32_768 : (4 * values) + 32_768);
+        }
+        finally
+        {
+            File.Delete(path);
+        }
+    }
+
     [Fact]
     public void An_honest_file_is_read_into_little_more_than_its_values()
     {

@@ -114,6 +114,79 @@ public class TextNumberTests
         }
     }
 
+    [Theory]
+    [InlineData("0.000000")]
+    [InlineData("-0.000000")]
+    [InlineData("179.123456")]
+    [InlineData("-93.019646")]
+    [InlineData("123456789.123456")]
+    [InlineData("1.5")]
+    [InlineData("5.")]
+    [InlineData("0")]
+    [InlineData("-90")]
+    [InlineData("123456789012345")]
+    [InlineData("1.23456789012345")]
+    public void Numbers_of_motion_files_are_read_in_the_plain_way(string text)
+    {
+        foreach (char space in " \t\r\n\v\f")
+        {
+            Assert.True(TextNumber.TryParsePlain(Encoding.UTF8.GetBytes(text + space + new string('9', 32)), out float value, out int length));
+            Assert.Equal(text.Length, length);
+            Assert.Equal(BitConverter.SingleToInt32Bits(float.Parse(text, CultureInfo.InvariantCulture)), BitConverter.SingleToInt32Bits(value));
+        }
+    }
+
+    [Theory]
+    [InlineData(" 1.5")]
+    [InlineData("+1.5")]
+    [InlineData("-")]
+    [InlineData("- 5.5")]
+    [InlineData(".5")]
+    [InlineData("-.5")]
+    [InlineData("16777217")]
+    [InlineData("9876543210987654")]
+    [InlineData("12:")]
+    [InlineData("1.5e3")]
+    [InlineData("1.5x")]
+    [InlineData("1.234567x")]
+    [InlineData("1.2345678901234567")]
+    [InlineData("1234567890123456.5")]
+    [InlineData("1234567890123456789012345678.5")]
+    [InlineData("nan")]
+    [InlineData("16777217.0")]
+    [InlineData("1.234567:")]
+    [InlineData("1.23456/ ")]
+    [InlineData("1.2345/7 ")]
+    public void Whatever_is_not_plain_is_left_to_the_other_way(string text)
+    {
+        byte[] bytes = Encoding.UTF8.GetBytes(text + new string(' ', 32));
+        Assert.False(TextNumber.TryParsePlain(bytes, out _, out _));
+        Assert.False(TextNumber.TryParsePlain("1.5 "u8, out _, out _));
+    }
+
+    // Both ways of reading digits, all counts of them, and what may stand behind: never another number than the framework's.
+    [Fact]
+    public void What_is_read_in_the_plain_way_is_what_the_framework_reads()
+    {
+        var random = new Random(4);
+        int plain = 0;
+        for (int i = 0; i < 200_000; i++)
+        {
+            string digits = string.Concat(Enumerable.Range(0, random.Next(1, 18)).Select(_ => random.Next(10)));
+            string number = (random.Next(2) == 0 ? "-" : "") + (random.Next(4) == 0 ? digits : digits.Insert(random.Next(digits.Length + 1), "."));
+            byte[] text = Encoding.UTF8.GetBytes(number + " " + new string((char)random.Next(' ', '~'), 40));
+            if (!TextNumber.TryParsePlain(text, out float value, out int length))
+                continue;
+
+            plain++;
+            Assert.Equal(number.Length, length);
+            if (BitConverter.SingleToInt32Bits(float.Parse(number, CultureInfo.InvariantCulture)) != BitConverter.SingleToInt32Bits(value))
+                Assert.Fail($"{number} is read as {value:R}.");
+        }
+
+        Assert.InRange(plain, 100_000, 200_000);
+    }
+
     [Fact]
     public void Doubles_are_read_with_the_place_of_their_last_digit()
     {

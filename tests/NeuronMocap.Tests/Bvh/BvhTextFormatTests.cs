@@ -1,0 +1,48 @@
+using NeuronMocap.Bvh;
+using static NeuronMocap.Tests.Bvh.BvhSamples;
+
+namespace NeuronMocap.Tests.Bvh;
+
+public class BvhTextFormatTests
+{
+    [Fact]
+    public void The_layout_of_a_recorded_take_is_axis_neurons() => Assert.Equal(
+        BvhTextFormat.AxisNeuron with { FrameTimeText = "0.008" },
+        BvhDocument.Load(Fixtures.Require("test-take", "test.bvh")).TextFormat);
+
+    [Fact]
+    public void A_hierarchy_alone_says_nothing_of_rows() => Assert.Equal(
+        BvhTextFormat.AxisNeuron with { LineEnd = "\n", OffsetDecimals = 0 },
+        Parse(Hierarchy).TextFormat);
+
+    [Theory]
+    [InlineData("\n")]
+    [InlineData("\r")]
+    [InlineData("\r\n")]
+    public void The_layout_of_another_program_is_found(string lineEnd)
+    {
+        string text = ("HIERARCHY\nROOT a\n{\n\tOFFSET 1.25 2.50 -0.125\n\tCHANNELS 2 Xrotation Yrotation\n\tEnd Site\n\t{\n\t\tOFFSET 0.00 1.00 0.00\n\t}\n}\n"
+            + "MOTION\nFrames: 2\nFrame Time: .0333\n1.0\t2.00\n1\t2").Replace("\n", lineEnd, StringComparison.Ordinal);
+
+        var expected = new BvhTextFormat
+        {
+            LineEnd = lineEnd,
+            Indentation = "\t",
+            Separator = "\t",
+            OffsetDecimals = 2,
+            ValueDecimals = 1,
+            HasSeparatorAtRowEnd = false,
+            HasBlankLineAfterMotion = false,
+            HasByteOrderMark = true,
+            FrameTimeText = ".0333",
+        };
+        Assert.Equal(expected, Parse("\uFEFF" + text).TextFormat);
+    }
+
+    [Theory]
+    [InlineData("1 2 3 4 5 6 7 8 9\n", 0)]
+    [InlineData("1.5 2.5 3.5 4.5 5.5 6.5 7.5 8.5 9e1\n", 0)]
+    [InlineData("x\n1.5 2.25 3.5 4.5 5.5 6.5 7.5 8.5 9.1\n", 1)]
+    [InlineData("1.500 2.500\n1.25 2.25 3.25 4.25 5.25 6.25 7.25 8.25 9.25\n", 2)]
+    public void Decimals_are_those_of_the_first_row(string rows, int decimals) => Assert.Equal(decimals, ParseRows(1, rows).TextFormat.ValueDecimals);
+}
