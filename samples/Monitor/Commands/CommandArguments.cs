@@ -42,6 +42,9 @@ internal sealed class CommandArguments
         Arity = ArgumentArity.Zero,
     };
 
+    /// <summary>The option that asks for the command channel instead of a stream.</summary>
+    public Option Main => _commands;
+
     public void AddTo(RootCommand root)
     {
         foreach (Option option in (Option[])[_commands, _avatar, _zeroOut, _header])
