@@ -4,6 +4,7 @@ using System.Globalization;
 using System.Net;
 using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Diagnosis;
+using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
@@ -19,7 +20,7 @@ internal sealed class CommandLine
 
     private const string Usage =
         "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--command-port PORT] [--once] [--frames N] "
-        + "[--duration SECONDS] [--json | --quiet]\n"
+        + "[--duration SECONDS] [--json | --quiet] [--record FILE [--record-compress] [--record-size MB] [--record-time SECONDS] [--record-files N] [--overwrite]]\n"
         + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]";
 
     private const double LongestDuration = 1_000_000;
@@ -127,7 +128,14 @@ internal sealed class CommandLine
         Description = "Print nothing but the summary at the end, as one JSON object.",
     };
 
+    private readonly Option<bool> _overwrite = new("--overwrite")
+    {
+        Description = "Replace files that are there; else they are an error.",
+    };
+
     private readonly CommandArguments _commands = new();
+
+    private readonly RecordingArguments _recording = new();
 
     private readonly RootCommand _root = new(
         "Shows what a Perception Neuron server (Axis Neuron, Axis Studio or a simulator) sends: on a terminal live, with the skeleton, "
@@ -135,7 +143,7 @@ internal sealed class CommandLine
 
     private CommandLine()
     {
-        foreach (Option option in (Option[])[_connect, _udp, _allowSender, _demo, _diagnose, _order, _commandPort, _once, _frames, _duration, _json, _quiet])
+        foreach (Option option in (Option[])[_connect, _udp, _allowSender, _demo, _diagnose, _order, _commandPort, _once, _frames, _duration, _json, _quiet, _overwrite])
         {
             if (option == _allowSender)
                 option.Arity = ArgumentArity.OneOrMore;
@@ -146,6 +154,7 @@ internal sealed class CommandLine
         }
 
         _commands.AddTo(_root);
+        _recording.AddTo(_root);
 
         _root.Validators.Add(RejectContradictions);
         HelpExamples.AddTo(_root);
@@ -233,6 +242,9 @@ internal sealed class CommandLine
         if (IsGiven(result, _commandPort) && !IsGiven(result, _connect))
             result.AddError("--command-port needs --connect: it is a port of the server that --connect names.");
         _commands.RejectContradictions(result, [_connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
+        _recording.RejectContradictions(result, [_diagnose, _commands.Commands]);
+        if (IsGiven(result, _overwrite) && !IsGiven(result, _recording.Record))
+            result.AddError("--overwrite needs --record: no other file is written.");
         if (IsGiven(result, _json) && IsGiven(result, _quiet))
             result.AddError("--json and --quiet exclude each other.");
     }
@@ -261,6 +273,7 @@ internal sealed class CommandLine
     {
         Server = FindServer(result),
         Commands = _commands.Read(result, isDemo: result.GetValue(_demo)),
+        Recording = _recording.Read(result, result.GetValue(_overwrite)),
         Diagnose = result.GetResult(_diagnose) is { Implicit: false },
         UdpPort = result.GetValue(_udp),
         AllowedSenders = result.GetValue(_allowSender) ?? [],

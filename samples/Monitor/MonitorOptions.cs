@@ -1,5 +1,6 @@
 using System.Net;
 using NeuronMocap.Monitor.Commands;
+using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
@@ -49,6 +50,9 @@ internal sealed record MonitorOptions
 
     /// <summary>What to ask of a command channel instead of showing a stream; null for a stream.</summary>
     public CommandSettings? Commands { get; init; }
+
+    /// <summary>What to record to; null to record nothing.</summary>
+    public RecordingSettings? Recording { get; init; }
 
     /// <summary>Number of frames, motion and calculation together, to end after; null for no end.</summary>
     public long? Frames { get; init; }

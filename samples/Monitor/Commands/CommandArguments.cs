@@ -42,6 +42,8 @@ internal sealed class CommandArguments
         Arity = ArgumentArity.Zero,
     };
 
+    public Option Commands => _commands;
+
     public void AddTo(RootCommand root)
     {
         foreach (Option option in (Option[])[_commands, _avatar, _zeroOut, _header])

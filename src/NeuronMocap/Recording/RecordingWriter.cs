@@ -181,7 +181,7 @@ public sealed class RecordingWriter : IDisposable
         EndEntry();
     }
 
-    /// <summary>Writes a piece of bytes as it arrived. Allocates nothing once the largest piece has been seen, unless blocks are compressed.</summary>
+    /// <summary>Writes a piece of bytes as it arrived. Allocates nothing once the largest piece has been seen, but for compressed blocks and, after each MiB, a checkpoint.</summary>
     /// <param name="time">When it arrived, since <see cref="StartTime"/>.</param>
     /// <param name="connection">Number of the connection.</param>
     /// <param name="bytes">The bytes, at most <see cref="MaxPieceLength"/>; there may be none.</param>

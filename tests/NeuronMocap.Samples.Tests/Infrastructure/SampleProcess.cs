@@ -55,6 +55,13 @@ internal sealed class SampleProcess : IDisposable
         return _process.ExitCode;
     }
 
+    // At once, without a word to the process: SIGKILL.
+    public void Kill()
+    {
+        _process.Kill();
+        _process.WaitForExit(Limit);
+    }
+
     public Task<string> ReadErrorAsync() => _process.StandardError.ReadToEndAsync(TestContext.Current.CancellationToken);
 
     public void Dispose()
