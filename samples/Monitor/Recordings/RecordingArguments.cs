@@ -77,7 +77,7 @@ internal sealed class RecordingArguments
             result.AddError($"{option.Name} and --record exclude each other: there is no stream to record.");
         if (CommandLine.IsGiven(result, _files) && !CommandLine.IsGiven(result, _size) && !CommandLine.IsGiven(result, _time))
             result.AddError("--record-files needs --record-size or --record-time: there is only one file without.");
-        if (string.IsNullOrWhiteSpace(result.GetValue(_record)))
+        if (result.GetResult(_record)!.Tokens is [var path] && string.IsNullOrWhiteSpace(path.Value))
             result.AddError("--record: the name of the file is empty.");
     }
 
