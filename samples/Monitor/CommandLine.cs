@@ -5,6 +5,7 @@ using System.Net;
 using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Diagnosis;
 using NeuronMocap.Monitor.Export;
+using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
@@ -20,7 +21,8 @@ internal sealed class CommandLine
 
     private const string Usage =
         "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--command-port PORT] [--once] [--frames N] "
-        + "[--duration SECONDS] [--json | --quiet] [--export FILE.bvh [--export-avatar N|all] [--overwrite]]\n"
+        + "[--duration SECONDS] [--json | --quiet] [--export FILE.bvh [--export-avatar N|all]] "
+        + "[--record FILE [--record-compress] [--record-size MB] [--record-time SECONDS] [--record-files N]] [--overwrite]\n"
         + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]";
 
     private const double LongestDuration = 1_000_000;
@@ -130,12 +132,13 @@ internal sealed class CommandLine
 
     private readonly Option<bool> _overwrite = new("--overwrite")
     {
-        Description = "Replace a file that is there already.",
-        Arity = ArgumentArity.Zero,
+        Description = "Replace files that are there; else they are an error.",
     };
 
     private readonly CommandArguments _commands = new();
     private readonly ExportArguments _export;
+
+    private readonly RecordingArguments _recording = new();
 
     private readonly RootCommand _root = new(
         "Shows what a Perception Neuron server (Axis Neuron, Axis Studio or a simulator) sends: on a terminal live, with the skeleton, "
@@ -143,7 +146,7 @@ internal sealed class CommandLine
 
     private CommandLine()
     {
-        foreach (Option option in (Option[])[_connect, _udp, _allowSender, _demo, _diagnose, _order, _commandPort, _once, _frames, _duration, _json, _quiet])
+        foreach (Option option in (Option[])[_connect, _udp, _allowSender, _demo, _diagnose, _order, _commandPort, _once, _frames, _duration, _json, _quiet, _overwrite])
         {
             if (option == _allowSender)
                 option.Arity = ArgumentArity.OneOrMore;
@@ -156,7 +159,7 @@ internal sealed class CommandLine
         _commands.AddTo(_root);
         _export = new ExportArguments(_overwrite);
         _export.AddTo(_root);
-        _root.Options.Add(_overwrite);
+        _recording.AddTo(_root);
 
         _root.Validators.Add(RejectContradictions);
         HelpExamples.AddTo(_root);
@@ -245,8 +248,9 @@ internal sealed class CommandLine
             result.AddError("--command-port needs --connect: it is a port of the server that --connect names.");
         _commands.RejectContradictions(result, [_connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
         _export.RejectContradictions(result, [_diagnose, _commands.Main]);
-        if (IsGiven(result, _overwrite) && !_export.IsGiven(result))
-            result.AddError("--overwrite needs --export: there is no other file to replace.");
+        _recording.RejectContradictions(result, [_diagnose, _commands.Main]);
+        if (IsGiven(result, _overwrite) && !_export.IsGiven(result) && !IsGiven(result, _recording.Record))
+            result.AddError("--overwrite needs --export or --record: no other file is written.");
         if (IsGiven(result, _json) && IsGiven(result, _quiet))
             result.AddError("--json and --quiet exclude each other.");
     }
@@ -275,6 +279,7 @@ internal sealed class CommandLine
     {
         Server = FindServer(result),
         Commands = _commands.Read(result, isDemo: result.GetValue(_demo)),
+        Recording = _recording.Read(result, result.GetValue(_overwrite)),
         Diagnose = result.GetResult(_diagnose) is { Implicit: false },
         UdpPort = result.GetValue(_udp),
         AllowedSenders = result.GetValue(_allowSender) ?? [],

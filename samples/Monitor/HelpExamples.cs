@@ -13,7 +13,7 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
 
         Exit codes:
           0  done as asked, or ended by q, Ctrl+C or SIGTERM
-          1  nothing could be connected, bound or received; standard error says which setting to look at
+          1  nothing could be connected, bound or received, or not be recorded; standard error says which setting to look at
           2  wrong options
           Of --commands: 0 answered, 1 not, 2 wrong options, 130 ended by Ctrl+C or SIGTERM before it knew
           Of --diagnose: 0 frames arrive, 1 a fault was found, 2 wrong options, 130 ended by Ctrl+C or SIGTERM before it knew
@@ -30,6 +30,7 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
           neuron-monitor --commands 192.168.1.20 --zero-out 0   avatar 0 faces front; all for all of them
           neuron-monitor --connect studio --export take.bvh     keep what is shown, until q or Ctrl+C
           neuron-monitor --connect studio --json --frames 100   100 frames for another program
+          neuron-monitor --connect studio --record take.nmrec   show it and keep every byte of it
           neuron-monitor --connect studio --quiet --duration 10 does anything arrive? The exit code tells
 
         """;

@@ -1,6 +1,7 @@
 using System.Net;
 using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Export;
+using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
@@ -53,6 +54,9 @@ internal sealed record MonitorOptions
 
     /// <summary>The BVH file to write meanwhile; null for none.</summary>
     public ExportSettings? Export { get; init; }
+
+    /// <summary>What to record to; null to record nothing.</summary>
+    public RecordingSettings? Recording { get; init; }
 
     /// <summary>Number of frames, motion and calculation together, to end after; null for no end.</summary>
     public long? Frames { get; init; }

@@ -1,7 +1,9 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Monitor.Export;
 using NeuronMocap.Monitor.Output;
+using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Monitor.Terminal;
+using NeuronMocap.Recording;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
@@ -30,9 +32,14 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
 
     private async Task<int> RunAsync(ServerAddress? server, CancellationToken cancelled)
     {
+        string? error = null;
         await using var reader = new NeuronReader(options.ToReaderOptions(server));
         using ExportRun export = ExportRun.Begin(reader, options.Export, options.Frames);
-        MonitorOutput output = CreateOutput(reader);
+        StreamRecorder? recorder = options.Recording?.TryStart(reader, out error);
+        if (error is not null)
+            return await FailAsync(error);
+
+        MonitorOutput output = CreateOutput(reader, recorder);
         Connect(reader, output);
 
         using var duration = new CancellationTokenSource(options.Duration ?? Timeout.InfiniteTimeSpan);
@@ -51,9 +58,11 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         ReaderStatistics statistics = _enough.Task.IsCompleted ? await _enough.Task : reader.GetStatistics();
         output.Finish(statistics);
         bool isExported = export.TryFinish(streams.Error);
+        if (recorder is not null)
+            await streams.Error.WriteLineAsync($"neuron-monitor: {RecordingSummary.Describe(recorder)}");
         if (output.Failure is { } failure)
             return await FailAsync($"standard output cannot be written: {failure.Message}");
-        if (!isExported)
+        if (!isExported || recorder is { Failure: not null } or { Completion.IsCompleted: false })
             return CommandLine.NothingReceived;
         if (asked || statistics.MotionFrames + statistics.CalculationFrames + statistics.StudioCalculationFrames > 0)
             return CommandLine.Done;
@@ -67,11 +76,11 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         return CommandLine.NothingReceived;
     }
 
-    private MonitorOutput CreateOutput(NeuronReader reader) => options.Output switch
+    private MonitorOutput CreateOutput(NeuronReader reader, StreamRecorder? recorder) => options.Output switch
     {
         OutputKind.Json => new JsonOutput(streams.Output),
         OutputKind.Quiet => new QuietOutput(streams.Output),
-        _ when streams.IsTerminal && Screen.IsSupported => new LiveOutput(reader, options, streams.Output),
+        _ when streams.IsTerminal && Screen.IsSupported => new LiveOutput(reader, recorder, options, streams.Output),
         _ => new LineOutput(reader, streams.Output),
     };
 

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 using NeuronMocap.Transport;
 using Spectre.Console;
 using Spectre.Console.Rendering;
@@ -36,7 +37,25 @@ internal static class HeaderView
         if (state.IsPaused)
             line.AddRight(" PAUSED ", new Style(Color.Black, Palette.Warning, Decoration.Bold)).AddRight(" ");
 
+        AddRecording(line, state.Recorder);
         return line.AddRight($"up {state.Uptime:hh\\:mm\\:ss}", Palette.DimStyle);
+    }
+
+    // " REC 12.3 MB ", and what is missing; red when it is over.
+    private static void AddRecording(StyledLine line, StreamRecorder? recorder)
+    {
+        if (recorder is null)
+            return;
+
+        RecordingStatistics statistics = recorder.GetStatistics();
+        if (recorder.Failure is not null)
+            line.AddRight(" RECORDING FAILED ", new Style(Color.Black, Palette.Bad, Decoration.Bold));
+        else
+            line.AddRight($"● REC {Quantity.Bytes(statistics.Bytes)}", new Style(Palette.Bad, decoration: Decoration.Bold));
+        if (statistics.LostBytes > 0)
+            line.AddRight($" {Quantity.Bytes(statistics.LostBytes)} lost", new Style(Palette.Warning));
+
+        line.AddRight("  ");
     }
 
     private static string DescribeSource(LiveState state)

@@ -2,16 +2,17 @@ using System.Runtime.InteropServices;
 using System.Text;
 using NeuronMocap.Delivery;
 using NeuronMocap.Monitor.Output;
+using NeuronMocap.Recording;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Terminal;
 
 /// <summary>The live view: looks at the reader ten times a second and with every key, and draws. All of it on one thread.</summary>
-internal sealed class LiveOutput(NeuronReader reader, MonitorOptions options, Stream output) : MonitorOutput
+internal sealed class LiveOutput(NeuronReader reader, StreamRecorder? recorder, MonitorOptions options, Stream output) : MonitorOutput
 {
     private static readonly TimeSpan Period = TimeSpan.FromMilliseconds(100);
 
-    private readonly LiveState _state = new(options);
+    private readonly LiveState _state = new(options) { Recorder = recorder };
     private bool _quit;
 
     public override void OnStatus(ConnectionStatus status) => _state.Events.Add(DateTime.Now, status);

@@ -2,6 +2,7 @@ using System.Diagnostics;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Terminal;
@@ -17,6 +18,9 @@ internal sealed class LiveState(MonitorOptions options)
     private int _collectionsAtReset;
 
     public MonitorOptions Options => options;
+
+    /// <summary>What records; null when nothing does.</summary>
+    public StreamRecorder? Recorder { get; init; }
 
     public EventLog Events { get; } = new();
 

@@ -18,6 +18,7 @@ internal sealed record Corpus(IReadOnlyList<byte[]> Fixtures, int OwnCount, IRea
         CorpusKind.Commands => With(CommandFixtures.Create(), CommandFixtures.Words, []),
         CorpusKind.Text => With(TextFixtures.Create(), TextFixtures.Words, Find(data, "text*.bin")),
         CorpusKind.Bvh => With(BvhFixtures.Create(), BvhFixtures.Words, Find(data, "*.bvh")),
+        CorpusKind.Recordings => With(RecordingFixtures.Create(), RecordingFixtures.Words, []),
         _ => throw new ArgumentOutOfRangeException(nameof(kind)),
     };
 

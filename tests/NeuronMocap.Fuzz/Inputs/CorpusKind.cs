@@ -14,4 +14,7 @@ internal enum CorpusKind
 
     /// <summary>BVH text.</summary>
     Bvh,
+
+    /// <summary>Recordings.</summary>
+    Recordings,
 }

@@ -57,7 +57,12 @@ internal sealed class FuzzReport(FuzzRun run, long bytes)
             + $"{failures} of {run.Progress.Count} targets failed"));
     }
 
-    private static string NameOf(CorpusKind kind) => kind == CorpusKind.Bvh ? "BVH" : "packets";
+    private static string NameOf(CorpusKind kind) => kind switch
+    {
+        CorpusKind.Bvh => "BVH",
+        CorpusKind.Recordings => "recordings",
+        _ => "packets",
+    };
 
     private static string Megabytes(long count) => (count / 1e6).ToString("0.0", CultureInfo.InvariantCulture);
 }

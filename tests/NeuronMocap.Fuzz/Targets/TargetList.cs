@@ -1,5 +1,6 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Fuzz.Inputs;
+using NeuronMocap.Recording;
 
 namespace NeuronMocap.Fuzz.Targets;
 
@@ -17,5 +18,11 @@ internal static class TargetList
         new("frames", CorpusKind.Packets, () => new FramesTarget().Run) { AllocatedPerByte = 16 },
         new("commands", CorpusKind.Commands, () => new CommandsTarget().Run) { AllocatedPerInput = 512 * 1024, AllocatedPerByte = 64 },
         new("bvh", CorpusKind.Bvh, () => BvhTarget.Run) { Refusal = typeof(BvhFormatException), AllocatedPerInput = 384 * 1024, AllocatedPerByte = 192 },
+        new("recording", CorpusKind.Recordings, () => new RecordingTarget().Run)
+        {
+            Refusal = typeof(RecordingFormatException),
+            AllocatedPerInput = RecordingTarget.AllocatedForBlocks,
+            AllocatedPerByte = 600,
+        },
     ];
 }

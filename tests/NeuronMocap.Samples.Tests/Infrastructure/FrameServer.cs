@@ -28,6 +28,18 @@ internal sealed class FrameServer : IDisposable
             await stream.WriteAsync(packet, stop);
     });
 
+    /// <summary>Sends packets to each client, a few every millisecond, until it is gone.</summary>
+    /// <param name="packets">The packet with a number; called in order, from 0.</param>
+    public static FrameServer Pacing(Func<int, byte[]> packets) => Start(async (stream, stop) =>
+    {
+        for (int number = 0; ; number++)
+        {
+            await stream.WriteAsync(packets(number), stop);
+            if (number % 4 == 3)
+                await Task.Delay(1, stop);
+        }
+    });
+
     /// <summary>Accepts and sends nothing.</summary>
     public static FrameServer Silent() => Start(static (_, stop) => Task.Delay(Timeout.Infinite, stop));
 

@@ -39,6 +39,15 @@ public sealed class CommandLineTests
     [InlineData("--connect", "--commands", "--connect", "studio")]
     [InlineData("--diagnose", "--commands", "--diagnose")]
     [InlineData("--quiet", "--commands", "--quiet")]
+    [InlineData("--record", "--record")]
+    [InlineData("--record", "--record", " ")]
+    [InlineData("--record", "--record-compress")]
+    [InlineData("--record-size", "--record", "take", "--record-size", "1")]
+    [InlineData("--record-time", "--record", "take", "--record-time", "0")]
+    [InlineData("--record-files", "--record", "take", "--record-files", "3")]
+    [InlineData("--diagnose", "--record", "take", "--diagnose")]
+    [InlineData("--commands", "--record", "take", "--commands")]
+    [InlineData("--overwrite", "--overwrite")]
     [InlineData("--colour", "--colour")]
     [InlineData("studio", "studio")]
     public async Task Wrong_options_are_named_with_the_usage_and_end_with_2(string named, params string[] args)
@@ -59,7 +68,7 @@ public sealed class CommandLineTests
         Assert.Equal(0, result.ExitCode);
         Assert.Empty(result.Error);
         string text = string.Join('\n', result.Output);
-        foreach (string option in (string[])["--connect", "--udp", "--allow-sender", "--demo", "--diagnose", "--commands", "--avatar", "--zero-out", "--bvh-header", "--order", "--command-port", "--once", "--frames", "--duration", "--json", "--quiet", "--version"])
+        foreach (string option in (string[])["--connect", "--udp", "--allow-sender", "--demo", "--diagnose", "--commands", "--avatar", "--zero-out", "--bvh-header", "--order", "--command-port", "--once", "--frames", "--duration", "--json", "--quiet", "--record", "--record-compress", "--record-size", "--record-time", "--record-files", "--overwrite", "--version"])
             Assert.Contains($"  {option} ", text, StringComparison.Ordinal);
 
         Assert.Contains("Examples:", text, StringComparison.Ordinal);

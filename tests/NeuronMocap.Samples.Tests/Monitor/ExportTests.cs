@@ -92,7 +92,7 @@ public sealed class ExportTests : IDisposable
     [Theory]
     [InlineData("--diagnose and --export", "--export", "a.bvh", "--diagnose")]
     [InlineData("--commands and --export", "--export", "a.bvh", "--commands")]
-    [InlineData("--overwrite needs --export", "--overwrite")]
+    [InlineData("--overwrite needs --export or --record", "--overwrite")]
     [InlineData("--export-avatar needs --export", "--export-avatar", "1")]
     [InlineData("is not a number of an avatar", "--export", "a.bvh", "--export-avatar", "-1")]
     public async Task Contradictions_are_refused(string reason, params string[] args)
@@ -119,7 +119,7 @@ public sealed class ExportTests : IDisposable
 
             await Task.Delay(random.Next(400), TestContext.Current.CancellationToken);
             before = ReadShared()!;
-            await monitor.KillAsync();
+            monitor.Kill();
         }
 
         BvhDocument after = BvhDocument.Load(Target);

@@ -1,0 +1,80 @@
+using NeuronMocap.Recording;
+using NeuronMocap.Samples.Tests.Infrastructure;
+
+namespace NeuronMocap.Samples.Tests.Monitor;
+
+public sealed class RecordingTests : IDisposable
+{
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("neuronmocap-");
+
+    private string Take => Path.Combine(_folder.FullName, "take.nmrec");
+
+    public void Dispose() => _folder.Delete(recursive: true);
+
+    [Theory]
+    [InlineData("--json")]
+    [InlineData("--quiet")]
+    [InlineData("--record-compress")]
+    public async Task What_was_sent_is_in_the_file_and_told_in_one_line(string option)
+    {
+        byte[] sent = [.. FrameServer.Motion(1, new float[354]), .. "noise"u8, .. FrameServer.Calculation(2, 1, 2)];
+        using FrameServer server = FrameServer.Sending(sent);
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--once", "--record", Take, option);
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Equal(sent, Read(Take));
+        string line = Assert.Single(result.Error);
+        Assert.StartsWith("neuron-monitor: recorded ", line, StringComparison.Ordinal);
+        Assert.Contains($" {sent.Length:#,0} bytes in ", line, StringComparison.Ordinal);
+        Assert.EndsWith($"to {Take}; lost 0 pieces.", line, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task The_demo_is_recorded_and_its_metadata_with_it()
+    {
+        MonitorResult result = await MonitorRunner.RunAsync("--record", Take, "--frames", "5", "--order", "ZXY", "--quiet");
+        Assert.Equal(0, result.ExitCode);
+        using RecordingReader reader = RecordingReader.Open(Take);
+        Assert.True(reader.IsComplete);
+        Assert.Equal(Skeleton.RotationOrder.ZXY, reader.Metadata.RotationOrder);
+        Assert.Equal("Binary", reader.Metadata[RecordingMetadata.StreamFormatName]);
+        Assert.Equal("Tcp", reader.Metadata[RecordingMetadata.TransportName]);
+        Assert.Contains("NeuronMocap 0.", reader.Metadata[RecordingMetadata.Program], StringComparison.Ordinal);
+        Assert.Equal(10_224, reader.Metadata.MaxValues);
+        Assert.InRange(reader.Totals!.Value.Bytes, 5 * 1480, 500 * 1480);
+    }
+
+    [Fact]
+    public async Task A_file_that_is_there_is_an_error_unless_it_may_be_replaced()
+    {
+        await File.WriteAllTextAsync(Take, "precious", TestContext.Current.CancellationToken);
+        MonitorResult refused = await MonitorRunner.RunAsync("--record", Take, "--frames", "1", "--quiet");
+        Assert.Equal(1, refused.ExitCode);
+        Assert.Contains("--overwrite replaces", Assert.Single(refused.Error), StringComparison.Ordinal);
+        Assert.Equal("precious", await File.ReadAllTextAsync(Take, TestContext.Current.CancellationToken));
+
+        MonitorResult replaced = await MonitorRunner.RunAsync("--record", Take, "--overwrite", "--frames", "1", "--quiet");
+        Assert.Equal(0, replaced.ExitCode);
+        Assert.NotEmpty(Read(Take));
+    }
+
+    [Fact]
+    public async Task A_folder_that_is_missing_is_named()
+    {
+        MonitorResult result = await MonitorRunner.RunAsync("--record", Path.Combine(_folder.FullName, "missing", "take.nmrec"), "--frames", "1");
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("missing", Assert.Single(result.Error), StringComparison.Ordinal);
+        Assert.DoesNotContain("--overwrite", result.Error[0], StringComparison.Ordinal);
+    }
+
+    private static byte[] Read(string path)
+    {
+        using RecordingReader reader = RecordingReader.Open(path);
+        var bytes = new MemoryStream();
+        while (reader.TryRead(out RecordingEntry entry))
+            bytes.Write(entry.Bytes);
+
+        Assert.Empty(reader.Problems);
+        return bytes.ToArray();
+    }
+}
