@@ -23,6 +23,10 @@ internal sealed class ArrivalClock
     private double _deviation;
     private double _bias;
     private int _count;
+    private int _steps;
+
+    // Before there is a line, frames that a server sends at once lie anywhere, and there is no speed between them.
+    public bool IsSettled => _steps >= 2 * ShortMemory;
 
     // Seconds for each step of the index; 0 before the second frame.
     public double Period { get; private set; }
@@ -86,6 +90,7 @@ internal sealed class ArrivalClock
 
     private void Advance(int step, double error)
     {
+        _steps = Math.Min(_steps + 1, Memory);
         if (_count > ShortMemory)
         {
             _bias += BiasWeight * (error - _bias);

@@ -14,6 +14,9 @@ public sealed class GroundHeight
     /// <summary>The height in the newest frame, in centimetres, along Y; NaN before the first.</summary>
     public float Height { get; private set; } = float.NaN;
 
+    /// <summary>The lowest point of all frames, in centimetres: the ground of a take on one level; NaN before the first.</summary>
+    public float Lowest { get; private set; } = float.NaN;
+
     /// <summary>Takes a frame. One whose height is not a number is left out.</summary>
     /// <param name="lowest">The lowest point of the body, in centimetres: <see cref="Skeleton.JointPositions.GetLowest"/>.</param>
     /// <param name="seconds">When, on any clock.</param>
@@ -25,6 +28,7 @@ public sealed class GroundHeight
 
         double elapsed = Math.Max(0, seconds - _time);
         Height = double.IsNaN(_time) ? lowest : Math.Min(lowest, Height + (float)(elapsed * LargestRise));
+        Lowest = float.IsNaN(Lowest) ? lowest : Math.Min(Lowest, lowest);
         _time = seconds;
         return Height;
     }
@@ -34,5 +38,6 @@ public sealed class GroundHeight
     {
         _time = double.NaN;
         Height = float.NaN;
+        Lowest = float.NaN;
     }
 }

@@ -81,7 +81,7 @@ public sealed class PoseBuffer
         for (int end = _ring.End; _taken != end; _taken++)
             Take(_ring.At(_taken));
 
-        PoseOrigin origin = _timeline.Sample(seconds - _delay, _clock.Interval, pose);
+        PoseOrigin origin = _timeline.Sample(seconds - _delay, _clock.Interval, _clock.IsSettled, pose);
         _ring.Release(_taken);
         return origin;
     }

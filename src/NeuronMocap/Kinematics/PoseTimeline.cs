@@ -19,6 +19,7 @@ internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
 
     private int _count;
     private double _interval;
+    private bool _hasSpeed;
 
     public void Add(PoseSlot slot)
     {
@@ -39,9 +40,10 @@ internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
         _count++;
     }
 
-    public PoseOrigin Sample(double time, double interval, Span<BoneTransform> pose)
+    public PoseOrigin Sample(double time, double interval, bool hasSpeed, Span<BoneTransform> pose)
     {
         _interval = interval;
+        _hasSpeed = hasSpeed;
         if (_count == 0)
             return PoseOrigin.None;
 
@@ -116,7 +118,7 @@ internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
         PoseSlot newest = _slots[last];
         double beyond = time - newest.Time;
         double ahead = beyond < _reach ? beyond - (beyond * beyond / (2 * _reach)) : _reach / 2;
-        if (last > 0 && ahead > 0)
+        if (_hasSpeed && last > 0 && ahead > 0)
         {
             PoseSlot before = _slots[last - 1];
             double interval = newest.Time - before.Time;

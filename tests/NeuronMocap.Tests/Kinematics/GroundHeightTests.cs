@@ -42,7 +42,9 @@ public sealed class GroundHeightTests
         ground.Update(float.NaN, 11);
         ground.Update(0, double.NaN);
         Assert.Equal(180, ground.Height);
+        Assert.Equal(0, ground.Lowest);
         ground.Reset();
+        Assert.True(float.IsNaN(ground.Lowest));
         Assert.Equal(-3, ground.Update(-3, 0));
     }
 }

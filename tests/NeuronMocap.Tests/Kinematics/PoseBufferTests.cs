@@ -75,6 +75,25 @@ public sealed class PoseBufferTests
         Assert.Equal(PoseOrigin.Extrapolated, buffer.Sample(newest + 0.030, _pose));
     }
 
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Frames_that_come_at_once_at_the_start_have_no_speed_to_go_on_with(bool hasIndex)
+    {
+        // Three within a millisecond, as a server sends what it has to a new client; the fourth a frame later.
+        PoseBuffer buffer = Create(delay: 0);
+        double[] arrivals = [0, 0.0005, 0.001, 0.010, 0.020, 0.030, 0.040, 0.050, 0.060, 0.070];
+        int next = 0;
+        for (double time = 0; time < 0.080; time += 0.001)
+        {
+            for (; next < arrivals.Length && arrivals[next] <= time; next++)
+                Push(buffer, next, arrivals[next], hasIndex ? (uint)next : null);
+
+            buffer.Sample(time, _pose);
+            Assert.True(Place < next - 1 + 2.5, $"{time}: {Place}, and the newest frame is {next - 1}.");
+        }
+    }
+
     [Fact]
     public void Nothing_is_made_up_where_that_is_not_wanted()
     {
