@@ -15,6 +15,7 @@ public sealed class BvhSkeletonMap
 
     private readonly BvhJoint[] _joints;
     private readonly int[] _columns;
+    private readonly SkeletonBody _body;
 
     private BvhSkeletonMap(BvhDocument document, BvhJoint[] joints, int[] columns, ChannelLayout layout, SkeletonFormat format)
     {
@@ -23,6 +24,7 @@ public sealed class BvhSkeletonMap
         _columns = columns;
         Layout = layout;
         Format = format;
+        _body = MakeBody(joints, format.Variant);
     }
 
     /// <summary>The file.</summary>
@@ -46,18 +48,7 @@ public sealed class BvhSkeletonMap
 
     /// <summary>The body that the file's hierarchy describes: its OFFSETs and End Sites. A leaf without End Site ends at its joint.</summary>
     /// <returns>A body of the file's own <see cref="SkeletonVariant"/>; centimetres, as the file's own unit is taken to be.</returns>
-    public SkeletonBody GetBody()
-    {
-        Span<Vector3> offsets = stackalloc Vector3[BoneHierarchy.BoneCount];
-        Span<Vector3> endSites = stackalloc Vector3[BoneHierarchy.BoneCount];
-        for (int bone = 0; bone < _joints.Length; bone++)
-        {
-            offsets[bone] = _joints[bone].Offset;
-            endSites[bone] = _joints[bone].EndSite ?? Vector3.Zero;
-        }
-
-        return new SkeletonBody(offsets, endSites, Format.Variant);
-    }
+    public SkeletonBody GetBody() => _body;
 
     /// <summary>Finds the bones in a file.</summary>
     /// <param name="document">The file.</param>
@@ -110,18 +101,9 @@ public sealed class BvhSkeletonMap
     /// <exception cref="ArgumentException">The destination is too short.</exception>
     public void CopyLocalTransforms(int frame, Span<BoneTransform> destination)
     {
-        ReadOnlySpan<float> row = Document.GetFrame(frame);
-        if (destination.Length < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is room for each of the 59 bones.", nameof(destination));
-
-        foreach (Bone bone in BoneHierarchy.Bones)
-        {
-            int position = Layout.PositionIndex(bone);
-            Vector3 angles = ReadVector(row, Layout.RotationIndex(bone));
-            destination[(int)bone] = new BoneTransform(
-                position < 0 ? _joints[(int)bone].Offset : ReadVector(row, position),
-                EulerAngles.ToQuaternion(angles, Format.RotationOrder));
-        }
+        Span<float> values = stackalloc float[Layout.ValueCount];
+        CopyValues(frame, values);
+        PoseDecoder.Decode(values, Layout, Format.RotationOrder, _body, destination);
     }
 
     /// <summary>The transform that the hips are relative to.</summary>
@@ -134,6 +116,13 @@ public sealed class BvhSkeletonMap
         return Layout.HasReference
             ? new BoneTransform(ReadVector(row, 0), EulerAngles.ToQuaternion(ReadVector(row, 3), Format.RotationOrder))
             : BoneTransform.Identity;
+    }
+
+    private static SkeletonBody MakeBody(BvhJoint[] joints, SkeletonVariant variant)
+    {
+        Vector3[] offsets = [.. joints.Select(static joint => joint.Offset)];
+        Vector3[] endSites = [.. joints.Select(static joint => joint.EndSite ?? Vector3.Zero)];
+        return new SkeletonBody(offsets, endSites, variant);
     }
 
     private static bool TryFindJoints(
