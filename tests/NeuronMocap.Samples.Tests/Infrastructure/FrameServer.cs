@@ -35,7 +35,7 @@ internal sealed class FrameServer : IDisposable
         for (int number = 0; ; number++)
         {
             await stream.WriteAsync(packets(number), stop);
-            if (number % 4 == 3)
+            if (number % 16 == 15)
                 await Task.Delay(1, stop);
         }
     });

@@ -1,0 +1,77 @@
+using System.Diagnostics;
+using NeuronMocap.Benchmarks.Harness;
+using NeuronMocap.Benchmarks.Peers;
+using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
+
+namespace NeuronMocap.Benchmarks.Macro;
+
+// What a recording costs the receive thread: frames to a callback, with and without one, on a hot cache. The frames of a batch find room in the
+// recording's queue, and the next batch comes when they are written, to nowhere: the disk is not what is measured.
+internal static class Record
+{
+    private const int Batch = 2_000;
+    private const int Batches = 200;
+
+    public static async Task<int> RunAsync(int runs, Report report)
+    {
+        report.Begin($"Nanoseconds of the receive thread a frame of {TestFrame.Size} bytes, against the same without a recording; {Batch * Batches} frames a run, {runs} runs.");
+        Way[] ways =
+        [
+            new("recorded", static () => Measure(recordings: 1)),
+            new("recorded twice", static () => Measure(recordings: 2)),
+        ];
+        Aim[] aims = [new Aim("ns/frame", 2, IsRatio: true, Way: "recorded"), new Aim("B/frame", 0)];
+        report.Add(await Alternation.RunAsync("one frame", runs, new Way("not recorded", static () => Measure(recordings: 0)), ways, aims));
+        return report.End();
+    }
+
+    private static Figures Measure(int recordings)
+    {
+        byte[] packet = TestFrame.Create();
+        ReceivePipeline pipeline = Pipelines.Create();
+        int handled = 0;
+        pipeline.Callbacks.Motion.Add(frame => handled += Math.Sign(frame.Values.Length));
+        pipeline.Tap!.Open(isDatagrams: false, local: null, remote: null, Stopwatch.GetTimestamp());
+        StreamRecorder[] recorders = [.. Enumerable.Range(0, recordings).Select(_ => Start(pipeline.Tap!))];
+        var assembler = new PacketAssembler(new PacketScanner(), pipeline);
+        uint index = 0;
+        Push();
+
+        long allocated = 0;
+        long elapsed = 0;
+        for (int i = 0; i < Batches; i++)
+        {
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            long start = Stopwatch.GetTimestamp();
+            Push();
+            elapsed += Stopwatch.GetTimestamp() - start;
+            allocated += GC.GetAllocatedBytesForCurrentThread() - before;
+            while (!Array.TrueForAll(recorders, static recorder => recorder.GetStatistics() is var done && done.WrittenBytes >= done.Bytes))
+                Thread.Sleep(1);
+        }
+
+        foreach (StreamRecorder recorder in recorders)
+            recorder.Dispose();
+        if (handled != Batch * (Batches + 1) || recorders.Any(static recorder => recorder.GetStatistics().Pieces != Batch * (Batches + 1)))
+            throw new InvalidOperationException("Not every frame was delivered and recorded.");
+
+        return new Figures
+        {
+            ["ns/frame"] = elapsed * 1e9 / Stopwatch.Frequency / (Batch * Batches),
+            ["B/frame"] = allocated / (double)(Batch * Batches),
+        };
+
+        void Push()
+        {
+            for (int i = 0; i < Batch; i++)
+            {
+                TestFrame.SetIndex(packet, ++index);
+                assembler.Push(packet, Stopwatch.GetTimestamp());
+            }
+        }
+    }
+
+    private static StreamRecorder Start(StreamTap tap) => new(
+        "nowhere.nmrec", new RecordingOptions { FlushInterval = TimeSpan.FromSeconds(0.01) }, RecordingMetadata.Empty, tap, static _ => { }, static (_, _) => Stream.Null);
+}
