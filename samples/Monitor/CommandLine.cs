@@ -4,6 +4,7 @@ using System.Globalization;
 using System.Net;
 using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Diagnosis;
+using NeuronMocap.Monitor.Files;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
@@ -20,7 +21,9 @@ internal sealed class CommandLine
     private const string Usage =
         "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--command-port PORT] [--once] [--frames N] "
         + "[--duration SECONDS] [--json | --quiet]\n"
-        + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]";
+        + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]\n"
+        + "       neuron-monitor --info FILE [--json] | --convert IN OUT | --plot FILE OUT.svg [--overwrite] [--avatar N] [--order YXZ] [--rate HZ] "
+        + "[--from SECONDS] [--to SECONDS]";
 
     private const double LongestDuration = 1_000_000;
 
@@ -129,6 +132,8 @@ internal sealed class CommandLine
 
     private readonly CommandArguments _commands = new();
 
+    private readonly FileArguments _files = new();
+
     private readonly RootCommand _root = new(
         "Shows what a Perception Neuron server (Axis Neuron, Axis Studio or a simulator) sends: on a terminal live, with the skeleton, "
         + "rates and losses; redirected, as one plain line a second. Positions are centimetres, angles degrees.");
@@ -146,6 +151,7 @@ internal sealed class CommandLine
         }
 
         _commands.AddTo(_root);
+        _files.AddTo(_root);
 
         _root.Validators.Add(RejectContradictions);
         HelpExamples.AddTo(_root);
@@ -181,6 +187,7 @@ internal sealed class CommandLine
 
     private static Task<int> RunAsync(MonitorOptions options, StandardStreams streams, CancellationToken cancellation) => options switch
     {
+        { Files: { } files } => new FileRun(files, streams).RunAsync(cancellation),
         { Commands: { } commands } => new CommandRun(options, commands, streams).RunAsync(cancellation),
         { Diagnose: true } => new DiagnosisRun(options, streams).RunAsync(cancellation),
         _ => new MonitorRun(options, streams).RunAsync(cancellation),
@@ -232,7 +239,10 @@ internal sealed class CommandLine
             result.AddError("--allow-sender needs --udp: over TCP the data comes from the server that --connect names.");
         if (IsGiven(result, _commandPort) && !IsGiven(result, _connect))
             result.AddError("--command-port needs --connect: it is a port of the server that --connect names.");
-        _commands.RejectContradictions(result, [_connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
+        _files.RejectContradictions(
+            result, [_connect, _udp, _demo, _allowSender, _diagnose, _commandPort, _once, _frames, _duration, _quiet, .. _commands.Own], _order, _json);
+        if (!_files.IsGiven(result))
+            _commands.RejectContradictions(result, [_connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
         if (IsGiven(result, _json) && IsGiven(result, _quiet))
             result.AddError("--json and --quiet exclude each other.");
     }
@@ -260,6 +270,7 @@ internal sealed class CommandLine
     private MonitorOptions Read(ParseResult result) => new()
     {
         Server = FindServer(result),
+        Files = _files.Read(result, _commands.Avatar, _order, _json),
         Commands = _commands.Read(result, isDemo: result.GetValue(_demo)),
         Diagnose = result.GetResult(_diagnose) is { Implicit: false },
         UdpPort = result.GetValue(_udp),

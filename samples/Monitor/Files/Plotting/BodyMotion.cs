@@ -1,0 +1,62 @@
+using System.Numerics;
+using NeuronMocap.Monitor.Terminal;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Monitor.Files.Plotting;
+
+/// <summary>The 59 bones of a take, and where the outermost ones end. One thread at a time.</summary>
+internal sealed class BodyMotion : PointMotion
+{
+    private readonly MotionSource _source;
+    private readonly BoneTransform[] _world = new BoneTransform[BoneHierarchy.BoneCount];
+    private readonly Vector3[] _endSites = new Vector3[BoneHierarchy.BoneCount];
+
+    /// <summary>Makes the points of a take.</summary>
+    /// <param name="source">A performance that ends.</param>
+    public BodyMotion(MotionSource source)
+    {
+        _source = source;
+        FrameCount = source.FrameCount ?? throw new ArgumentException("A performance without end cannot be drawn.", nameof(source));
+        source.GetBody(new Vector3[BoneHierarchy.BoneCount], _endSites);
+        Roles = new PointRoles
+        {
+            Root = (int)Bone.Hips,
+            HeadTop = Wireframe.HeadTop,
+            LeftFoot = [(int)Bone.LeftFoot, EndOf(Bone.LeftFoot)],
+            RightFoot = [(int)Bone.RightFoot, EndOf(Bone.RightFoot)],
+            LeftHand = (int)Bone.LeftHand,
+            RightHand = (int)Bone.RightHand,
+            LeftThigh = (int)Bone.LeftUpLeg,
+            RightThigh = (int)Bone.RightUpLeg,
+        };
+    }
+
+    public override double FrameRate => _source.FrameRate;
+
+    public override long FrameCount { get; }
+
+    public override int PointCount => Wireframe.PointCount;
+
+    public override ReadOnlySpan<WireframeLine> Lines => Wireframe.Lines(_source.Variant);
+
+    public override PointRoles Roles { get; }
+
+    public override bool IsInCentimetres => true;
+
+    public override void GetPoints(long frame, Span<Vector3> points)
+    {
+        _source.GetPose(frame, _world);
+        ForwardKinematics.ToWorld(_world, _world, _source.Variant);
+        for (int bone = 0; bone < _world.Length; bone++)
+            points[bone] = _world[bone].Position;
+
+        int point = BoneHierarchy.BoneCount;
+        foreach (Bone bone in Wireframe.EndBones)
+            points[point++] = _world[(int)bone].TransformPoint(_endSites[(int)bone]);
+    }
+
+    public override (bool Left, bool Right)? GetContacts(long frame) => _source.GetFootContacts(frame);
+
+    private static int EndOf(Bone bone) => BoneHierarchy.BoneCount + Wireframe.EndBones.IndexOf(bone);
+}
