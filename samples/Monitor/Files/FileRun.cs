@@ -31,6 +31,9 @@ internal sealed class FileRun(FileSettings settings, StandardStreams streams)
     {
         switch (settings.Task)
         {
+            case FileTask.Info:
+                new InfoTool(settings, streams).Run(cancelled);
+                break;
             case FileTask.Plot:
                 new PlotTool(settings, streams).Run(cancelled);
                 break;

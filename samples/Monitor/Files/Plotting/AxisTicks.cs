@@ -1,3 +1,6 @@
+using System.Globalization;
+using NeuronMocap.Monitor.Terminal;
+
 namespace NeuronMocap.Monitor.Files.Plotting;
 
 /// <summary>Round numbers along an axis: 1, 2 or 5 times a power of ten apart.</summary>
@@ -48,7 +51,7 @@ internal static class AxisTicks
     {
         int decimals = Math.Max(0, (int)Math.Ceiling(-Math.Log10(step) - 1e-6));
         double rounded = Math.Round(value, Math.Min(decimals, 15));
-        return (rounded == 0 ? 0 : rounded).ToString($"F{decimals}", System.Globalization.CultureInfo.InvariantCulture);
+        return Math.Abs(rounded).ToString($"F{decimals}", CultureInfo.InvariantCulture) is var text && rounded < 0 ? "−" + text : text;
     }
 
     /// <summary>Seconds as they stand under a time axis: 12.5, or 2:30 and 1:02:30 where the step is a part of minutes.</summary>
@@ -59,7 +62,7 @@ internal static class AxisTicks
 
         var time = TimeSpan.FromSeconds(Math.Round(seconds));
         return time.TotalHours >= 1
-            ? Terminal.Quantity.Format($"{(int)time.TotalHours}:{time.Minutes:00}:{time.Seconds:00}")
-            : Terminal.Quantity.Format($"{time.Minutes}:{time.Seconds:00}");
+            ? Quantity.Format($"{(int)time.TotalHours}:{time.Minutes:00}:{time.Seconds:00}")
+            : Quantity.Format($"{time.Minutes}:{time.Seconds:00}");
     }
 }

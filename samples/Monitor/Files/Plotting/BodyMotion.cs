@@ -10,7 +10,7 @@ internal sealed class BodyMotion : PointMotion
 {
     private readonly MotionSource _source;
     private readonly BoneTransform[] _world = new BoneTransform[BoneHierarchy.BoneCount];
-    private readonly Vector3[] _endSites = new Vector3[BoneHierarchy.BoneCount];
+    private readonly SkeletonBody _body;
 
     /// <summary>Makes the points of a take.</summary>
     /// <param name="source">A performance that ends.</param>
@@ -18,13 +18,16 @@ internal sealed class BodyMotion : PointMotion
     {
         _source = source;
         FrameCount = source.FrameCount ?? throw new ArgumentException("A performance without end cannot be drawn.", nameof(source));
-        source.GetBody(new Vector3[BoneHierarchy.BoneCount], _endSites);
+        Vector3[] offsets = new Vector3[BoneHierarchy.BoneCount];
+        Vector3[] endSites = new Vector3[BoneHierarchy.BoneCount];
+        source.GetBody(offsets, endSites);
+        _body = new SkeletonBody(offsets, endSites, source.Variant);
         Roles = new PointRoles
         {
             Root = (int)Bone.Hips,
-            HeadTop = Wireframe.HeadTop,
-            LeftFoot = [(int)Bone.LeftFoot, EndOf(Bone.LeftFoot)],
-            RightFoot = [(int)Bone.RightFoot, EndOf(Bone.RightFoot)],
+            HeadTop = JointPositions.EndSiteIndex(Bone.Head),
+            LeftFoot = [(int)Bone.LeftFoot, JointPositions.EndSiteIndex(Bone.LeftFoot)],
+            RightFoot = [(int)Bone.RightFoot, JointPositions.EndSiteIndex(Bone.RightFoot)],
             LeftHand = (int)Bone.LeftHand,
             RightHand = (int)Bone.RightHand,
             LeftThigh = (int)Bone.LeftUpLeg,
@@ -36,7 +39,7 @@ internal sealed class BodyMotion : PointMotion
 
     public override long FrameCount { get; }
 
-    public override int PointCount => Wireframe.PointCount;
+    public override int PointCount => JointPositions.Count;
 
     public override ReadOnlySpan<WireframeLine> Lines => Wireframe.Lines(_source.Variant);
 
@@ -48,15 +51,8 @@ internal sealed class BodyMotion : PointMotion
     {
         _source.GetPose(frame, _world);
         ForwardKinematics.ToWorld(_world, _world, _source.Variant);
-        for (int bone = 0; bone < _world.Length; bone++)
-            points[bone] = _world[bone].Position;
-
-        int point = BoneHierarchy.BoneCount;
-        foreach (Bone bone in Wireframe.EndBones)
-            points[point++] = _world[(int)bone].TransformPoint(_endSites[(int)bone]);
+        JointPositions.Copy(_world, _body, points);
     }
 
     public override (bool Left, bool Right)? GetContacts(long frame) => _source.GetFootContacts(frame);
-
-    private static int EndOf(Bone bone) => BoneHierarchy.BoneCount + Wireframe.EndBones.IndexOf(bone);
 }

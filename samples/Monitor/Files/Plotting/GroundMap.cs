@@ -104,7 +104,7 @@ internal sealed class GroundMap(PointMotion motion, IReadOnlyList<SampledPose> p
     // An arrowhead shows where the body faces, at the times of the skeletons; the first is hollow.
     private void DrawMoments(SvgDrawing svg, View view)
     {
-        for (int i = 0; i < poses.Count; i++)
+        for (int i = poses.Count - 1; i >= 0; i--)
         {
             Vector3 place = poses[i].Points[motion.Roles.Root];
             if (!SampledPose.IsFinite(place))

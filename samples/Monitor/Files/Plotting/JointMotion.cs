@@ -67,43 +67,18 @@ internal sealed class JointMotion : PointMotion
 
     public override (bool Left, bool Right)? GetContacts(long frame) => null;
 
-    // Channels in any number and order: a position replaces that of the OFFSET, rotations apply from the last to the first.
+    // A position channel replaces that part of the OFFSET.
     private static Matrix4x4 GetLocal(BvhJoint joint, ReadOnlySpan<float> row)
     {
         Vector3 position = joint.Offset;
-        Quaternion rotation = Quaternion.Identity;
         for (int i = 0; i < joint.Channels.Count; i++)
         {
-            float value = row[joint.FirstChannel + i];
-            switch (joint.Channels[i])
-            {
-                case BvhChannel.Xposition:
-                    position.X = value;
-                    break;
-                case BvhChannel.Yposition:
-                    position.Y = value;
-                    break;
-                case BvhChannel.Zposition:
-                    position.Z = value;
-                    break;
-                case BvhChannel.Xrotation:
-                    rotation *= About(Vector3.UnitX, value);
-                    break;
-                case BvhChannel.Yrotation:
-                    rotation *= About(Vector3.UnitY, value);
-                    break;
-                case BvhChannel.Zrotation:
-                    rotation *= About(Vector3.UnitZ, value);
-                    break;
-                default:
-                    break;
-            }
+            if (joint.Channels[i] is >= BvhChannel.Xposition and <= BvhChannel.Zposition and var channel)
+                position[channel - BvhChannel.Xposition] = row[joint.FirstChannel + i];
         }
 
-        return Matrix4x4.CreateFromQuaternion(rotation) * Matrix4x4.CreateTranslation(position);
+        return Matrix4x4.CreateFromQuaternion(BvhRotations.Get(joint, row)) * Matrix4x4.CreateTranslation(position);
     }
-
-    private static Quaternion About(Vector3 axis, float degrees) => Quaternion.CreateFromAxisAngle(axis, degrees * (MathF.PI / 180));
 
     private int? Find(BodyPart part, Func<string, bool> isIt) =>
         _document.Joints.FirstOrDefault(joint => JointNames.PartOf(joint.Name) == part && isIt(joint.Name))?.Index;

@@ -8,8 +8,13 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
 {
     private const double Padding = 6;
     private const double LeastSize = 1e-3;
-    private const double FigureWidth = 1.6;
-    private const double FineWidth = 1.1;
+    private const double LimbWidth = 2;
+    private const double FineWidth = 0.9;
+
+    // Of the height of the body: fingers are shorter than this, limbs longer.
+    private const double FinePart = 0.065;
+
+    private readonly double _height = Math.Max(LeastSize, HeightsOf(poses, ground).Append(0).Max());
 
     /// <summary>Draws the two rows.</summary>
     /// <param name="svg">The picture.</param>
@@ -18,8 +23,8 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
     public void Draw(SvgDrawing svg, Box front, Box side)
     {
         double cell = front.Width / poses.Count;
-        double lowest = Math.Min(0, Heights().Append(0).Min());
-        double highest = Math.Max(LeastSize, Heights().Append(0).Max());
+        double lowest = Math.Min(0, HeightsOf(poses, ground).Append(0).Min());
+        double highest = _height;
         double widest = Math.Max(LeastSize, poses.Max(pose => Math.Max(Reach(pose, static point => point.X), Reach(pose, static point => point.Z))));
         double scale = Math.Min((front.Height - (2 * Padding)) / (highest - lowest), ((cell / 2) - Padding) / widest);
         DrawRow(svg, front, cell, scale, lowest, static point => point.X, static point => point.Z);
@@ -43,26 +48,31 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
         }
     }
 
-    // What is nearer to the viewer is drawn over the rest; each part of the body is one path.
+    // What is nearer to the viewer is drawn over the rest; each side of the body is one path of limbs, and one of fingers.
     private void DrawFigure(
         SvgDrawing svg, Vector3[] points, Func<Vector3, (double X, double Y)> project, Func<Vector3, float> nearness, double scale)
     {
-        var parts = new Dictionary<BodyPart, (SvgPath Path, double Nearness, int Lines)>();
+        var parts = new Dictionary<BodyPart, Figure>();
         foreach (WireframeLine line in motion.Lines)
         {
             if (!SampledPose.IsFinite(points[line.From]) || !SampledPose.IsFinite(points[line.To]) || line.To == motion.Roles.HeadTop)
                 continue;
 
-            (SvgPath path, double near, int lines) = parts.GetValueOrDefault(line.Part, (new SvgPath(), 0, 0));
+            if (!parts.TryGetValue(line.Part, out Figure? figure))
+                parts.Add(line.Part, figure = new Figure());
+
+            bool isFine = line.Part != BodyPart.Middle && Vector3.Distance(points[line.From], points[line.To]) < FinePart * _height;
             (double x1, double y1) = project(points[line.From]);
             (double x2, double y2) = project(points[line.To]);
-            path.MoveTo(x1, y1).LineTo(x2, y2);
-            parts[line.Part] = (path, near + nearness(points[line.From]) + nearness(points[line.To]), lines + 1);
+            (isFine ? figure.Fine : figure.Limbs).MoveTo(x1, y1).LineTo(x2, y2);
+            figure.Nearness.Add(nearness(points[line.From]) + nearness(points[line.To]));
         }
 
-        double width = motion.PointCount > 40 ? FineWidth : FigureWidth;
-        foreach ((BodyPart part, (SvgPath path, _, _)) in parts.OrderBy(static part => part.Value.Nearness / part.Value.Lines))
-            svg.Stroke(path, PlotTheme.Of(part), part == BodyPart.Middle ? FigureWidth : width);
+        foreach ((BodyPart part, Figure figure) in parts.OrderBy(static part => part.Value.Nearness.Average()))
+        {
+            svg.Stroke(figure.Limbs, PlotTheme.Of(part), LimbWidth);
+            svg.Stroke(figure.Fine, PlotTheme.Of(part), FineWidth);
+        }
 
         DrawHead(svg, points, project, scale);
     }
@@ -75,7 +85,7 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
                 continue;
 
             (double x, double y) = project((points[line.From] + points[line.To]) / 2);
-            svg.Circle(x, y, Vector3.Distance(points[line.From], points[line.To]) / 2 * scale, PlotTheme.Paper, PlotTheme.Middle, FigureWidth);
+            svg.Circle(x, y, Vector3.Distance(points[line.From], points[line.To]) / 2 * scale, PlotTheme.Paper, PlotTheme.Middle, LimbWidth);
         }
     }
 
@@ -97,7 +107,7 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
         }
     }
 
-    private IEnumerable<double> Heights() => poses
+    private static IEnumerable<double> HeightsOf(IReadOnlyList<SampledPose> poses, float ground) => poses
         .SelectMany(static pose => pose.Points)
         .Select(point => (double)(point.Y - ground))
         .Where(double.IsFinite);
@@ -106,5 +116,14 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
     {
         float root = across(pose.Points[motion.Roles.Root]);
         return pose.Points.Select(point => (double)MathF.Abs(across(point) - root)).Where(double.IsFinite).Append(0).Max();
+    }
+
+    private sealed class Figure
+    {
+        public SvgPath Limbs { get; } = new();
+
+        public SvgPath Fine { get; } = new();
+
+        public List<float> Nearness { get; } = [];
     }
 }

@@ -7,6 +7,9 @@ internal sealed class TakeCurves
 {
     private const int Stretches = 540;
     private const int LongestTrail = 2000;
+    private const float LeastWay = 5; // cm
+
+    private Vector3? _anchor;
 
     private TakeCurves(PointMotion motion)
     {
@@ -38,6 +41,15 @@ internal sealed class TakeCurves
 
     public ContactTrack? RightContacts { get; private set; }
 
+    /// <summary>The lowest X, Y and Z of the hips.</summary>
+    public Vector3 Lowest { get; private set; } = new(float.PositiveInfinity);
+
+    /// <summary>The highest X, Y and Z of the hips.</summary>
+    public Vector3 Highest { get; private set; } = new(float.NegativeInfinity);
+
+    /// <summary>Length of the way of the hips over the ground, without the sway of who stands.</summary>
+    public double Distance { get; private set; }
+
     /// <summary>Places of the hips, evenly in time.</summary>
     public List<Vector3> Trail { get; } = [];
 
@@ -65,6 +77,7 @@ internal sealed class TakeCurves
         {
             cancelled.ThrowIfCancellationRequested();
             motion.GetPoints(frame, points);
+            AddPlace(points[roles.Root], motion.IsInCentimetres ? LeastWay : 0);
             AddFeet(frame, motion, points);
             Add(Root, root.Add(points[roles.Root]));
             if (roles.LeftHand is { } left)
@@ -78,6 +91,21 @@ internal sealed class TakeCurves
         }
     }
 
+    private void AddPlace(Vector3 place, float leastWay)
+    {
+        if (!SampledPose.IsFinite(place))
+            return;
+
+        (Lowest, Highest) = (Vector3.Min(Lowest, place), Vector3.Max(Highest, place));
+        Vector3 way = (place - (_anchor ?? place)) with { Y = 0 };
+        _anchor ??= place;
+        if (way.Length() < leastWay)
+            return;
+
+        Distance += way.Length();
+        _anchor = place;
+    }
+
     private void AddFeet(long frame, PointMotion motion, Vector3[] points)
     {
         PointRoles roles = motion.Roles;
@@ -87,8 +115,8 @@ internal sealed class TakeCurves
             return;
         }
 
-        Vector3 left = Lowest(roles.LeftFoot, points);
-        Vector3 right = Lowest(roles.RightFoot, points);
+        Vector3 left = LowestOf(roles.LeftFoot, points);
+        Vector3 right = LowestOf(roles.RightFoot, points);
         LeftFoot.Add(frame, left.Y);
         RightFoot.Add(frame, right.Y);
         Ground = Lower(Ground, Lower(left.Y, right.Y));
@@ -105,7 +133,7 @@ internal sealed class TakeCurves
             curve.Add(known.Frame, known.Speed);
     }
 
-    private static Vector3 Lowest(IReadOnlyList<int> foot, Vector3[] points)
+    private static Vector3 LowestOf(IReadOnlyList<int> foot, Vector3[] points)
     {
         Vector3 lowest = points[foot[0]];
         foreach (int point in foot)

@@ -40,13 +40,10 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
     {
         svg.Text(36, 44, title, PlotTheme.TitleSize, PlotTheme.Ink, bold: true);
         svg.Text(36, 68, subtitle, PlotTheme.TextSize, PlotTheme.Dim);
-        double x = Right;
-        foreach ((string name, string color) in ((string, string)[])[("right", PlotTheme.Right), ("left", PlotTheme.Left)])
+        foreach ((double x, string name, string color) in ((double, string, string)[])[(Right - 144, "left", PlotTheme.Left), (Right - 62, "right", PlotTheme.Right)])
         {
-            svg.Text(x, 68, name, PlotTheme.TextSize, PlotTheme.Dim, TextAnchor.End);
-            x -= name.Length * 7 + 8;
-            svg.Line(x - 18, 64, x, 64, color, 3);
-            x -= 34;
+            svg.Rectangle(new Box(x, 61.5, 22, 5), color);
+            svg.Text(x + 30, 68, name, PlotTheme.TextSize, PlotTheme.Dim);
         }
     }
 
@@ -60,7 +57,7 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
         for (int i = 0; i < poses.Length; i++)
         {
             svg.Text(
-                Side.Left + ((i + 0.5) * cell), Side.Bottom + 18, Quantity.Format($"{poses[i].Seconds:0.0#} s"), PlotTheme.LabelSize, PlotTheme.Dim, TextAnchor.Middle);
+                Side.Left + ((i + 0.5) * cell), Side.Bottom + 18, Quantity.Format($"{poses[i].Seconds:0.00} s"), PlotTheme.LabelSize, PlotTheme.Dim, TextAnchor.Middle);
         }
     }
 
