@@ -1,5 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
+using NeuronMocap.Kinematics;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;
@@ -14,7 +15,7 @@ public sealed class BvhSource : MotionSource
     private const int ReferenceValues = 6;
 
     private readonly BvhSkeletonMap _map;
-    private readonly Lazy<FootContactEstimate> _contacts;
+    private readonly Lazy<FootContacts[]> _contacts;
 
     /// <summary>Makes a source of a file.</summary>
     /// <param name="document">The file.</param>
@@ -28,7 +29,7 @@ public sealed class BvhSource : MotionSource
             throw new NeuronException("The file holds a skeleton and no frames.");
 
         _map = map;
-        _contacts = new Lazy<FootContactEstimate>(() => new FootContactEstimate(this, map));
+        _contacts = new Lazy<FootContacts[]>(EstimateContacts);
     }
 
     /// <inheritdoc/>
@@ -58,18 +59,20 @@ public sealed class BvhSource : MotionSource
     /// <summary>Which feet are on the ground, estimated from their height and speed: a file does not say. The first call reads the whole take.</summary>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
     /// <returns>True for each foot that touches.</returns>
-    public override (bool Left, bool Right) GetFootContacts(long frame) => _contacts.Value[checked((int)frame)];
+    public override (bool Left, bool Right) GetFootContacts(long frame)
+    {
+        FootContacts contacts = _contacts.Value[checked((int)frame)];
+        return (contacts.Left, contacts.Right);
+    }
 
     /// <summary>Writes the file's OFFSETs and End Sites.</summary>
     /// <param name="offsets">Room for the places of the 59 bones relative to their parents, in <see cref="Bone"/> order; centimetres.</param>
     /// <param name="endSites">Room for 59 places where the bones end, relative to them; zero for bones that have none in the file.</param>
     public override void GetBody(Span<Vector3> offsets, Span<Vector3> endSites)
     {
-        foreach (Bone bone in BoneHierarchy.Bones)
-        {
-            offsets[(int)bone] = _map[bone].Offset;
-            endSites[(int)bone] = _map[bone].EndSite ?? Vector3.Zero;
-        }
+        SkeletonBody body = _map.GetBody();
+        body.Offsets.CopyTo(offsets);
+        body.EndSites.CopyTo(endSites);
     }
 
     /// <inheritdoc/>
@@ -106,48 +109,17 @@ public sealed class BvhSource : MotionSource
             Write(destination, _map[bone].Offset);
     }
 
-    // A foot touches while its lower end is near the lowest that any foot of the take comes to, and hardly moves.
-    private sealed class FootContactEstimate
+    private FootContacts[] EstimateContacts()
     {
-        private const float NearGround = 3; // cm
-        private const float LargestSpeed = 30; // cm/s
-
-        private readonly (bool Left, bool Right)[] _contacts;
-
-        public FootContactEstimate(BvhSource source, BvhSkeletonMap map)
+        var feet = new FootTrack(_map.GetBody());
+        Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
+        for (int frame = 0; frame < _map.Document.FrameCount; frame++)
         {
-            int count = map.Document.FrameCount;
-            Vector3[] left = new Vector3[count];
-            Vector3[] right = new Vector3[count];
-            Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
-            for (int frame = 0; frame < count; frame++)
-            {
-                source.GetPose(frame, pose);
-                ForwardKinematics.ToWorld(pose, pose, source.Variant);
-                left[frame] = LowestPoint(pose[(int)Bone.LeftFoot], map[Bone.LeftFoot].EndSite);
-                right[frame] = LowestPoint(pose[(int)Bone.RightFoot], map[Bone.RightFoot].EndSite);
-            }
-
-            float ground = Math.Min(left.Min(static point => point.Y), right.Min(static point => point.Y));
-            double rate = source.FrameRate;
-            _contacts = new (bool, bool)[count];
-            for (int frame = 0; frame < count; frame++)
-                _contacts[frame] = (Touches(left, frame, ground, rate), Touches(right, frame, ground, rate));
+            GetPose(frame, pose);
+            ForwardKinematics.ToWorld(pose, pose, Variant);
+            feet.Add(pose, frame / FrameRate);
         }
 
-        public (bool Left, bool Right) this[int frame] => _contacts[frame];
-
-        private static Vector3 LowestPoint(BoneTransform foot, Vector3? endSite)
-        {
-            Vector3 toes = foot.TransformPoint(endSite ?? Vector3.Zero);
-            return toes.Y < foot.Position.Y ? toes : foot.Position;
-        }
-
-        private static bool Touches(Vector3[] points, int frame, float ground, double rate)
-        {
-            Vector3 before = points[Math.Max(0, frame - 1)];
-            Vector3 after = points[Math.Min(points.Length - 1, frame + 1)];
-            return points[frame].Y - ground < NearGround && Vector3.Distance(before, after) * rate / 2 < LargestSpeed;
-        }
+        return feet.EstimateContacts();
     }
 }

@@ -2,7 +2,7 @@ namespace NeuronMocap.Bvh;
 
 /// <summary>
 /// A BVH file: a hierarchy of joints, and rows of values that move it. Holds what the file says, in its own order and units (Axis
-/// Neuron: centimetres and degrees); <see cref="BvhSkeletonMap"/> finds Neuron's bones in it. Immutable once read; thread-safe.
+/// Neuron: centimetres and degrees); <see cref="BvhSkeletonMap"/> finds Neuron's bones in it. Immutable; thread-safe.
 /// <para>
 /// Reading is lenient: what is wrong but has one sensible reading is read that way and listed in <see cref="Repairs"/>. Keywords are read in
 /// any case; white space, blank lines and the kind of line ends have no meaning beyond ending a row. Values are the binary32 nearest to
@@ -23,23 +23,45 @@ public sealed class BvhDocument
 
     private readonly float[] _values;
 
-    private BvhDocument(in BvhHierarchyReader hierarchy, in BvhMotionReader motion, BvhRepairLog repairs)
+    /// <summary>Makes a document of what is in memory.</summary>
+    /// <param name="hierarchy">The joints.</param>
+    /// <param name="frameTime">Time from one frame to the next, above 0.</param>
+    /// <param name="values">
+    /// The rows, one after the other, each of as many values as the hierarchy has channels. Not copied: the caller leaves them alone from here on.
+    /// </param>
+    /// <exception cref="ArgumentException">The values do not make whole rows, or the time is none.</exception>
+    public BvhDocument(BvhHierarchy hierarchy, BvhFrameTime frameTime, float[] values)
     {
-        Joints = hierarchy.Joints;
-        ChannelCount = hierarchy.ChannelCount;
-        _values = motion.Values;
-        FrameCount = ChannelCount == 0 ? 0 : _values.Length / ChannelCount;
-        DeclaredFrameTime = motion.FrameTime;
-        FrameRate = motion.FrameRate;
+        ArgumentNullException.ThrowIfNull(hierarchy);
+        ArgumentNullException.ThrowIfNull(values);
+        if (frameTime == default)
+            throw new ArgumentException("A frame lasts more than 0 s.", nameof(frameTime));
+        if (hierarchy.ChannelCount == 0 ? values.Length > 0 : values.Length % hierarchy.ChannelCount != 0)
+            throw new ArgumentException($"{values.Length} values do not make rows of {hierarchy.ChannelCount}.", nameof(values));
+
+        Hierarchy = hierarchy;
+        FrameTime = frameTime;
+        DeclaredFrameTime = frameTime.Seconds;
+        FrameCount = hierarchy.ChannelCount == 0 ? 0 : values.Length / hierarchy.ChannelCount;
+        _values = values;
+    }
+
+    private BvhDocument(BvhHierarchy hierarchy, in BvhMotionReader motion, BvhRepairLog repairs)
+        : this(hierarchy, motion.FrameTime, motion.Values)
+    {
+        DeclaredFrameTime = motion.DeclaredFrameTime;
         Repairs = repairs.Listed;
         RepairCount = repairs.Count;
     }
 
+    /// <summary>The joints and their channels.</summary>
+    public BvhHierarchy Hierarchy { get; }
+
     /// <summary>The joints, parents before their children, in the order of the file; at least one.</summary>
-    public IReadOnlyList<BvhJoint> Joints { get; }
+    public IReadOnlyList<BvhJoint> Joints => Hierarchy.Joints;
 
     /// <summary>Number of values in a row.</summary>
-    public int ChannelCount { get; }
+    public int ChannelCount => Hierarchy.ChannelCount;
 
     /// <summary>Number of rows that are there.</summary>
     public int FrameCount { get; }
@@ -48,14 +70,19 @@ public sealed class BvhDocument
     public double DeclaredFrameTime { get; }
 
     /// <summary>
-    /// Frames per second. Where the file's frame time is the rounded period of a usual rate, that rate: 0.008 is 120, 0.017 is 60, 0.033 is
-    /// 30, 0.010 is 100. A file says 125 with one more digit, 0.0080. Where no usual rate fits the digits that are there,
-    /// 1 / <see cref="DeclaredFrameTime"/>; where the file has none, 120.
+    /// Time from one frame to the next. Where the file's is the rounded period of a usual rate, that period: see
+    /// <see cref="BvhFrameTime.TryParse"/>. Where the file has none, 1/120 s.
     /// </summary>
-    public double FrameRate { get; }
+    public BvhFrameTime FrameTime { get; }
+
+    /// <summary>Frames per second, by <see cref="FrameTime"/>.</summary>
+    public double FrameRate => FrameTime.FrameRate;
+
+    /// <summary>How the text of the file is laid out; of a document that was made in memory, as Axis Neuron does it.</summary>
+    public BvhTextFormat TextFormat { get; init; } = BvhTextFormat.AxisNeuron;
 
     /// <summary>What was wrong in the file and how it was read all the same; the first hundred.</summary>
-    public IReadOnlyList<BvhRepair> Repairs { get; }
+    public IReadOnlyList<BvhRepair> Repairs { get; } = [];
 
     /// <summary>Number of repairs, those included that <see cref="Repairs"/> does not list.</summary>
     public int RepairCount { get; }
@@ -78,7 +105,7 @@ public sealed class BvhDocument
         var hierarchy = new BvhHierarchyReader(new BvhText(utf8), repairs);
         var motion = new BvhMotionReader(hierarchy.Read(), hierarchy.ChannelCount, repairs);
         motion.Read();
-        return new BvhDocument(hierarchy, motion, repairs);
+        return new BvhDocument(new BvhHierarchy(hierarchy.Joints, hierarchy.ChannelCount), motion, repairs);
     }
 
     /// <summary>The values of one row, in the order of the file; see <see cref="BvhJoint.FirstChannel"/>.</summary>

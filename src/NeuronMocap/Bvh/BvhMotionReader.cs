@@ -39,9 +39,9 @@ internal ref struct BvhMotionReader
     }
 
     /// <summary>Seconds as the file has it; 0 when it has none.</summary>
-    public double FrameTime { get; private set; }
+    public double DeclaredFrameTime { get; private set; }
 
-    public double FrameRate { get; private set; } = BvhFrameRate.Default;
+    public BvhFrameTime FrameTime { get; private set; } = BvhFrameTime.Default;
 
     /// <summary>The values of whole rows, one row after the other.</summary>
     public readonly float[] Values => _values;
@@ -63,8 +63,8 @@ internal ref struct BvhMotionReader
 
         EndBlock();
         Array.Resize(ref _values, _rowEnd);
-        if (FrameTime == 0)
-            _repairs.Add(start, $"There is no usable frame time; {BvhFrameRate.Default} Hz is assumed.");
+        if (DeclaredFrameTime == 0)
+            _repairs.Add(start, "There is no usable frame time; 120 Hz is assumed.");
     }
 
     private bool TryReadLine()
@@ -159,16 +159,16 @@ internal ref struct BvhMotionReader
     private void ReadFrameTime(ReadOnlySpan<byte> word)
     {
         LeaveOutOpenLines();
-        if (!TextNumber.TryParse(word, out double time, out int lastDigit) || !BvhFrameRate.IsUsable(time))
+        if (!BvhFrameTimeText.TryParse(word, out double declared, out BvhFrameTime time))
         {
             _repairs.Add(_line, $"{BvhText.Quote(word)} is not a frame time; it is ignored.");
         }
-        else if (FrameTime == 0)
+        else if (DeclaredFrameTime == 0)
         {
+            DeclaredFrameTime = declared;
             FrameTime = time;
-            FrameRate = BvhFrameRate.Choose(time, lastDigit);
         }
-        else if (time != FrameTime)
+        else if (declared != DeclaredFrameTime)
         {
             _repairs.Add(_line, $"A further frame time, {BvhText.Quote(word)}, is ignored.");
         }

@@ -44,6 +44,21 @@ public sealed class BvhSkeletonMap
         ? _joints[(int)bone]
         : throw new ArgumentOutOfRangeException(nameof(bone), bone, "There are 59 bones, 0 to 58.");
 
+    /// <summary>The body that the file's hierarchy describes: its OFFSETs and End Sites. A leaf without End Site ends at its joint.</summary>
+    /// <returns>A body of the file's own <see cref="SkeletonVariant"/>; centimetres, as the file's own unit is taken to be.</returns>
+    public SkeletonBody GetBody()
+    {
+        Span<Vector3> offsets = stackalloc Vector3[BoneHierarchy.BoneCount];
+        Span<Vector3> endSites = stackalloc Vector3[BoneHierarchy.BoneCount];
+        for (int bone = 0; bone < _joints.Length; bone++)
+        {
+            offsets[bone] = _joints[bone].Offset;
+            endSites[bone] = _joints[bone].EndSite ?? Vector3.Zero;
+        }
+
+        return new SkeletonBody(offsets, endSites, Format.Variant);
+    }
+
     /// <summary>Finds the bones in a file.</summary>
     /// <param name="document">The file.</param>
     /// <param name="map">The bones, when all are there.</param>

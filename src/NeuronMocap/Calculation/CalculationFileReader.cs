@@ -208,7 +208,7 @@ public sealed class CalculationFileReader : IDisposable
         while (!CalculationRow.IsSpace(line[end]))
             end++;
 
-        var format = CalculationTextFormat.Default with
+        var format = CalculationTextFormat.AxisNeuron with
         {
             Header = header,
             Separator = Encoding.ASCII.GetString(line.Slice(end, CountSpace(line[end..]))),

@@ -27,7 +27,7 @@ public sealed class CalculationFileWriter : IDisposable
     /// <summary>Begins a file: writes the format's header.</summary>
     /// <param name="stream">Where to, from the current place on.</param>
     /// <param name="valueCount">Values of each row: 946, or 338.</param>
-    /// <param name="format">How the text shall look; null is the same as <see cref="CalculationTextFormat.Default"/>.</param>
+    /// <param name="format">How the text shall look; null is the same as <see cref="CalculationTextFormat.AxisNeuron"/>.</param>
     /// <param name="leaveOpen">Whether the stream stays open when the writer is disposed.</param>
     /// <exception cref="ArgumentException">There is no such number of values.</exception>
     /// <exception cref="IOException">The header cannot be written.</exception>
@@ -37,7 +37,7 @@ public sealed class CalculationFileWriter : IDisposable
         if (valueCount is not (CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount))
             throw new ArgumentException("A row has 946 values or 338.", nameof(valueCount));
 
-        format ??= CalculationTextFormat.Default;
+        format ??= CalculationTextFormat.AxisNeuron;
         _stream = stream;
         _leavesOpen = leaveOpen;
         _decimals = format.Decimals;
@@ -58,7 +58,7 @@ public sealed class CalculationFileWriter : IDisposable
     /// <summary>Begins a file, over one that is there.</summary>
     /// <param name="path">Where to.</param>
     /// <param name="valueCount">Values of each row: 946, or 338.</param>
-    /// <param name="format">How the text shall look; null is the same as <see cref="CalculationTextFormat.Default"/>.</param>
+    /// <param name="format">How the text shall look; null is the same as <see cref="CalculationTextFormat.AxisNeuron"/>.</param>
     /// <returns>A writer, to be disposed: only then is the file whole.</returns>
     /// <exception cref="ArgumentException">There is no such number of values.</exception>
     /// <exception cref="IOException">The file cannot be written.</exception>

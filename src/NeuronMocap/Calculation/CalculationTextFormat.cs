@@ -11,8 +11,8 @@ public sealed record CalculationTextFormat
 
     private const int LongestSpace = 256;
 
-    /// <summary>As Axis Neuron writes: four decimals, tabs, also after the last value, CR LF.</summary>
-    public static CalculationTextFormat Default { get; } = new();
+    /// <summary>Axis Neuron's: four decimals, tabs, also after the last value, CR LF.</summary>
+    public static CalculationTextFormat AxisNeuron { get; } = new();
 
     /// <summary>What stands before the first row, to its line end, byte for byte. Default: nothing.</summary>
     public ReadOnlyMemory<byte> Header { get; init; }

@@ -68,6 +68,10 @@ public sealed class CalculationFrame : AvatarFrame
     /// <exception cref="InvalidOperationException">The frame carries no bones.</exception>
     public bool RightFootContact => ReadContact(RightContact);
 
+    /// <summary>Which feet touch the ground.</summary>
+    /// <exception cref="InvalidOperationException">The frame carries no bones.</exception>
+    public FootContacts FootContacts => new(LeftFootContact, RightFootContact);
+
     /// <summary>Whether the frame carries a bone: the fingers are missing from the short form.</summary>
     /// <param name="bone">A bone.</param>
     /// <returns>Whether the other members can be asked for it.</returns>

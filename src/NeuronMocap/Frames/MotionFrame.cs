@@ -117,23 +117,47 @@ public sealed class MotionFrame : AvatarFrame
     /// <param name="destination">Room for 59, in <see cref="Bone"/> order.</param>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
     /// <exception cref="ArgumentException">There is less room.</exception>
-    public void CopyLocalTransforms(Span<BoneTransform> destination)
+    public void CopyLocalTransforms(Span<BoneTransform> destination) =>
+        CopyLocalTransforms(destination, SkeletonBody.Default(_format.Variant));
+
+    /// <summary>Writes the transforms of all bones relative to their parents, those of a known body.</summary>
+    /// <param name="destination">Room for 59, in <see cref="Bone"/> order.</param>
+    /// <param name="body">Gives the positions that the stream does not carry.</param>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentException">There is less room.</exception>
+    public void CopyLocalTransforms(Span<BoneTransform> destination, SkeletonBody body)
     {
+        ArgumentNullException.ThrowIfNull(body);
         if (destination.Length < BoneHierarchy.BoneCount)
             throw new ArgumentException("There is room for each of the 59 bones.", nameof(destination));
 
+        ChannelLayout layout = Layout;
         foreach (Bone bone in BoneHierarchy.Bones)
-            destination[(int)bone] = this[bone];
+        {
+            int position = layout.PositionIndex(bone);
+            destination[(int)bone] = new BoneTransform(position < 0 ? body.Offsets[(int)bone] : ReadVector(position), GetRotation(bone));
+        }
     }
 
-    /// <summary>Writes where all bones are in the world, the Reference node included. Allocates nothing.</summary>
+    /// <summary>
+    /// Writes where all bones are in the world, the Reference node included. Positions that the stream does not carry are the default body's.
+    /// Allocates nothing.
+    /// </summary>
     /// <param name="destination">Room for 59, in <see cref="Bone"/> order.</param>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
     /// <exception cref="ArgumentException">There is less room.</exception>
-    public void CopyWorldTransforms(Span<BoneTransform> destination)
+    public void CopyWorldTransforms(Span<BoneTransform> destination) =>
+        CopyWorldTransforms(destination, SkeletonBody.Default(_format.Variant));
+
+    /// <summary>Writes where all bones of a known body are in the world, the Reference node included. Allocates nothing.</summary>
+    /// <param name="destination">Room for 59, in <see cref="Bone"/> order.</param>
+    /// <param name="body">Gives the positions that the stream does not carry, and says where the shoulders hang.</param>
+    /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
+    /// <exception cref="ArgumentException">There is less room.</exception>
+    public void CopyWorldTransforms(Span<BoneTransform> destination, SkeletonBody body)
     {
-        CopyLocalTransforms(destination);
-        ForwardKinematics.ToWorld(destination, destination, _format.Variant, GetReference());
+        CopyLocalTransforms(destination, body);
+        ForwardKinematics.ToWorld(destination, destination, body.Variant, GetReference());
     }
 
     /// <summary>Makes a copy that owns its memory and stays valid.</summary>

@@ -15,6 +15,15 @@ public readonly record struct BoneTransform(Vector3 Position, Quaternion Rotatio
     /// <returns>The same place and rotation, one level up.</returns>
     public BoneTransform Apply(BoneTransform local) => new(TransformPoint(local.Position), Rotation * local.Rotation);
 
+    /// <summary>Makes a transform relative to this one: the inverse of <see cref="Apply"/>.</summary>
+    /// <param name="outer">A transform in the axes that this one is given in.</param>
+    /// <returns>The same place and rotation, as a child of this one has them.</returns>
+    public BoneTransform ToLocal(BoneTransform outer)
+    {
+        var back = Quaternion.Conjugate(Rotation);
+        return new BoneTransform(Vector3.Transform(outer.Position - Position, back), back * outer.Rotation);
+    }
+
     /// <summary>Brings a point that is relative to this transform one level up.</summary>
     /// <param name="point">Centimetres in this transform's axes.</param>
     /// <returns>Centimetres in the axes that this transform is given in.</returns>

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Skeleton;
 
-/// <summary>From rotations relative to the parent to places in the world. Allocates nothing; thread-safe.</summary>
+/// <summary>From rotations relative to the parent to places in the world, and back. Allocates nothing; thread-safe.</summary>
 public static class ForwardKinematics
 {
     /// <summary>Computes where every bone is.</summary>
@@ -15,13 +15,45 @@ public static class ForwardKinematics
         SkeletonVariant variant = SkeletonVariant.Neck1,
         BoneTransform? root = null)
     {
-        if (local.Length < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is a transform for each of the 59 bones.", nameof(local));
-        if (world.Length < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is room for each of the 59 bones.", nameof(world));
+        CheckPose(local, nameof(local));
+        CheckRoom(world, nameof(world));
 
         world[0] = root is { } reference ? reference.Apply(local[0]) : local[0];
         for (int bone = 1; bone < BoneHierarchy.BoneCount; bone++)
             world[bone] = world[BoneHierarchy.ParentIndex(bone, variant)].Apply(local[bone]);
+    }
+
+    /// <summary>Computes the transforms relative to the parents of bones whose places in the world are known: the inverse of <see cref="ToWorld"/>.</summary>
+    /// <param name="world">59 transforms in the world, in <see cref="Bone"/> order.</param>
+    /// <param name="local">Receives 59 transforms relative to the parent; may be the same memory as <paramref name="world"/>.</param>
+    /// <param name="variant">Decides where the shoulders hang.</param>
+    /// <param name="root">What the hips are to be relative to: the Reference node, or null for the world itself.</param>
+    /// <exception cref="ArgumentException">One of the spans is shorter than 59.</exception>
+    public static void ToLocal(
+        ReadOnlySpan<BoneTransform> world,
+        Span<BoneTransform> local,
+        SkeletonVariant variant = SkeletonVariant.Neck1,
+        BoneTransform? root = null)
+    {
+        CheckPose(world, nameof(world));
+        CheckRoom(local, nameof(local));
+
+        // Children first: a parent that shares its memory with the result is still in the world when they need it.
+        for (int bone = BoneHierarchy.BoneCount - 1; bone > 0; bone--)
+            local[bone] = world[BoneHierarchy.ParentIndex(bone, variant)].ToLocal(world[bone]);
+
+        local[0] = root is { } reference ? reference.ToLocal(world[0]) : world[0];
+    }
+
+    internal static void CheckPose(ReadOnlySpan<BoneTransform> pose, string name)
+    {
+        if (pose.Length < BoneHierarchy.BoneCount)
+            throw new ArgumentException("There is a transform for each of the 59 bones.", name);
+    }
+
+    internal static void CheckRoom(Span<BoneTransform> pose, string name)
+    {
+        if (pose.Length < BoneHierarchy.BoneCount)
+            throw new ArgumentException("There is room for each of the 59 bones.", name);
     }
 }

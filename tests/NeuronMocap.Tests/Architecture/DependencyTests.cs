@@ -12,6 +12,7 @@ public sealed class DependencyTests
     {
         ["Protocol"] = [],
         ["Skeleton"] = [],
+        ["Kinematics"] = ["Skeleton"],
         ["Frames"] = ["Protocol", "Skeleton"],
         ["Transport"] = ["Protocol"],
         ["Delivery"] = ["Frames", "Protocol", "Skeleton"],

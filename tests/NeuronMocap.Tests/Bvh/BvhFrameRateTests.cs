@@ -40,7 +40,7 @@ public class BvhFrameRateTests
     [InlineData("0.008000", 125)]
     [InlineData("0.0040", 250)]
     [InlineData("0.0170", 1 / 0.017)]
-    [InlineData("0.0333667", 1 / 0.0333667)]
+    [InlineData("0.0333667", 30 / 1.001)]
     [InlineData("0.1", 10)]
     [InlineData("1", 1)]
     [InlineData("0.001", 1000)]
