@@ -1,0 +1,191 @@
+namespace NeuronMocap.Protocol;
+
+/// <summary>
+/// Writes a binary32 as a decimal that <see cref="TextNumber"/> reads back as the same bits. Integers alone, and so the same on every runtime and in
+/// every culture: float.ToString rounds twice on Mono. The number of decimals is the one asked for wherever that text is read back as the value: then
+/// it is the value's exact expansion, rounded to the nearest, halves away from zero. Elsewhere it is the smallest number above that which will do.
+/// There is never an exponent, which not every program that reads motion files knows. Zero keeps its sign. What is not finite is NaN, Infinity or -Infinity.
+/// </summary>
+internal static class TextDigits
+{
+    /// <summary>Most decimals that can be asked for.</summary>
+    public const int MaxDecimals = 16;
+
+    /// <summary>Room that is enough for any value: a sign, 39 digits, a point and 16 decimals, or "-0." and 54 decimals.</summary>
+    public const int MaxSize = 64;
+
+    private const int HiddenBit = 1 << 23;
+    private const uint LimbDigits = 1_000_000_000;
+
+    // 24 bits times the largest power stay below 2 to the 61st, and a half of 2 to the 60th does not carry out of that.
+    private const int LongestShortcut = 60;
+
+    private static readonly ulong[] PowersOfTen =
+    [
+        1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000, 1_000_000_000, 10_000_000_000, 100_000_000_000,
+    ];
+
+    /// <summary>Writes a value.</summary>
+    /// <param name="destination">Room for <see cref="MaxSize"/>.</param>
+    /// <param name="value">Any.</param>
+    /// <param name="decimals">Fewest digits after the point, 0 to 16; with 0 there is no point.</param>
+    /// <returns>Number of bytes written.</returns>
+    public static int Write(Span<byte> destination, float value, int decimals)
+    {
+        int bits = BitConverter.SingleToInt32Bits(value);
+        int exponent = (bits >> 23) & 0xFF;
+        uint fraction = (uint)bits & (HiddenBit - 1);
+        if (exponent == 0xFF)
+            return WriteNotFinite(destination, value);
+
+        int sign = 0;
+        if (bits < 0)
+            destination[sign++] = (byte)'-';
+
+        // Value = mantissa * 2^power. Just above a power of two, the next value below is half as far as the next one above.
+        uint mantissa = exponent == 0 ? fraction : fraction | HiddenBit;
+        int power = Math.Max(exponent, 1) - 150;
+        bool isNarrowBelow = fraction == 0 && exponent > 1;
+        if (mantissa == 0)
+            return sign + Write(destination[sign..], 0, decimals);
+        if (power >= 0)
+            return sign + WriteInteger(destination[sign..], mantissa, power, decimals);
+
+        for (; decimals < PowersOfTen.Length && -power <= LongestShortcut; decimals++)
+        {
+            if (TryRound(mantissa, -power, isNarrowBelow, decimals, out ulong digits))
+                return sign + Write(destination[sign..], digits, decimals);
+        }
+
+        return sign + WriteLong(destination[sign..], mantissa, -power, isNarrowBelow, decimals);
+    }
+
+    private static int WriteNotFinite(Span<byte> destination, float value)
+    {
+        ReadOnlySpan<byte> text = float.IsNaN(value) ? "NaN"u8 : value > 0 ? "Infinity"u8 : "-Infinity"u8;
+        text.CopyTo(destination);
+        return text.Length;
+    }
+
+    // True when digits / 10^decimals lies nearer to the value than to its neighbours; exactly between them, the even mantissa is read.
+    private static bool TryRound(uint mantissa, int shift, bool isNarrowBelow, int decimals, out ulong digits)
+    {
+        ulong scaled = mantissa * PowersOfTen[decimals];
+        digits = (scaled + (1UL << (shift - 1))) >> shift;
+        ulong back = digits << shift;
+        ulong spacing = PowersOfTen[decimals];
+        if (back < scaled && isNarrowBelow)
+            return (scaled - back) * 4 <= spacing;
+
+        ulong twice = (back > scaled ? back - scaled : scaled - back) * 2;
+        return twice < spacing || (twice == spacing && mantissa % 2 == 0);
+    }
+
+    private static int Write(Span<byte> destination, ulong number, int decimals)
+    {
+        Span<byte> reversed = stackalloc byte[MaxSize];
+        int count = 0;
+        for (; number > 0; number /= 10)
+            reversed[count++] = (byte)('0' + (number % 10));
+
+        return Write(destination, reversed, count, decimals);
+    }
+
+    private static int WriteInteger(Span<byte> destination, uint mantissa, int power, int decimals)
+    {
+        var number = new WideInteger(stackalloc uint[WideInteger.Limbs]);
+        number.Set(mantissa);
+        number.ShiftLeft(power);
+        Span<byte> reversed = stackalloc byte[MaxSize];
+        reversed[..decimals].Fill((byte)'0');
+        int count = decimals + Divide(number, reversed[decimals..]);
+        return Write(destination, reversed, count, decimals);
+    }
+
+    // As Write and TryRound, for what does not fit into 64 bits: few values of a take.
+    private static int WriteLong(Span<byte> destination, uint mantissa, int shift, bool isNarrowBelow, int decimals)
+    {
+        var digits = new WideInteger(stackalloc uint[WideInteger.Limbs]);
+        var distance = new WideInteger(stackalloc uint[WideInteger.Limbs]);
+        var spacing = new WideInteger(stackalloc uint[WideInteger.Limbs]);
+        decimals = Math.Max(decimals, LeadingZeros(shift));
+        while (!TryRound(digits, distance, spacing, mantissa, shift, isNarrowBelow, decimals))
+            decimals++;
+
+        Span<byte> reversed = stackalloc byte[MaxSize];
+        return Write(destination, reversed, Divide(digits, reversed), decimals);
+    }
+
+    // Fewer decimals than these would leave nothing of a value below 2^(24 - shift): log10(2) = 0.30102...
+    private static int LeadingZeros(int shift) => (shift - 24) * 301 / 1000;
+
+    private static bool TryRound(
+        WideInteger digits, WideInteger distance, WideInteger spacing, uint mantissa, int shift, bool isNarrowBelow, int decimals)
+    {
+        digits.Set(mantissa);
+        spacing.Set(1);
+        for (int i = 0; i < decimals; i++)
+        {
+            digits.Multiply(10);
+            spacing.Multiply(10);
+        }
+
+        bool isUp = digits.HasBit(shift - 1);
+        digits.CopyTo(distance);
+        digits.ShiftRight(shift);
+        if (isUp)
+            digits.Increment();
+
+        Differ(distance, digits, shift, isUp);
+        distance.ShiftLeft(isNarrowBelow && !isUp ? 2 : 1);
+        int compared = distance.CompareTo(spacing);
+        return compared < 0 || (compared == 0 && mantissa % 2 == 0);
+    }
+
+    // |scaled - digits * 2^shift|, in place of scaled.
+    private static void Differ(WideInteger scaled, WideInteger digits, int shift, bool isUp)
+    {
+        var back = new WideInteger(stackalloc uint[WideInteger.Limbs]);
+        digits.CopyTo(back);
+        back.ShiftLeft(shift);
+        if (!isUp)
+        {
+            scaled.Subtract(back);
+            return;
+        }
+
+        back.Subtract(scaled);
+        back.CopyTo(scaled);
+    }
+
+    private static int Divide(WideInteger number, Span<byte> reversed)
+    {
+        int count = 0;
+        while (!number.IsZero)
+        {
+            uint digits = number.Divide(LimbDigits);
+            for (int i = 0; i < 9 && (digits > 0 || !number.IsZero); i++, digits /= 10)
+                reversed[count++] = (byte)('0' + (digits % 10));
+        }
+
+        return count;
+    }
+
+    // Digits with the last one first; zeros are put in front for as many as a number below one needs.
+    private static int Write(Span<byte> destination, Span<byte> reversed, int count, int decimals)
+    {
+        while (count <= decimals)
+            reversed[count++] = (byte)'0';
+
+        int length = 0;
+        while (count > 0)
+        {
+            if (count == decimals)
+                destination[length++] = (byte)'.';
+
+            destination[length++] = reversed[--count];
+        }
+
+        return length;
+    }
+}

@@ -1,0 +1,99 @@
+namespace NeuronMocap.Protocol;
+
+// An unsigned integer in memory of the caller's, lowest limb first; what exceeds it is lost. For the exact decimal digits of a float 256 bits are
+// enough: 24 bits times 10 to the 54th, or 24 bits shifted up by 104. BigInteger would allocate.
+internal readonly ref struct WideInteger(Span<uint> limbs)
+{
+    public const int Limbs = 8;
+
+    private const int LimbBits = 32;
+
+    private readonly Span<uint> _limbs = limbs;
+
+    public bool IsZero => _limbs.Trim(0u).IsEmpty;
+
+    public void Set(uint value)
+    {
+        _limbs.Clear();
+        _limbs[0] = value;
+    }
+
+    public void CopyTo(WideInteger other) => _limbs.CopyTo(other._limbs);
+
+    public void Increment()
+    {
+        for (int i = 0; i < _limbs.Length && ++_limbs[i] == 0; i++)
+        {
+        }
+    }
+
+    public void Multiply(uint factor)
+    {
+        ulong carry = 0;
+        foreach (ref uint limb in _limbs)
+        {
+            carry += (ulong)limb * factor;
+            limb = (uint)carry;
+            carry >>= LimbBits;
+        }
+    }
+
+    /// <summary>Divides.</summary>
+    /// <returns>The remainder.</returns>
+    public uint Divide(uint divisor)
+    {
+        ulong rest = 0;
+        for (int i = _limbs.Length - 1; i >= 0; i--)
+        {
+            rest = (rest << LimbBits) | _limbs[i];
+            _limbs[i] = (uint)(rest / divisor);
+            rest %= divisor;
+        }
+
+        return (uint)rest;
+    }
+
+    public bool HasBit(int bit) => ((Limb(bit / LimbBits) >> (bit % LimbBits)) & 1) != 0;
+
+    public void ShiftLeft(int bits)
+    {
+        (int limbs, int rest) = (bits / LimbBits, bits % LimbBits);
+        for (int i = _limbs.Length - 1; i >= 0; i--)
+        {
+            ulong pair = ((ulong)Limb(i - limbs) << LimbBits) | Limb(i - limbs - 1);
+            _limbs[i] = (uint)((pair << rest) >> LimbBits);
+        }
+    }
+
+    public void ShiftRight(int bits)
+    {
+        (int limbs, int rest) = (bits / LimbBits, bits % LimbBits);
+        for (int i = 0; i < _limbs.Length; i++)
+            _limbs[i] = (uint)((((ulong)Limb(i + limbs + 1) << LimbBits) | Limb(i + limbs)) >> rest);
+    }
+
+    /// <summary>Takes a smaller number off.</summary>
+    public void Subtract(WideInteger other)
+    {
+        long carry = 0;
+        for (int i = 0; i < _limbs.Length; i++)
+        {
+            carry += (long)_limbs[i] - other._limbs[i];
+            _limbs[i] = (uint)carry;
+            carry >>= LimbBits;
+        }
+    }
+
+    public int CompareTo(WideInteger other)
+    {
+        for (int i = _limbs.Length - 1; i >= 0; i--)
+        {
+            if (_limbs[i] != other._limbs[i])
+                return _limbs[i] > other._limbs[i] ? 1 : -1;
+        }
+
+        return 0;
+    }
+
+    private uint Limb(int index) => (uint)index < (uint)_limbs.Length ? _limbs[index] : 0;
+}
