@@ -20,7 +20,7 @@ public sealed class DependencyTests
         // Text that a server sends is BVH; how to connect, and why that failed, is the same as for a stream.
         ["Commands"] = ["Bvh", "Delivery", "Protocol", "Skeleton", "Transport"],
         ["Bvh"] = ["Frames", "Skeleton", "Protocol"],
-        ["Recording"] = ["Frames", "Skeleton", "Protocol"],
+        ["Recording"] = ["Protocol", "Skeleton", "Transport"],
         ["Retargeting"] = ["Skeleton"],
     });
 

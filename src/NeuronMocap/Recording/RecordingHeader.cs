@@ -1,0 +1,64 @@
+using System.Buffers.Binary;
+
+namespace NeuronMocap.Recording;
+
+// The first 64 bytes of a file. Its checksum is the seed of the block headers' checksums, so that a block of another recording, which the bytes
+// of this one may hold, is never taken for one of its own.
+internal readonly record struct RecordingHeader(DateTimeOffset StartTime, Guid RecordingId, int FileNumber)
+{
+    public const ushort MajorVersion = 1;
+    public const ushort MinorVersion = 0;
+
+    private const int VersionOffset = 8;
+    private const int SizeOffset = 12;
+    private const int StartOffset = 16;
+    private const int IdOffset = 24;
+    private const int NumberOffset = 40;
+    private const int ChecksumOffset = 60;
+
+    // A byte that is no ASCII, both line ends and the end of text of old systems: a transfer as text destroys it.
+    private static ReadOnlySpan<byte> Magic => [0x89, (byte)'N', (byte)'M', (byte)'R', (byte)'\r', (byte)'\n', 0x1A, (byte)'\n'];
+
+    // Returns the checksum.
+    public uint Write(Span<byte> destination)
+    {
+        destination[..RecordingLayout.FileHeaderSize].Clear();
+        Magic.CopyTo(destination);
+        BinaryPrimitives.WriteUInt16LittleEndian(destination[VersionOffset..], MajorVersion);
+        BinaryPrimitives.WriteUInt16LittleEndian(destination[(VersionOffset + 2)..], MinorVersion);
+        BinaryPrimitives.WriteInt32LittleEndian(destination[SizeOffset..], RecordingLayout.FileHeaderSize);
+        BinaryPrimitives.WriteInt64LittleEndian(destination[StartOffset..], (StartTime - DateTimeOffset.UnixEpoch).Ticks);
+        _ = RecordingId.TryWriteBytes(destination[IdOffset..]);
+        BinaryPrimitives.WriteInt32LittleEndian(destination[NumberOffset..], FileNumber);
+        uint checksum = Crc32C.Append(0, destination[..ChecksumOffset]);
+        BinaryPrimitives.WriteUInt32LittleEndian(destination[ChecksumOffset..], checksum);
+        return checksum;
+    }
+
+    // Throws RecordingFormatException.
+    public static RecordingHeader Read(ReadOnlySpan<byte> bytes, out uint checksum)
+    {
+        ReadOnlySpan<byte> magic = bytes[..Math.Min(bytes.Length, Magic.Length)];
+        if (!magic.SequenceEqual(Magic[..magic.Length]))
+            throw new RecordingFormatException("This is no recording: it does not begin as one.");
+        if (bytes.Length < RecordingLayout.FileHeaderSize)
+            throw new RecordingFormatException($"The recording is cut off inside its head, after {bytes.Length} bytes.");
+
+        checksum = BinaryPrimitives.ReadUInt32LittleEndian(bytes[ChecksumOffset..]);
+        if (checksum != Crc32C.Append(0, bytes[..ChecksumOffset]))
+            throw new RecordingFormatException("The head of the recording is damaged: its checksum is wrong.");
+
+        int major = BinaryPrimitives.ReadUInt16LittleEndian(bytes[VersionOffset..]);
+        if (major != MajorVersion)
+            throw new RecordingFormatException($"The recording has version {major} of the format; this program reads version {MajorVersion}.");
+
+        long ticks = BinaryPrimitives.ReadInt64LittleEndian(bytes[StartOffset..]);
+        if (ticks < (DateTimeOffset.MinValue - DateTimeOffset.UnixEpoch).Ticks || ticks > (DateTimeOffset.MaxValue - DateTimeOffset.UnixEpoch).Ticks)
+            throw new RecordingFormatException("The head of the recording holds a time that does not exist.");
+
+        return new RecordingHeader(
+            DateTimeOffset.UnixEpoch.AddTicks(ticks),
+            new Guid(bytes.Slice(IdOffset, NumberOffset - IdOffset)),
+            BinaryPrimitives.ReadInt32LittleEndian(bytes[NumberOffset..]));
+    }
+}

@@ -1,0 +1,20 @@
+namespace NeuronMocap.Recording;
+
+internal static class StreamReading
+{
+    // Reads until the bytes are there or the stream ends, and returns how many there are.
+    public static int Fill(Stream stream, Span<byte> destination)
+    {
+        int filled = 0;
+        while (filled < destination.Length)
+        {
+            int count = stream.Read(destination[filled..]);
+            if (count == 0)
+                break;
+
+            filled += count;
+        }
+
+        return filled;
+    }
+}
