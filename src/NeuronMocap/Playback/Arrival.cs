@@ -22,16 +22,11 @@ internal enum ArrivalKind
 }
 
 // One thing that happened while the stream was recorded, with its time since the start. Bytes and sender are valid until the next one is read.
-internal readonly struct Arrival(ArrivalKind kind, TimeSpan time, TransportKind transport = TransportKind.Tcp)
+internal readonly record struct Arrival(ArrivalKind Kind, TimeSpan Time)
 {
-    public ArrivalKind Kind => kind;
+    public TransportKind Transport { get; init; }
 
-    public TimeSpan Time => time;
-
-    // Of the connection that it belongs to.
-    public TransportKind Transport => transport;
-
-    // Number of that connection: whatever has another belongs to another.
+    // Number of the connection that it belongs to.
     public int Connection { get; init; }
 
     // Of one that was opened: whether it stood before. Its first bytes may then be the middle of anything.
@@ -41,4 +36,7 @@ internal readonly struct Arrival(ArrivalKind kind, TimeSpan time, TransportKind 
 
     // Over UDP.
     public SocketAddress? Sender { get; init; }
+
+    // Of one that was closed: why, in words; may be empty.
+    public string? Reason { get; init; }
 }

@@ -9,18 +9,20 @@ internal sealed class ArrivalParser(int maxValues, SenderFilter filter, IPacketR
     private readonly PacketScanner _scanner = new(maxValues);
     private PacketAssembler? _tcp;
     private UdpSenders? _udp;
-    private int _connection;
 
     public bool IsOpen => _tcp is not null || _udp is not null;
 
-    // Whether an arrival belongs to the connection that is open.
-    public bool Continues(in Arrival arrival) => IsOpen && arrival.Connection == _connection;
+    // Of the connection that is open.
+    public int Connection { get; private set; }
 
+    // Whether an arrival belongs to the connection that is open.
+    public bool Continues(in Arrival arrival) => IsOpen && arrival.Connection == Connection;
+
+    // One whose beginning is not there is joined late: nobody knows whether its first bytes begin anything. Over UDP each sender's first datagram tells.
     public void Open(in Arrival arrival)
     {
-        _connection = arrival.Connection;
-        _tcp = null;
-        _udp = null;
+        Close();
+        Connection = arrival.Connection;
         if (arrival.Transport == TransportKind.Udp)
         {
             _udp = new UdpSenders(_scanner, receiver, filter);
@@ -32,7 +34,32 @@ internal sealed class ArrivalParser(int maxValues, SenderFilter filter, IPacketR
             _tcp.JoinLate();
     }
 
-    public void Push(in Arrival arrival, long timestamp)
+    // True when a connection stands that did not before.
+    public bool Follow(in Arrival arrival, long timestamp)
+    {
+        bool isNew = arrival.Kind is ArrivalKind.Opened or ArrivalKind.Bytes && !Continues(arrival);
+        if (isNew)
+            Open(arrival);
+
+        if (arrival.Kind == ArrivalKind.Bytes)
+            Push(arrival, timestamp);
+        else if (arrival.Kind == ArrivalKind.Lost)
+            Lose();
+        else if (arrival.Kind == ArrivalKind.Closed && Continues(arrival))
+            Close();
+
+        return isNew;
+    }
+
+    // Over UDP no packet is waited for when the port is closed, and nothing is said to be incomplete.
+    public void Close()
+    {
+        _tcp?.Abandon();
+        _tcp = null;
+        _udp = null;
+    }
+
+    private void Push(in Arrival arrival, long timestamp)
     {
         if (_udp is not null)
             _udp.Push(arrival.Sender!, arrival.Bytes, timestamp);
@@ -40,13 +67,6 @@ internal sealed class ArrivalParser(int maxValues, SenderFilter filter, IPacketR
             _tcp!.Push(arrival.Bytes, timestamp);
     }
 
-    // Bytes are missing: what follows continues nothing. A lost datagram is found out by what follows it.
-    public void Lose() => _tcp?.Abandon();
-
-    public void Close()
-    {
-        _tcp?.Abandon();
-        _tcp = null;
-        _udp = null;
-    }
+    // What follows continues nothing. That a datagram is missing shows in the one that follows it.
+    private void Lose() => _tcp?.Abandon();
 }

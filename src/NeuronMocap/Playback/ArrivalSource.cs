@@ -1,6 +1,6 @@
-using System.Net;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Playback;
@@ -22,8 +22,6 @@ internal abstract class ArrivalSource(string path) : IDisposable
 
     public virtual int MaxValues => ProtocolConstants.DefaultMaxValues;
 
-    public virtual IReadOnlyList<IPAddress> AllowedSenders => [];
-
     // What it is, its first bytes tell.
     public static ArrivalSource Open(string path, PlaybackOptions options)
     {
@@ -31,7 +29,12 @@ internal abstract class ArrivalSource(string path) : IDisposable
         var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 1);
         try
         {
-            return RawDumpSource.Open(path, file, options);
+            if (!RecordingReader.IsRecording(file))
+                return RawDumpSource.Open(path, file, options);
+            if (options.FrameRate is not null)
+                throw new ArgumentException("FrameRate is for raw dumps; this recording knows when each byte came.", nameof(options));
+
+            return new RecordingSource(path, RecordingReader.Open(file));
         }
         catch
         {

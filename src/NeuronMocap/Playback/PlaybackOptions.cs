@@ -1,4 +1,3 @@
-using System.Net;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Playback;
@@ -31,19 +30,10 @@ public sealed class PlaybackOptions
     /// </summary>
     public int? MaxValues { get; set; }
 
-    /// <summary>
-    /// Addresses whose datagrams count; empty for all. Null, the default: those that the reader that recorded allowed. A raw dump has none.
-    /// </summary>
-    public IReadOnlyList<IPAddress>? AllowedSenders { get; set; }
-
-    internal PlaybackOptions CopyChecked()
+    internal static PlaybackOptions CopyChecked(PlaybackOptions? options)
     {
-        if (FindFault() is { } fault)
-            throw new ArgumentException(fault, nameof(PlaybackOptions));
-
-        var copy = (PlaybackOptions)MemberwiseClone();
-        copy.AllowedSenders = AllowedSenders?.ToArray();
-        return copy;
+        options ??= new PlaybackOptions();
+        return options.FindFault() is { } fault ? throw new ArgumentException(fault, nameof(options)) : (PlaybackOptions)options.MemberwiseClone();
     }
 
     private string? FindFault()
@@ -57,6 +47,6 @@ public sealed class PlaybackOptions
         if (MaxValues is < 1 or > 1_000_000)
             return $"MaxValues is {MaxValues}; it must be 1 to 1,000,000, or null.";
 
-        return AllowedSenders?.Contains(null!) == true ? "AllowedSenders holds a null; it must hold addresses only." : null;
+        return null;
     }
 }

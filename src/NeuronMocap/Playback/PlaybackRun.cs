@@ -107,7 +107,8 @@ internal sealed class PlaybackRun
         }
     }
 
-    private static LinkEnd Ended(string message) => new(ConnectionReason.ClosedByPeer, message);
+    private static LinkEnd Ended(string? reason) =>
+        new(ConnectionReason.ClosedByPeer, string.IsNullOrEmpty(reason) ? "The recorded connection ended." : reason);
 
     // Null unless the connection ends.
     private LinkEnd? Play(in Arrival arrival, long timestamp)
@@ -119,23 +120,20 @@ internal sealed class PlaybackRun
         }
 
         // Another connection, of which the next link is: this one's end was not recorded.
-        if (arrival.Kind == ArrivalKind.Opened || !_parser.Continues(arrival))
+        if (arrival.Kind is ArrivalKind.Opened or ArrivalKind.Bytes && !_parser.Continues(arrival))
         {
             _parser.Close();
-            return Ended("The recorded connection ended.");
+            return Ended(reason: null);
         }
 
         Follow(arrival, timestamp);
-        string? reason = arrival.Text;
+        string? reason = arrival.Reason;
         Advance();
         if (_parser.IsOpen)
             return null;
 
         // The last connection's end is that of the recording.
-        if (Peek().Kind == ArrivalKind.End && EndPass() is { } last)
-            return last;
-
-        return Ended(string.IsNullOrEmpty(reason) ? "The recorded connection ended." : reason!);
+        return Peek().Kind == ArrivalKind.End && EndPass() is { } last ? last : Ended(reason);
     }
 
     // Null when another pass follows.
@@ -148,30 +146,25 @@ internal sealed class PlaybackRun
         return null;
     }
 
-    // Whether a frame came out of the arrival. Any splitting of a connection's bytes gives the same frames; a datagram is whole.
-    private bool Step(in Arrival arrival)
-    {
-        if (arrival.Kind != ArrivalKind.Bytes || !_parser.Continues(arrival))
-            return false;
+    // Whether a frame came out of the arrival.
+    private bool Step(in Arrival arrival) =>
+        arrival.Kind == ArrivalKind.Bytes && _parser.Continues(arrival) && PushToFrame(arrival, _player.StepTo(arrival.Time));
 
-        long timestamp = _player.StepTo(arrival.Time);
-        return PushToFrame(arrival, timestamp);
-    }
-
+    // Any splitting of a connection's bytes gives the same frames, a datagram is whole.
     private bool PushToFrame(in Arrival arrival, long timestamp)
     {
         long frames = _receiver.Frames;
-        _receiver.Time = arrival.Time;
         if (arrival.Transport == TransportKind.Udp)
         {
-            _parser.Push(arrival, timestamp);
+            Follow(arrival, timestamp);
             Advance();
             return _receiver.Frames > frames;
         }
 
+        _receiver.Time = arrival.Time;
         while (_taken < arrival.Bytes.Count)
         {
-            _parser.Push(arrival.Slice(_taken++, 1), timestamp);
+            _parser.Follow(arrival with { Bytes = arrival.Bytes.Slice(_taken++, 1) }, timestamp);
             if (_receiver.Frames > frames)
                 return true;
         }
@@ -187,25 +180,22 @@ internal sealed class PlaybackRun
         _receiver.Place(place);
     }
 
-    // To before the frame that was shown so many frames ago; what was shown last is none of them.
+    // To before the frame that was shown so many frames before the one that was shown last.
     private void GoBack(int count)
     {
         (TimeSpan shown, int ofTime) = (_receiver.FrameTime, _receiver.FramesOfTime);
-        TimeSpan leadIn = LeadIn;
-        while (true)
+        int further = count + (ofTime > 0 ? 1 : 0) - ofTime;
+        for (TimeSpan leadIn = LeadIn; ; leadIn *= 2)
         {
             bool isStart = Rewind(shown - leadIn);
             long before = _receiver.Frames;
             ReadSilently(shown);
-            long frames = _receiver.Frames - before + ofTime - (ofTime > 0 ? 1 : 0) - count;
-            if (frames < 0 && !isStart)
-            {
-                leadIn *= 2;
+            long skipped = _receiver.Frames - before - further;
+            if (skipped < 0 && !isStart)
                 continue;
-            }
 
             Rewind(shown - leadIn);
-            SkipSilently(Math.Max(0, frames));
+            SkipSilently(Math.Max(0, skipped));
             return;
         }
     }
@@ -238,28 +228,37 @@ internal sealed class PlaybackRun
         long end = _receiver.Frames + frames;
         while (_receiver.Frames < end && Peek() is { Kind: not ArrivalKind.End } arrival)
         {
-            if (arrival.Kind == ArrivalKind.Bytes && _parser.Continues(arrival))
+            if (arrival.Kind == ArrivalKind.Bytes)
             {
-                PushToFrame(arrival, timestamp: 0);
+                _ = PushToFrame(arrival, timestamp: 0);
                 continue;
             }
 
             Follow(arrival, timestamp: 0);
-            if (arrival.Kind != ArrivalKind.Bytes)
-                Advance();
+            Advance();
         }
 
         _receiver.IsMuted = false;
     }
 
+    // What steps have left of it.
     private void Follow(in Arrival arrival, long timestamp)
     {
         _receiver.Time = arrival.Time;
-        if (!_parser.Continues(arrival) && arrival.Kind is ArrivalKind.Opened or ArrivalKind.Bytes)
-        {
-            _parser.Close();
-            _parser.Open(arrival);
-        }
-        ...
+        _parser.Follow(arrival with { Bytes = arrival.Bytes.Slice(_taken) }, timestamp);
     }
+
+    private Arrival Peek()
+    {
+        if (!_hasArrival)
+        {
+            _arrival = _source.Read();
+            _hasArrival = true;
+            _taken = 0;
+        }
+
+        return _arrival;
+    }
+
+    private void Advance() => _hasArrival = false;
 }

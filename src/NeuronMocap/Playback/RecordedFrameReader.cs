@@ -20,7 +20,6 @@ public sealed class RecordedFrameReader : IDisposable
 
     private readonly ArrivalSource _source;
     private readonly StreamCounters _counters = new();
-    private readonly SenderFilter _filter;
     private readonly FoundPackets _found;
     private readonly ArrivalParser _parser;
     private readonly MotionFrame _motion;
@@ -31,9 +30,8 @@ public sealed class RecordedFrameReader : IDisposable
     private RecordedFrameReader(ArrivalSource source, PlaybackOptions options)
     {
         _source = source;
-        _filter = new SenderFilter(options.AllowedSenders ?? source.AllowedSenders);
         _found = new FoundPackets(_counters);
-        _parser = new ArrivalParser(options.MaxValues ?? source.MaxValues, _filter, _found);
+        _parser = new ArrivalParser(options.MaxValues ?? source.MaxValues, new SenderFilter([]), _found);
         _motion = new MotionFrame(source.CreateFormat(options.RotationOrder, options.SkeletonVariant));
     }
 
@@ -62,7 +60,7 @@ public sealed class RecordedFrameReader : IDisposable
     /// <summary>
     /// What was read so far, as a <see cref="NeuronReader"/> would have it of the same bytes. All that the file holds, once <see cref="Read"/> was false.
     /// </summary>
-    public ReaderStatistics Statistics => _counters.Snapshot() with { RefusedDatagrams = _filter.RefusedDatagrams };
+    public ReaderStatistics Statistics => _counters.Snapshot();
 
     /// <summary>What was read so far of each avatar, in the order in which they appeared; at most 1024.</summary>
     /// <returns>A snapshot.</returns>
@@ -84,7 +82,7 @@ public sealed class RecordedFrameReader : IDisposable
     /// <exception cref="ArgumentException">An option is out of its range, or has no meaning for this file.</exception>
     public static RecordedFrameReader Open(string path, PlaybackOptions? options = null)
     {
-        PlaybackOptions copy = (options ?? new PlaybackOptions()).CopyChecked();
+        PlaybackOptions copy = PlaybackOptions.CopyChecked(options);
         return new RecordedFrameReader(ArrivalSource.Open(path, copy), copy);
     }
 
@@ -105,7 +103,11 @@ public sealed class RecordedFrameReader : IDisposable
                 return false;
             }
 
-            Take(arrival);
+            if (_parser.Follow(arrival, FirstTimestamp + (long)(arrival.Time.TotalSeconds * Stopwatch.Frequency)))
+            {
+                _found.OnLinkOpened();
+                Connection = _parser.Connection;
+            }
         }
 
         Show(packet);
@@ -114,24 +116,6 @@ public sealed class RecordedFrameReader : IDisposable
 
     /// <summary>Closes the file.</summary>
     public void Dispose() => _source.Dispose();
-
-    private void Take(in Arrival arrival)
-    {
-        if (!_parser.Continues(arrival) && arrival.Kind is ArrivalKind.Opened or ArrivalKind.Bytes)
-        {
-            _parser.Close();
-            _parser.Open(arrival);
-            _found.OnLinkOpened();
-            Connection = arrival.Connection;
-        }
-
-        if (arrival.Kind == ArrivalKind.Bytes)
-            _parser.Push(arrival, FirstTimestamp + (long)(arrival.Time.TotalSeconds * Stopwatch.Frequency));
-        else if (arrival.Kind == ArrivalKind.Lost)
-            _parser.Lose();
-        else if (arrival.Kind == ArrivalKind.Closed)
-            _parser.Close();
-    }
 
     private void Show(in ReceivedPacket packet)
     {

@@ -1,4 +1,5 @@
-using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
+using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Playback;
@@ -151,9 +152,6 @@ public sealed class RecordingPlayer : IDisposable
 
     internal ArrivalSource Source => _source;
 
-    // Read by the receive path.
-    internal bool WaitsNow => _waitsForQueues && !_isPaced;
-
     /// <summary>Opens a file.</summary>
     /// <param name="path">A recording (<c>.nmrec</c>), or the bytes of a stream as they came off the wire. Which one it is, its first bytes tell, not its name.</param>
     /// <param name="options">How to read it; null for what the file says.</param>
@@ -165,7 +163,7 @@ public sealed class RecordingPlayer : IDisposable
     /// <exception cref="ArgumentException">An option is out of its range, or has no meaning for this file.</exception>
     public static RecordingPlayer Open(string path, PlaybackOptions? options = null)
     {
-        PlaybackOptions copy = (options ?? new PlaybackOptions()).CopyChecked();
+        PlaybackOptions copy = PlaybackOptions.CopyChecked(options);
         return new RecordingPlayer(ArrivalSource.Open(path, copy), copy);
     }
 
@@ -225,21 +223,26 @@ public sealed class RecordingPlayer : IDisposable
     }
 
     // Once: makes what the reader's links play with.
-    internal void Attach(SenderFilter filter, int maxValues, Action<Exception> callbackFailed)
+    internal void Attach(SenderFilter filter, Action<Exception> callbackFailed)
     {
         lock (_gate)
         {
-            if (_isDisposed)
-                throw new ObjectDisposedException(nameof(RecordingPlayer));
+            ObjectDisposedException.ThrowIf(_isDisposed, this);
             if (_run is not null)
                 throw new InvalidOperationException("The player has a reader; open the file once for each.");
 
             _callbackFailed = callbackFailed;
-            _run = new PlaybackRun(this, filter, maxValues);
+            _run = new PlaybackRun(this, filter, Options.MaxValues ?? _source.MaxValues);
         }
     }
 
-    internal Link CreateLink() => new PlaybackLink(this);
+    internal Func<Link> LinkFactory => () => new PlaybackLink(this);
+
+    // Whether the receive path may wait for queues.
+    internal Func<bool> PatienceSource => () => _waitsForQueues && !_isPaced;
+
+    internal FrameFormat CreateFormat(RotationOrder? order, SkeletonVariant? variant) =>
+        _source.CreateFormat(order ?? Options.RotationOrder, variant ?? Options.SkeletonVariant);
 
     internal void Wake() => Change(static () => { });
 

@@ -12,7 +12,7 @@ internal readonly struct TimerResolution : IDisposable
     private TimerResolution(bool isRaised) => _isRaised = isRaised;
 
     public static TimerResolution Raise() =>
-        new(RuntimeInformation.IsOSPlatform(OSPlatform.Windows) && timeBeginPeriod(Milliseconds) == 0);
+        new(Environment.OSVersion.Platform == PlatformID.Win32NT && timeBeginPeriod(Milliseconds) == 0);
 
     public void Dispose()
     {

@@ -21,6 +21,7 @@ public sealed class DependencyTests
         ["Commands"] = ["Bvh", "Delivery", "Protocol", "Skeleton", "Transport"],
         ["Bvh"] = ["Frames", "Skeleton", "Protocol"],
         ["Recording"] = ["Protocol", "Skeleton", "Transport"],
+        ["Playback"] = ["Delivery", "Frames", "Protocol", "Recording", "Skeleton", "Transport"],
         ["Retargeting"] = ["Skeleton"],
     });
 
