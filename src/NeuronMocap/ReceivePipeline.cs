@@ -18,6 +18,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     private readonly StatusBoard _status;
     private readonly SenderFilter _senders;
     private readonly ReaderMetrics _metrics;
+    private readonly Func<bool>? _isPatient;
     private readonly StreamCounters _counters;
     private readonly PacketDispatcher _dispatcher;
     private readonly object _lock = new();
@@ -36,7 +37,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         SenderFilter senders,
         ReaderMetrics metrics,
         DataCommands.TrySend trySend,
-        Action<Exception> callbackFailed)
+        Action<Exception> callbackFailed,
+        Func<bool>? isPatient = null)
     {
         _format = format;
         _recognizer = recognizer;
@@ -44,6 +46,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         _status = status;
         _senders = senders;
         _metrics = metrics;
+        _isPatient = isPatient is null ? null : () => !_stopped && isPatient();
         _counters = new StreamCounters(metrics.Intervals);
         _dispatcher = new PacketDispatcher(_counters);
         Callbacks = new FrameCallbacks(format, callbackFailed);
@@ -127,7 +130,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
 
     public FrameQueue OpenQueue(int capacity, string name)
     {
-        var queue = new FrameQueue(capacity, _format, closed => Close(closed, closed), name, _metrics.HandOver(name));
+        var queue = new FrameQueue(capacity, _format, closed => Close(closed, closed), name, _metrics.HandOver(name), _isPatient);
         Open(queue, queue);
         return queue;
     }
@@ -143,7 +146,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     {
         FrameStream? stream = null;
         queue = new FrameQueue(
-            FrameQueue.DefaultCapacity, _format, closed => Close(closed, stream!), StreamName, _metrics.HandOver(StreamName));
+            FrameQueue.DefaultCapacity, _format, closed => Close(closed, stream!), StreamName, _metrics.HandOver(StreamName), _isPatient);
         stream = new FrameStream(queue, kind);
         Open(queue, stream);
         return stream;

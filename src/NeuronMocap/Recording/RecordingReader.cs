@@ -87,6 +87,16 @@ public sealed class RecordingReader : IDisposable
         }
     }
 
+    // Whether it begins as one; the position is 0 afterwards.
+    internal static bool IsRecording(Stream stream)
+    {
+        Span<byte> start = stackalloc byte[RecordingHeader.MagicSize];
+        stream.Position = 0;
+        int count = stream.Read(start);
+        stream.Position = 0;
+        return RecordingHeader.HasMagic(start[..count]);
+    }
+
     /// <summary>Opens a recording.</summary>
     /// <param name="stream">A stream that can be read and seek; the recording begins at its position 0.</param>
     /// <param name="leaveOpen">Whether the stream stays open when the reader is disposed of.</param>

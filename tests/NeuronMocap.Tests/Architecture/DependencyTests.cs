@@ -23,6 +23,7 @@ public sealed class DependencyTests
         ["Bvh"] = ["Frames", "Skeleton", "Protocol"],
         ["Calculation"] = ["Frames", "Skeleton", "Protocol"],
         ["Recording"] = ["Protocol", "Skeleton", "Transport"],
+        ["Playback"] = ["Delivery", "Frames", "Protocol", "Recording", "Skeleton", "Transport"],
         ["Retargeting"] = ["Skeleton"],
     });
 
