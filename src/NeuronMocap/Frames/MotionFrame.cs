@@ -127,16 +127,8 @@ public sealed class MotionFrame : AvatarFrame
     /// <exception cref="ArgumentException">There is less room.</exception>
     public void CopyLocalTransforms(Span<BoneTransform> destination, SkeletonBody body)
     {
-        ArgumentNullException.ThrowIfNull(body);
-        if (destination.Length < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is room for each of the 59 bones.", nameof(destination));
-
-        ChannelLayout layout = Layout;
-        foreach (Bone bone in BoneHierarchy.Bones)
-        {
-            int position = layout.PositionIndex(bone);
-            destination[(int)bone] = new BoneTransform(position < 0 ? body.Offsets[(int)bone] : ReadVector(position), GetRotation(bone));
-        }
+        ForwardKinematics.CheckRoom(destination, nameof(destination));
+        PoseDecoder.Decode(Values, Layout, _format.RotationOrder, body, destination);
     }
 
     /// <summary>

@@ -12,7 +12,7 @@ public static class BoneHierarchy
 
     private static readonly string[] Neck1Names = Enum.GetNames(typeof(Bone));
 
-    private static ReadOnlySpan<sbyte> Parents =>
+    private static ReadOnlySpan<sbyte> Neck1Parents =>
     [
         None,
         0, 1, 2, // right leg
@@ -21,6 +21,19 @@ public static class BoneHierarchy
         9, 13, 14, 15, // right arm
         16, 17, 18, 16, 20, 21, 22, 16, 24, 25, 26, 16, 28, 29, 30, 16, 32, 33, 34,
         9, 36, 37, 38, // left arm
+        39, 40, 41, 39, 43, 44, 45, 39, 47, 48, 49, 39, 51, 52, 53, 39, 55, 56, 57,
+    ];
+
+    // The same but for the shoulders.
+    private static ReadOnlySpan<sbyte> Spine3Parents =>
+    [
+        None,
+        0, 1, 2,
+        0, 4, 5,
+        0, 7, 8, 9, 10, 11,
+        10, 13, 14, 15,
+        16, 17, 18, 16, 20, 21, 22, 16, 24, 25, 26, 16, 28, 29, 30, 16, 32, 33, 34,
+        10, 36, 37, 38,
         39, 40, 41, 39, 43, 44, 45, 39, 47, 48, 49, 39, 51, 52, 53, 39, 55, 56, 57,
     ];
 
@@ -34,7 +47,7 @@ public static class BoneHierarchy
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
     public static Bone? GetParent(Bone bone, SkeletonVariant variant = SkeletonVariant.Neck1)
     {
-        int parent = ParentIndex(CheckedIndex(bone), variant);
+        int parent = ParentIndices(variant)[CheckedIndex(bone)];
         return parent == None ? null : (Bone)parent;
     }
 
@@ -70,11 +83,9 @@ public static class BoneHierarchy
         return false;
     }
 
-    internal static int ParentIndex(int bone, SkeletonVariant variant)
-    {
-        bool shoulder = bone is (int)Bone.RightShoulder or (int)Bone.LeftShoulder;
-        return shoulder && variant == SkeletonVariant.Spine3 ? (int)Bone.Neck : Parents[bone];
-    }
+    // Of every bone, in their order; -1 for the hips.
+    internal static ReadOnlySpan<sbyte> ParentIndices(SkeletonVariant variant) =>
+        variant == SkeletonVariant.Spine3 ? Spine3Parents : Neck1Parents;
 
     internal static int CheckedIndex(Bone bone)
     {

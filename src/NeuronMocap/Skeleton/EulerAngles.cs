@@ -8,8 +8,6 @@ namespace NeuronMocap.Skeleton;
 /// </summary>
 public static class EulerAngles
 {
-    private const float RadiansPerHalfDegree = MathF.PI / 360;
-
     /// <summary>The rotation that three angles describe.</summary>
     /// <param name="degrees">The angles in degrees, in the order of their application; any size.</param>
     /// <param name="order">Which axis each of them turns about.</param>
@@ -17,8 +15,15 @@ public static class EulerAngles
     /// <exception cref="ArgumentOutOfRangeException">There is no such order.</exception>
     public static Quaternion ToQuaternion(Vector3 degrees, RotationOrder order)
     {
-        (int first, int second, int third) = Axes(order);
-        return About(first, degrees.X) * About(second, degrees.Y) * About(third, degrees.Z);
+        var turn = new RotationComposer(order);
+        Span<float> angles = stackalloc float[HalfAngles.Granularity];
+        Span<float> sines = stackalloc float[HalfAngles.Granularity];
+        Span<float> cosines = stackalloc float[HalfAngles.Granularity];
+        angles[0] = degrees.X;
+        angles[1] = degrees.Y;
+        angles[2] = degrees.Z;
+        HalfAngles.SinCos(angles, sines, cosines);
+        return turn.Compose(new Vector3(sines[0], sines[1], sines[2]), new Vector3(cosines[0], cosines[1], cosines[2]));
     }
 
     /// <summary>The angles that describe a rotation.</summary>
@@ -45,9 +50,7 @@ public static class EulerAngles
         return new Vector3(Degrees(first), Degrees(second), Degrees(third));
     }
 
-    private static float Degrees(double radians) => (float)(radians * (180 / Math.PI));
-
-    private static (int First, int Second, int Third) Axes(RotationOrder order) => order switch
+    internal static (int First, int Second, int Third) Axes(RotationOrder order) => order switch
     {
         RotationOrder.XZY => (0, 2, 1),
         RotationOrder.YXZ => (1, 0, 2),
@@ -58,18 +61,7 @@ public static class EulerAngles
         _ => throw new ArgumentOutOfRangeException(nameof(order), order, "There are six rotation orders, 0 to 5."),
     };
 
-    private static Quaternion About(int axis, float degrees)
-    {
-        float half = degrees * RadiansPerHalfDegree;
-        float sine = MathF.Sin(half);
-        float cosine = MathF.Cos(half);
-        return axis switch
-        {
-            0 => new Quaternion(sine, 0, 0, cosine),
-            1 => new Quaternion(0, sine, 0, cosine),
-            _ => new Quaternion(0, 0, sine, cosine),
-        };
-    }
+    private static float Degrees(double radians) => (float)(radians * (180 / Math.PI));
 
     // In double precision: near the pole of the second angle, float would cost a tenth of a degree.
     private readonly ref struct RotationMatrix

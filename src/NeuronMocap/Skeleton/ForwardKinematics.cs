@@ -18,9 +18,10 @@ public static class ForwardKinematics
         CheckPose(local, nameof(local));
         CheckRoom(world, nameof(world));
 
+        ReadOnlySpan<sbyte> parents = BoneHierarchy.ParentIndices(variant);
         world[0] = root is { } reference ? reference.Apply(local[0]) : local[0];
         for (int bone = 1; bone < BoneHierarchy.BoneCount; bone++)
-            world[bone] = world[BoneHierarchy.ParentIndex(bone, variant)].Apply(local[bone]);
+            world[bone] = world[parents[bone]].Apply(local[bone]);
     }
 
     /// <summary>Computes the transforms relative to the parents of bones whose places in the world are known: the inverse of <see cref="ToWorld"/>.</summary>
@@ -38,9 +39,11 @@ public static class ForwardKinematics
         CheckPose(world, nameof(world));
         CheckRoom(local, nameof(local));
 
+        ReadOnlySpan<sbyte> parents = BoneHierarchy.ParentIndices(variant);
+
         // Children first: a parent that shares its memory with the result is still in the world when they need it.
         for (int bone = BoneHierarchy.BoneCount - 1; bone > 0; bone--)
-            local[bone] = world[BoneHierarchy.ParentIndex(bone, variant)].ToLocal(world[bone]);
+            local[bone] = world[parents[bone]].ToLocal(world[bone]);
 
         local[0] = root is { } reference ? reference.ToLocal(world[0]) : world[0];
     }
