@@ -38,7 +38,8 @@ internal sealed class FileRun(FileSettings settings, StandardStreams streams)
                 new PlotTool(settings, streams).Run(cancelled);
                 break;
             default:
-                throw new NeuronException("This cannot be done yet.");
+                new ConvertTool(settings, streams).Run(cancelled);
+                break;
         }
     }
 

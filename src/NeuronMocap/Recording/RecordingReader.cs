@@ -67,6 +67,12 @@ public sealed class RecordingReader : IDisposable
     /// <summary>What was found wrong with the file in the parts that were read so far: the first 100.</summary>
     public IReadOnlyList<RecordingProblem> Problems => _problems;
 
+    /// <summary>Whether a file is a recording, as its first bytes tell.</summary>
+    /// <param name="start">The first bytes of the file, eight or more.</param>
+    /// <returns>Whether it begins as one; whether it can be read, only opening tells.</returns>
+    public static bool IsRecording(ReadOnlySpan<byte> start) =>
+        start.Length >= RecordingHeader.MagicSize && RecordingHeader.HasMagic(start[..RecordingHeader.MagicSize]);
+
     /// <summary>Opens a file. It may still be written to; what is written from now on is not read.</summary>
     /// <param name="path">The file.</param>
     /// <returns>The reader, before the first entry.</returns>

@@ -1,0 +1,89 @@
+using NeuronMocap.Calculation;
+using NeuronMocap.Frames;
+using NeuronMocap.Monitor.Terminal;
+using NeuronMocap.Playback;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Monitor.Files.Conversion;
+
+/// <summary>Rows of calculation data, copied value by value.</summary>
+internal static class CalculationCopy
+{
+    /// <summary>From an export to another one.</summary>
+    public static void ToFile(string input, TimeRange range, string output, IProgress<double> progress, CancellationToken cancelled)
+    {
+        using CalculationFileReader reader = CalculationFileReader.Open(input);
+        using CalculationFileWriter writer = CalculationFileWriter.Create(output, reader.ValueCount, reader.TextFormat);
+        Copy(reader, range, (_, values) => writer.WriteFrame(values), progress, cancelled);
+    }
+
+    /// <summary>From an export to the packets of a stream; the sink is closed.</summary>
+    public static void ToPackets(string input, TimeRange range, IPacketSink sink, IProgress<double> progress, CancellationToken cancelled)
+    {
+        using (sink)
+        using (CalculationFileReader reader = CalculationFileReader.Open(input))
+        {
+            var header = new CalculationHeader { ValueCount = reader.ValueCount, AvatarName = new AvatarName("Char00") };
+            byte[] packet = new byte[header.PacketSize];
+            Copy(reader, range, Send, progress, cancelled);
+
+            void Send(long row, ReadOnlySpan<float> values)
+            {
+                int length = PacketEncoder.WriteCalculation(packet, header with { FrameIndex = (uint)row }, values);
+                sink.Write(FrameTimes.Of(row, reader.FrameRate), packet.AsSpan(0, length));
+            }
+        }
+    }
+
+    /// <summary>From the calculation frames of a stream to an export, one row for each.</summary>
+    /// <returns>False when the stream has none of the avatar, and nothing was written.</returns>
+    public static bool TryFromStream(FileSettings settings, TimeRange range, string output, IProgress<double> progress, CancellationToken cancelled)
+    {
+        using RecordedFrameReader reader = RecordedFrameReader.Open(settings.Input);
+        CalculationFileWriter? writer = null;
+        int? avatar = settings.Avatar;
+        try
+        {
+            while (reader.Read())
+            {
+                cancelled.ThrowIfCancellationRequested();
+                progress.Report(reader.Duration > TimeSpan.Zero ? reader.Time / reader.Duration : 0);
+                if (reader.Frame is not CalculationFrame { BoneCount: > 0 } frame || frame.AvatarIndex != (avatar ?? frame.AvatarIndex))
+                    continue;
+
+                avatar = frame.AvatarIndex;
+                if (!range.Contains(reader.Time))
+                    continue;
+
+                writer ??= CalculationFileWriter.Create(output, frame.Values.Length);
+                if (frame.Values.Length == writer.ValueCount)
+                    writer.WriteFrame(frame.Values);
+            }
+        }
+        finally
+        {
+            writer?.Dispose();
+        }
+
+        return writer is not null;
+    }
+
+    private static void Copy(
+        CalculationFileReader reader, TimeRange range, Action<long, ReadOnlySpan<float>> write, IProgress<double> progress, CancellationToken cancelled)
+    {
+        (long first, long count) = range.FramesOf(long.MaxValue / 2, reader.FrameRate);
+        float[] values = new float[reader.ValueCount];
+        long rows = 0;
+        for (; rows < first + count && reader.TryRead(values); rows++)
+        {
+            cancelled.ThrowIfCancellationRequested();
+            if (rows >= first)
+                write(rows - first, values);
+            if (reader.Length is > 0 and { } length)
+                progress.Report((double)reader.Position / length);
+        }
+
+        if (rows <= first)
+            throw new NeuronException(Quantity.Format($"Nothing is left: the take ends at {rows / reader.FrameRate:0.###} s."));
+    }
+}
