@@ -32,10 +32,19 @@ internal readonly record struct BvhEulerTriple(double First, double Second, doub
 
         double first = Math.Atan2(-sign * rotation.Entry(j, k), rotation.Entry(k, k)) * DegreesPerRadian;
         double third = Math.Atan2(-sign * rotation.Entry(i, j), rotation.Entry(i, i)) * DegreesPerRadian;
-        BvhEulerTriple one = new BvhEulerTriple(first, second, third).Wound(near);
-        BvhEulerTriple other = new BvhEulerTriple(first + 180, 180 - second, third + 180).Wound(near);
+        return new BvhEulerTriple(first, second, third).Nearest(near);
+    }
+
+    /// <summary>Of the triples that describe the same rotation, with all axes different, the nearest to another.</summary>
+    public BvhEulerTriple Nearest(BvhEulerTriple near)
+    {
+        BvhEulerTriple one = Wound(near);
+        BvhEulerTriple other = new BvhEulerTriple(First + 180, 180 - Second, Third + 180).Wound(near);
         return other.Distance(near) < one.Distance(near) ? other : one;
     }
+
+    /// <summary>This, or another one where this is no rotation: one row of NaN shall not spoil those after it.</summary>
+    public BvhEulerTriple Or(BvhEulerTriple other) => double.IsFinite(First + Second + Third) ? this : other;
 
     private static double Square(double value) => value * value;
 

@@ -57,9 +57,12 @@ internal sealed class BvhJointValues
         _positions[2] < 0 ? _offset.Z : row[_positions[2]]);
 
     /// <summary>Writes the rotation of a joint that turns freely, by the angles that are nearest to others.</summary>
-    public void SetRotation(Span<float> row, BvhRotation rotation, BvhEulerTriple near)
+    public void SetRotation(Span<float> row, BvhRotation rotation, BvhEulerTriple near) =>
+        SetAngles(row, BvhEulerTriple.Of(rotation, Axes, near));
+
+    /// <summary>Writes the three angles of a joint that turns freely.</summary>
+    public void SetAngles(Span<float> row, BvhEulerTriple angles)
     {
-        BvhEulerTriple angles = BvhEulerTriple.Of(rotation, Axes, near);
         row[_rotations[0].Column] = (float)angles.First;
         row[_rotations[1].Column] = (float)angles.Second;
         row[_rotations[2].Column] = (float)angles.Third;

@@ -13,7 +13,7 @@ internal readonly record struct BvhRotation(double X, double Y, double Z, double
     public BvhRotation Inverse => new(-X, -Y, -Z, W);
 
     /// <summary>How far it turns about the vertical, in degrees: its twist about Y, whatever else it does.</summary>
-    public double Heading => X == 0 && Z == 0 && Y == 0 ? 0 : 2 * Math.Atan2(Y, W) * (180 / Math.PI);
+    public double Heading => 2 * Math.Atan2(Y, W) * (180 / Math.PI);
 
     public static BvhRotation operator *(BvhRotation a, BvhRotation b) => new(
         (a.W * b.X) + (a.X * b.W) + (a.Y * b.Z) - (a.Z * b.Y),
