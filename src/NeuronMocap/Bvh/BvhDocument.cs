@@ -15,6 +15,9 @@ public sealed class BvhDocument
     /// <summary>Largest number of joints that is read.</summary>
     public const int MaxJoints = 10_000;
 
+    /// <summary>Largest number of values in a row that is read.</summary>
+    public const int MaxChannels = 100_000;
+
     /// <summary>Largest depth of joints within joints that is read.</summary>
     public const int MaxDepth = 512;
 
@@ -46,14 +49,6 @@ public sealed class BvhDocument
         _values = values;
     }
 
-    private BvhDocument(BvhHierarchy hierarchy, in BvhMotionReader motion, BvhRepairLog repairs)
-        : this(hierarchy, motion.FrameTime, motion.Values)
-    {
-        DeclaredFrameTime = motion.DeclaredFrameTime;
-        Repairs = repairs.Listed;
-        RepairCount = repairs.Count;
-    }
-
     /// <summary>The joints and their channels.</summary>
     public BvhHierarchy Hierarchy { get; }
 
@@ -67,7 +62,7 @@ public sealed class BvhDocument
     public int FrameCount { get; }
 
     /// <summary>Seconds from one frame to the next as the file has it, often rounded; 0 when it has none that is usable.</summary>
-    public double DeclaredFrameTime { get; }
+    public double DeclaredFrameTime { get; private init; }
 
     /// <summary>
     /// Time from one frame to the next. Where the file's is the rounded period of a usual rate, that period: see
@@ -82,31 +77,52 @@ public sealed class BvhDocument
     public BvhTextFormat TextFormat { get; init; } = BvhTextFormat.AxisNeuron;
 
     /// <summary>What was wrong in the file and how it was read all the same; the first hundred.</summary>
-    public IReadOnlyList<BvhRepair> Repairs { get; } = [];
+    public IReadOnlyList<BvhRepair> Repairs { get; private init; } = [];
 
     /// <summary>Number of repairs, those included that <see cref="Repairs"/> does not list.</summary>
-    public int RepairCount { get; }
+    public int RepairCount { get; private init; }
 
-    /// <summary>Reads a file.</summary>
-    /// <param name="path">Where it is; at most 2 GB.</param>
+    /// <summary>Reads a file. Takes the memory of the values, and no more where the file says how many there are; <see cref="BvhReader"/> takes none.</summary>
+    /// <param name="path">Where it is.</param>
+    /// <param name="options">How to read it; null for the defaults.</param>
     /// <returns>The document.</returns>
-    /// <exception cref="BvhFormatException">The file is not BVH, or exceeds one of the limits.</exception>
+    /// <exception cref="BvhFormatException">
+    /// The file is not BVH, exceeds one of the limits, or has more than 2^31 values; with <see cref="BvhReadOptions.Strict"/>, anything is wrong.
+    /// </exception>
     /// <exception cref="IOException">The file is not there or cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">This user may not read it.</exception>
-    public static BvhDocument Load(string path) => Parse(File.ReadAllBytes(path));
+    public static BvhDocument Load(string path, BvhReadOptions? options = null)
+    {
+        using FileStream stream = BvhReader.OpenFile(path);
+        return Load(stream, options);
+    }
+
+    /// <summary>Reads a stream to its end.</summary>
+    /// <param name="stream">Where the text comes from, in pieces of any size; not closed.</param>
+    /// <param name="options">How to read it; null for the defaults.</param>
+    /// <returns>The document.</returns>
+    /// <exception cref="BvhFormatException">As when a file is read.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
+    public static BvhDocument Load(Stream stream, BvhReadOptions? options = null)
+    {
+        ArgumentNullException.ThrowIfNull(stream);
+        var source = new BvhTextSource(stream, options?.Progress);
+        try
+        {
+            return Read(new BvhText(source), options);
+        }
+        finally
+        {
+            source.Release();
+        }
+    }
 
     /// <summary>Reads text.</summary>
     /// <param name="utf8">ASCII or UTF-8, with or without a byte order mark; only read.</param>
+    /// <param name="options">How to read it; null for the defaults. Progress is not reported.</param>
     /// <returns>The document, which does not refer to the text any more.</returns>
-    /// <exception cref="BvhFormatException">The text is not BVH, or exceeds one of the limits.</exception>
-    public static BvhDocument Parse(ReadOnlySpan<byte> utf8)
-    {
-        var repairs = new BvhRepairLog();
-        var hierarchy = new BvhHierarchyReader(new BvhText(utf8), repairs);
-        var motion = new BvhMotionReader(hierarchy.Read(), hierarchy.ChannelCount, repairs);
-        motion.Read();
-        return new BvhDocument(new BvhHierarchy(hierarchy.Joints, hierarchy.ChannelCount), motion, repairs);
-    }
+    /// <exception cref="BvhFormatException">As when a file is read.</exception>
+    public static BvhDocument Parse(ReadOnlySpan<byte> utf8, BvhReadOptions? options = null) => Read(new BvhText(utf8), options);
 
     /// <summary>Writes the document as a file, laid out by <see cref="TextFormat"/>. Read again it has the same values, bit for bit, except for the kinds of NaN.</summary>
     /// <param name="path">Where; a file that is there already is replaced.</param>
@@ -139,5 +155,23 @@ public sealed class BvhDocument
             throw new ArgumentOutOfRangeException(nameof(index), index, $"There are {FrameCount} frames.");
 
         return _values.AsSpan(index * ChannelCount, ChannelCount);
+    }
+
+    private static BvhDocument Read(BvhText text, BvhReadOptions? options)
+    {
+        var parser = new BvhParser(options);
+        parser.Begin(ref text);
+        var rows = new BvhRowBuffer(parser.Hierarchy.ChannelCount);
+        rows.Reserve(parser.AnnouncedFrames, text.Remaining);
+        while (parser.TryReadRow(ref text, rows.Next))
+            rows.Keep(text.Place);
+
+        return new BvhDocument(parser.Hierarchy, parser.FrameTime, rows.ToArray())
+        {
+            DeclaredFrameTime = parser.DeclaredFrameTime,
+            TextFormat = parser.GetTextFormat(text.LineEnd),
+            Repairs = parser.Repairs.Listed,
+            RepairCount = parser.Repairs.Count,
+        };
     }
 }

@@ -69,20 +69,20 @@ internal static class BvhFrameTimeText
     private static BvhFrameTime? Choose(double declared, int lastDigit)
     {
         double tolerance = Math.Max(0.5 * Math.Pow(10, lastDigit), declared * SinglePrecision);
-        return Nearest(UsualRates, 1, declared, tolerance) ?? Nearest(TelevisionRates, 1.001, declared, tolerance);
+        return Nearest(UsualRates, 1000, declared, tolerance) ?? Nearest(TelevisionRates, 1001, declared, tolerance);
     }
 
-    private static BvhFrameTime? Nearest(ReadOnlySpan<short> rates, double periods, double declared, double tolerance)
+    private static BvhFrameTime? Nearest(ReadOnlySpan<short> rates, long milliseconds, double declared, double tolerance)
     {
         BvhFrameTime? nearest = null;
         foreach (short rate in rates)
         {
-            double distance = Math.Abs((periods / rate) - declared);
+            double distance = Math.Abs(((double)milliseconds / (rate * 1000)) - declared);
             if (distance > tolerance)
                 continue;
 
             tolerance = distance;
-            nearest = new BvhFrameTime((long)(periods * 1000), rate * 1000L);
+            nearest = new BvhFrameTime(milliseconds, rate * 1000);
         }
 
         return nearest;

@@ -1,6 +1,8 @@
+using System.Globalization;
 using System.Numerics;
 using System.Text;
 using NeuronMocap.Protocol;
+using static NeuronMocap.Bvh.BvhWord;
 
 namespace NeuronMocap.Bvh;
 
@@ -8,82 +10,87 @@ namespace NeuronMocap.Bvh;
 internal ref struct BvhHierarchyReader
 {
     private readonly BvhRepairLog _repairs;
+    private readonly BvhTextFormatBuilder _format;
     private readonly List<BvhJoint> _joints = [];
     private BvhText _text;
     private BvhJoint? _open;
     private bool _inEndSite;
     private int _depth;
     private int _channelCount;
-    private int _line;
+    private BvhPlace _place;
+    private int _openLine;
+    private byte _blank;
 
-    public BvhHierarchyReader(BvhText text, BvhRepairLog repairs)
+    private BvhHierarchyReader(BvhText text, BvhRepairLog repairs, BvhTextFormatBuilder format)
     {
         _text = text;
         _repairs = repairs;
+        _format = format;
     }
 
-    public readonly IReadOnlyList<BvhJoint> Joints => _joints;
-
-    public readonly int ChannelCount => _channelCount;
-
-    /// <summary>Reads the joints.</summary>
-    /// <returns>What comes after them: nothing, or text that begins with MOTION.</returns>
-    public BvhText Read()
+    /// <summary>Reads the joints. What comes after them is nothing, or text that begins with MOTION.</summary>
+    public static BvhHierarchy Read(ref BvhText text, BvhRepairLog repairs, BvhTextFormatBuilder format)
     {
+        var reader = new BvhHierarchyReader(text, repairs, format);
+        reader.Read();
+        text = reader._text;
+        return new BvhHierarchy(reader._joints, reader._channelCount);
+    }
+
+    private void Read()
+    {
+        _format.HasByteOrderMark = _text.TrySkipByteOrderMark();
         FindHierarchy();
         while (!IsMotion(_text.PeekWord()))
             ReadStatement();
 
-        _line = _text.Line;
+        _place = _text.Place;
         if (_joints.Count == 0)
             throw Refuse("The hierarchy has no joints.");
         if (_open is not null)
-            _repairs.Add(_line, $"The hierarchy ends inside {Describe(_open)}; what is open is closed here.");
+            _repairs.Add(_place, $"The hierarchy ends inside {Describe(_open)}", $"what is open is closed here");
 
         while (_open is not null)
             CloseJoint();
-
-        return _text;
     }
 
     // The end counts as well. Without the word MOTION, what it would announce is the next best sign of it.
     private static bool IsMotion(ReadOnlySpan<byte> word) =>
-        word.IsEmpty || BvhText.AreEqual(word, "MOTION"u8) || BvhText.StartsWith(word, "Frame"u8);
+        word.IsEmpty || AreEqual(word, "MOTION"u8) || StartsWith(word, "Frame"u8);
 
     private static string Describe(BvhJoint joint) =>
-        joint.Name.Length == 0 ? "a joint without a name" : $"joint {BvhText.Quote(joint.Name)}";
+        joint.Name.Length == 0 ? "a joint without a name" : $"joint {Quote(joint.Name)}";
 
     private void FindHierarchy()
     {
-        BvhText start = _text;
-        ReadOnlySpan<byte> first = start.PeekWord();
+        ReadOnlySpan<byte> first = _text.PeekWord();
+        _place = _text.Place;
         if (first.IsEmpty)
-            throw new BvhFormatException("The file is empty.", start.Line, start.Column);
+            throw Refuse("The file is empty.");
+        if (_text.TryReadWord("HIERARCHY"u8))
+            return;
 
-        _line = start.Line;
+        string quote = Quote(first);
         while (!_text.TryReadWord("HIERARCHY"u8))
         {
             if (_text.ReadWord().IsEmpty)
-            {
-                string message = $"There is no HIERARCHY; the file begins with {BvhText.Quote(first)}.";
-                throw new BvhFormatException(message, start.Line, start.Column);
-            }
+                throw new BvhFormatException($"There is no HIERARCHY; the file begins with {quote}.", _place.Line, _place.Column);
         }
 
-        if (!BvhText.AreEqual(first, "HIERARCHY"u8))
-            _repairs.Add(_line, $"The file begins with {BvhText.Quote(first)}; what comes before HIERARCHY is ignored.");
+        _repairs.Add(_place, $"The file begins with {quote}", $"what comes before HIERARCHY is ignored");
     }
 
     private void ReadStatement()
     {
         ReadOnlySpan<byte> word = _text.PeekWord();
-        _line = _text.Line;
-        bool isRoot = BvhText.AreEqual(word, "ROOT"u8);
-        if (isRoot || BvhText.AreEqual(word, "JOINT"u8))
+        _place = _text.Place;
+        _blank = _text.LastBlank;
+        bool isRoot = AreEqual(word, "ROOT"u8);
+        if (isRoot || AreEqual(word, "JOINT"u8))
             OpenJoint(isRoot);
         else if (word[0] == '}')
             Close();
-        else if (_open is not null && BvhText.AreEqual(word, "End"u8))
+        else if (_open is not null && AreEqual(word, "End"u8))
             OpenEndSite();
         else if (_open is not null && _text.TryReadWord("OFFSET"u8))
             ReadOffset();
@@ -103,34 +110,42 @@ internal ref struct BvhHierarchyReader
         _text.ReadWord();
         LeaveEndSite();
         if (isRoot != (_open is null))
-            _repairs.Add(_line, $"{(isRoot ? $"A ROOT inside {Describe(_open!)} is read as a JOINT." : "A JOINT outside of any other is read as a ROOT.")}");
+            TellKind(isRoot);
 
         _open = new BvhJoint(ReadName(), _joints.Count, _open) { FirstChannel = _channelCount };
         _joints.Add(_open);
         _depth++;
         if (_open.Name.Length == 0)
-            _repairs.Add(_line, $"Joint number {_joints.Count} has no name.");
+            _repairs.Add(_place, $"Joint number {_joints.Count} has no name", $"it is read without");
 
         ReadOpeningBrace();
+    }
+
+    private readonly void TellKind(bool isRoot)
+    {
+        if (isRoot)
+            _repairs.Add(_place, $"There is a ROOT inside {Describe(_open!)}", $"it is read as a JOINT");
+        else
+            _repairs.Add(_place, $"There is a JOINT outside of any other", $"it is read as a ROOT");
     }
 
     // Names may hold spaces, and may stand on the line after.
     private string ReadName()
     {
-        ReadOnlySpan<byte> name = _text.ReadToBrace();
-        ReadOnlySpan<byte> next = _text.PeekWord();
-        if (name.IsEmpty && !IsStatement(next))
-            name = _text.ReadToBrace();
-
-        return Encoding.UTF8.GetString(name);
+        string name = ReadRest();
+        return name.Length > 0 || IsStatement(_text.PeekWord()) ? name : ReadRest();
     }
+
+    private string ReadRest() => _text.TryReadToBrace(out ReadOnlySpan<byte> rest)
+        ? Encoding.UTF8.GetString(rest)
+        : throw Refuse($"A name is longer than {BvhText.LongestWord} bytes.");
 
     private void OpenEndSite()
     {
-        _text.ReadToBrace();
+        _text.SkipToBrace();
         LeaveEndSite();
         if (_open!.EndSite is not null)
-            _repairs.Add(_line, $"A further End Site of {Describe(_open)} takes the place of the one before.");
+            _repairs.Add(_place, $"There is a further End Site of {Describe(_open)}", $"it takes the place of the one before");
 
         _inEndSite = true;
         _open.EndSite = Vector3.Zero;
@@ -140,15 +155,16 @@ internal ref struct BvhHierarchyReader
     private void LeaveEndSite()
     {
         if (_inEndSite)
-            _repairs.Add(_line, $"The End Site of {Describe(_open!)} is not closed; it is closed here.");
+            _repairs.Add(_place, $"The End Site of {Describe(_open!)} is not closed", $"it is closed here");
 
         _inEndSite = false;
     }
 
     private void ReadOpeningBrace()
     {
+        _openLine = _text.Place.Line;
         if (!_text.TryReadWord("{"u8))
-            _repairs.Add(_line, $"There is no {{ after {(_inEndSite ? "End Site" : Describe(_open!))}; it is read as if there were.");
+            _repairs.Add(_place, $"There is no {{ after {(_inEndSite ? "End Site" : Describe(_open!))}", $"it is read as if there were");
     }
 
     private void Close()
@@ -159,13 +175,13 @@ internal ref struct BvhHierarchyReader
         else if (_open is not null)
             CloseJoint();
         else
-            _repairs.Add(_line, "A } that closes nothing is ignored.");
+            _repairs.Add(_place, $"There is a }} that closes nothing", $"it is ignored");
     }
 
     private void CloseJoint()
     {
         if (!_open!.HasOffset)
-            _repairs.Add(_line, $"There is no OFFSET in {Describe(_open)}; it is taken as zero.");
+            _repairs.Add(_place, $"There is no OFFSET in {Describe(_open)}", $"it is taken as zero");
 
         _inEndSite = false;
         _open = _open.Parent;
@@ -174,6 +190,9 @@ internal ref struct BvhHierarchyReader
 
     private void ReadOffset()
     {
+        if (_format.Indentation is null && _depth == 1 && _place.Line > _openLine)
+            _format.Indentation = new string((char)_blank, _place.Column - 1);
+
         var offset = new Vector3(ReadCoordinate(), ReadCoordinate(), ReadCoordinate());
         if (_inEndSite)
         {
@@ -182,7 +201,7 @@ internal ref struct BvhHierarchyReader
         }
 
         if (_open!.HasOffset)
-            _repairs.Add(_line, $"A further OFFSET of {Describe(_open)} takes the place of the one before.");
+            _repairs.Add(_place, $"There is a further OFFSET of {Describe(_open)}", $"it takes the place of the one before");
 
         _open.Offset = offset;
         _open.HasOffset = true;
@@ -193,14 +212,16 @@ internal ref struct BvhHierarchyReader
         ReadOnlySpan<byte> word = _text.PeekWord();
         if (!TextNumber.TryParse(word, out float value))
         {
-            _repairs.Add(_line, $"The OFFSET in {Describe(_open!)} lacks a number; it is taken as zero.");
+            BvhPlace place = _text.Place.Line == _place.Line ? _text.Place : _place;
+            _repairs.Add(place, $"The OFFSET in {Describe(_open!)} lacks a number", $"it is taken as zero");
             return 0;
         }
 
-        _text.ReadWord();
         if (!float.IsFinite(value))
-            _repairs.Add(_line, $"The OFFSET in {Describe(_open!)} holds {BvhText.Quote(word)}; it is kept as that.");
+            _repairs.Add(_text.Place, $"The OFFSET in {Describe(_open!)} holds {word}", $"it is kept as that");
 
+        _format.AddOffset(word);
+        _text.Advance(word.Length);
         return value;
     }
 
@@ -210,7 +231,7 @@ internal ref struct BvhHierarchyReader
         ReadOnlySpan<byte> word = _text.PeekWord();
         bool hasCount = TextNumber.TryParse(word, out float count);
         if (hasCount)
-            _text.ReadWord();
+            _text.Advance(word.Length);
 
         bool isFirst = _open!.Channels.Count == 0 && !_inEndSite;
         if (!isFirst && !IsStatement(_text.PeekWord()))
@@ -225,6 +246,9 @@ internal ref struct BvhHierarchyReader
         int read = 0;
         while (TryReadChannel(isKnownOnly: !hasCount || !(read < count), out BvhChannel channel))
         {
+            if (_channelCount + read == BvhDocument.MaxChannels)
+                throw Refuse($"There are more than {BvhDocument.MaxChannels} channels.");
+
             _open.AddChannel(channel);
             read++;
         }
@@ -233,9 +257,8 @@ internal ref struct BvhHierarchyReader
         if (hasCount && read == count)
             return;
 
-        _repairs.Add(
-            _line,
-            $"CHANNELS of {Describe(_open)} announces {(hasCount ? BvhText.Quote(word) : "no number")} and names {read}; the names are followed.");
+        string announced = hasCount ? Quote(count.ToString(CultureInfo.InvariantCulture)) : "no number";
+        _repairs.Add(_place, $"CHANNELS of {Describe(_open)} announces {announced} and names {read}", $"the names are followed");
     }
 
     private bool TryReadChannel(bool isKnownOnly, out BvhChannel channel)
@@ -245,16 +268,16 @@ internal ref struct BvhHierarchyReader
         if (channel == BvhChannel.Unknown && (isKnownOnly || IsStatement(word)))
             return false;
         if (channel == BvhChannel.Unknown)
-            _repairs.Add(_line, $"The channel {BvhText.Quote(word)} of {Describe(_open!)} is unknown; it keeps its place in the row.");
+            _repairs.Add(_text.Place, $"The channel {word} of {Describe(_open!)} is unknown", $"it keeps its place in the row");
 
-        _text.ReadWord();
+        _text.Advance(word.Length);
         return true;
     }
 
     private static BvhChannel ChannelOf(ReadOnlySpan<byte> word)
     {
-        bool isPosition = word.Length == 9 && BvhText.AreEqual(word[1..], "position"u8);
-        bool isRotation = word.Length == 9 && BvhText.AreEqual(word[1..], "rotation"u8);
+        bool isPosition = word.Length == 9 && AreEqual(word[1..], "position"u8);
+        bool isRotation = word.Length == 9 && AreEqual(word[1..], "rotation"u8);
         int axis = isPosition || isRotation ? (word[0] | 0x20) - 'x' : -1;
         if (axis is < 0 or > 2)
             return BvhChannel.Unknown;
@@ -266,25 +289,25 @@ internal ref struct BvhHierarchyReader
         word.IsEmpty
         || word[0] is (byte)'{' or (byte)'}'
         || IsMotion(word)
-        || BvhText.AreEqual(word, "JOINT"u8)
-        || BvhText.AreEqual(word, "ROOT"u8)
-        || BvhText.AreEqual(word, "End"u8)
-        || BvhText.AreEqual(word, "OFFSET"u8)
-        || BvhText.AreEqual(word, "CHANNELS"u8);
+        || AreEqual(word, "JOINT"u8)
+        || AreEqual(word, "ROOT"u8)
+        || AreEqual(word, "End"u8)
+        || AreEqual(word, "OFFSET"u8)
+        || AreEqual(word, "CHANNELS"u8);
 
     private void SkipUnknown()
     {
-        ReadOnlySpan<byte> word = _text.ReadWord();
-        if (word[0] != '{')
-            _text.ReadToBrace();
-
-        _repairs.Add(_line, $"{BvhText.Quote(word)} has no place here; it is ignored, and so is the rest of its line.");
+        ReadOnlySpan<byte> word = _text.PeekWord();
+        bool isBrace = word[0] == '{';
+        _repairs.Add(_place, $"{word} has no place here", $"it is ignored, and so is the rest of its line");
+        _text.Advance(word.Length);
+        if (!isBrace)
+            _text.SkipToBrace();
     }
 
-    private readonly BvhFormatException Refuse(string message)
+    private BvhFormatException Refuse(string message)
     {
-        BvhText here = _text;
-        here.PeekWord();
-        return new BvhFormatException(message, here.Line, here.Column);
+        _text.SkipSpace();
+        return new BvhFormatException(message, _text.Place.Line, _text.Place.Column);
     }
 }

@@ -1,263 +1,274 @@
 using NeuronMocap.Protocol;
+using static NeuronMocap.Bvh.BvhWord;
 
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// Reads from MOTION to the end, line by line. Rows are counted, whatever the file announces, so memory follows the length of the file.
+/// Reads from MOTION to the end, row by row. Rows are counted, whatever the file announces.
 /// <para>
 /// Several MOTION blocks are one take, in the order of the file: they share the hierarchy, and leaving one out would lose what it holds.
 /// The first usable frame time counts. A line with too few values is joined with those below it if together they make whole rows; else it
-/// is left out, since a pose with invented values is worse than a missing one.
+/// is left out, since a pose with invented values is worse than a missing one. What is not decided yet lies in <see cref="BvhOpenRows"/>,
+/// which bounds it: a line of very many values is parted as it comes.
 /// </para>
 /// </summary>
-internal ref struct BvhMotionReader
+internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, BvhTextFormatBuilder format)
 {
-    private readonly BvhRepairLog _repairs;
-    private readonly int _channelCount;
-    private readonly int _mostValues;
-    private BvhText _text;
-    private int _line;
+    private readonly BvhOpenRows _rows = new(channelCount, repairs);
+    private BvhPlace _start;
+    private bool _isEnded;
+    private bool _isFirstRow = true;
+    private bool _isInLongLine;
 
-    // Up to _rowEnd the values are those of whole rows; from there to _valueEnd those of lines that may still become one.
-    private float[] _values = [];
-    private int _rowEnd;
-    private int _valueEnd;
-    private int _openLine;
-
-    private int _blockLine;
-    private int _blockStart;
-    private int _framesLine;
-    private double _frames;
-    private ReadOnlySpan<byte> _framesWord;
-
-    public BvhMotionReader(BvhText text, int channelCount, BvhRepairLog repairs)
-    {
-        _text = text;
-        _channelCount = channelCount;
-        _repairs = repairs;
-        _mostValues = (text.Remaining / 2) + 1;
-    }
+    private BvhPlace _block;
+    private long _blockRows;
+    private BvhPlace _frames;
+    private double _announced;
+    private string _announcedText = "";
 
     /// <summary>Seconds as the file has it; 0 when it has none.</summary>
     public double DeclaredFrameTime { get; private set; }
 
     public BvhFrameTime FrameTime { get; private set; } = BvhFrameTime.Default;
 
-    /// <summary>The values of whole rows, one row after the other.</summary>
-    public readonly float[] Values => _values;
+    /// <summary>What the first usable number of frames announces; null while there is none.</summary>
+    public long? AnnouncedFrames { get; private set; }
 
-    public void Read()
+    /// <summary>Reads MOTION and what is announced.</summary>
+    public void Begin(ref BvhText text)
     {
-        if (_text.PeekWord().IsEmpty)
-            return;
-
-        _line = _text.Line;
-        int start = _line;
-        if (!_text.TryReadWord("MOTION"u8))
-            _repairs.Add(_line, "The word MOTION is missing; it is read as if it stood here.");
-
-        BeginBlock();
-        while (_text.Remaining > 0 && TryReadLine())
+        if (!text.SkipSpace())
         {
+            _isEnded = true;
+            return;
+        }
+
+        _start = text.Place;
+        if (text.TryReadWord("MOTION"u8))
+            format.HasBlankLineAfterMotion = text.SkipSpace() && text.Place.Line > _start.Line + 1;
+        else
+            repairs.Add(_start, $"The word MOTION is missing", $"it is read as if it stood here");
+
+        BeginBlock(_start);
+        MoveToRow(ref text);
+    }
+
+    /// <summary>Reads the next row.</summary>
+    /// <param name="text">Where to go on.</param>
+    /// <param name="row">As many values as there are channels; whatever it is where there is no further row.</param>
+    /// <returns>False at the end.</returns>
+    public bool TryReadRow(ref BvhText text, Span<float> row)
+    {
+        while (!_isEnded)
+        {
+            if (_rows.TryTake(row) || (_isInLongLine ? TryReadLongLine(ref text, row) : MoveToRow(ref text) && TryReadLine(ref text, row)))
+            {
+                _blockRows++;
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    // Reads all that is announced; false at the end, which is also where a second hierarchy begins.
+    private bool MoveToRow(ref BvhText text)
+    {
+        while (text.SkipSpace())
+        {
+            BvhPlace place = text.Place;
+            if (text.TryRead("HIERARCHY"u8))
+            {
+                repairs.Add(place, $"A second HIERARCHY begins here", $"neither it nor anything after it is read");
+                break;
+            }
+
+            if (!TryReadHeading(ref text, place))
+                return true;
         }
 
         EndBlock();
-        Array.Resize(ref _values, _rowEnd);
         if (DeclaredFrameTime == 0)
-            _repairs.Add(start, "There is no usable frame time; 120 Hz is assumed.");
+            repairs.Add(_start, $"There is no usable frame time", $"120 Hz is assumed");
+
+        _isEnded = true;
+        return false;
     }
 
-    private bool TryReadLine()
+    private bool TryReadHeading(ref BvhText text, BvhPlace place)
     {
-        _line = _text.Line;
-        ReadOnlySpan<byte> line = _text.ReadLine();
-        if (BvhText.StartsWith(line, "HIERARCHY"u8))
-        {
-            _repairs.Add(_line, "A second HIERARCHY begins here; neither it nor anything after it is read.");
-            return false;
-        }
-
-        while (TryReadHeading(ref line))
-            line = BvhText.Trim(line);
-
-        if (!line.IsEmpty)
-            ReadRow(line);
-
-        return true;
-    }
-
-    private bool TryReadHeading(scoped ref ReadOnlySpan<byte> line)
-    {
-        if (TryTake(ref line, "MOTION"u8))
+        if (text.TryRead("MOTION"u8))
         {
             EndBlock();
-            BeginBlock();
-            _repairs.Add(_line, "A further MOTION begins here; its rows follow those before it.");
+            BeginBlock(place);
+            repairs.Add(place, $"A further MOTION begins here", $"its rows follow those before it");
             return true;
         }
 
-        if (TryTake(ref line, "Frames"u8))
+        if (text.TryRead("Frames"u8))
         {
-            ReadFrames(TakeValue(ref line));
+            text.TryRead(":"u8);
+            ReadFrames(ref text, place);
             return true;
         }
 
-        if (!TryTake(ref line, "Frame"u8))
+        if (!text.TryRead("Frame"u8))
             return false;
 
-        TryTake(ref line, "Time"u8);
-        ReadFrameTime(TakeValue(ref line));
+        text.TryRead("Time"u8);
+        text.TryRead(":"u8);
+        ReadFrameTime(ref text);
         return true;
     }
 
-    private static ReadOnlySpan<byte> TakeValue(scoped ref ReadOnlySpan<byte> line)
+    private void BeginBlock(BvhPlace place)
     {
-        TryTake(ref line, ":"u8);
-        return BvhText.TakeWord(ref line);
-    }
-
-    private static bool TryTake(scoped ref ReadOnlySpan<byte> line, ReadOnlySpan<byte> keyword)
-    {
-        if (!BvhText.StartsWith(line, keyword))
-            return false;
-
-        line = BvhText.Trim(line[keyword.Length..]);
-        return true;
-    }
-
-    private void BeginBlock()
-    {
-        _blockLine = _line;
-        _blockStart = _rowEnd;
-        _framesLine = 0;
+        _block = place;
+        _blockRows = 0;
+        _frames = default;
     }
 
     private void EndBlock()
     {
-        LeaveOutOpenLines();
-        int rows = _channelCount == 0 ? 0 : (_rowEnd - _blockStart) / _channelCount;
-        if (_framesLine == 0)
-            _repairs.Add(_blockLine, $"The number of frames is missing; {rows} are there.");
-        else if (_frames != rows)
-            _repairs.Add(_framesLine, $"{BvhText.Quote(_framesWord)} frames are announced and {rows} rows are there; the rows count.");
+        _rows.LeaveOut();
+        if (_frames == default)
+            repairs.Add(_block, $"The number of frames is missing", $"{_blockRows} are there");
+        else if (_announced != _blockRows)
+            repairs.Add(_frames, $"{_announcedText} frames are announced and {_blockRows} rows are there", $"the rows count");
     }
 
-    private void ReadFrames(ReadOnlySpan<byte> word)
+    private void ReadFrames(ref BvhText text, BvhPlace place)
     {
-        LeaveOutOpenLines();
-        if (_framesLine != 0)
+        _rows.LeaveOut();
+        ReadOnlySpan<byte> word = text.PeekLineWord();
+        if (_frames == default)
         {
-            _repairs.Add(_line, "A further number of frames is ignored.");
-            return;
+            _frames = word.IsEmpty ? place : text.Place;
+            _announcedText = Quote(word);
+            _announced = TextNumber.TryParse(word, out double frames, out _) ? frames : -1;
+            if (_announced is >= 0 and < long.MaxValue)
+                AnnouncedFrames ??= (long)_announced;
+        }
+        else
+        {
+            repairs.Add(place, $"There is a further number of frames", $"it is ignored");
         }
 
-        _framesLine = _line;
-        _framesWord = word;
-        _frames = TextNumber.TryParse(word, out double frames, out _) ? frames : -1;
+        text.Advance(word.Length);
     }
 
-    private void ReadFrameTime(ReadOnlySpan<byte> word)
+    private void ReadFrameTime(ref BvhText text)
     {
-        LeaveOutOpenLines();
+        _rows.LeaveOut();
+        ReadOnlySpan<byte> word = text.PeekLineWord();
         if (!BvhFrameTimeText.TryParse(word, out double declared, out BvhFrameTime time))
         {
-            _repairs.Add(_line, $"{BvhText.Quote(word)} is not a frame time; it is ignored.");
+            repairs.Add(text.Place, $"{word} is not a frame time", $"it is ignored");
         }
         else if (DeclaredFrameTime == 0)
         {
             DeclaredFrameTime = declared;
             FrameTime = time;
+            format.FrameTimeText = System.Text.Encoding.ASCII.GetString(word);
         }
         else if (declared != DeclaredFrameTime)
         {
-            _repairs.Add(_line, $"A further frame time, {BvhText.Quote(word)}, is ignored.");
+            repairs.Add(text.Place, $"There is a further frame time, {word}", $"it is ignored");
         }
+
+        text.Advance(word.Length);
     }
 
-    private void ReadRow(ReadOnlySpan<byte> line)
+    private bool TryReadLine(ref BvhText text, Span<float> row)
     {
-        if (_channelCount == 0)
+        BvhPlace start = text.Place;
+        if (channelCount == 0)
         {
-            _repairs.Add(_line, "The joints have no channels; the line is left out.");
-            return;
+            repairs.Add(start, $"The joints have no channels", $"the line is left out");
+            text.SkipLine();
+            return false;
         }
 
-        int start = _valueEnd;
-        bool isFinite = true;
-        ReadOnlySpan<byte> word = BvhText.TakeWord(ref line);
-        for (; !word.IsEmpty; word = BvhText.TakeWord(ref line))
+        BvhPlace notFinite = default;
+        int count = _isFirstRow ? ReadFirstRow(ref text, row, ref notFinite) : text.ReadNumbers(row, ref notFinite);
+        bool isWhole = count == channelCount && text.IsAtLineEnd();
+        if (isWhole && !_rows.IsAnyOpen)
         {
-            if (!TextNumber.TryParse(word, out float value))
-            {
-                _valueEnd = start;
-                LeaveOutOpenLines();
-                _repairs.Add(_line, $"{BvhText.Quote(word)} is not a number; the line is left out.");
-                return;
-            }
-
-            isFinite &= float.IsFinite(value);
-            Append(value);
+            TellNotFinite(notFinite);
+            return true;
         }
 
-        if (!isFinite)
-            _repairs.Add(_line, "Some values are not finite; they are read as they stand.");
-
-        EndLine(start);
-    }
-
-    private void EndLine(int start)
-    {
-        bool isJoined = start > _rowEnd;
-        _openLine = isJoined ? _openLine : _line;
-        int count = _valueEnd - _rowEnd;
-        if (count < _channelCount)
-            return;
-
-        if (count % _channelCount == 0)
+        _rows.BeginLine(start);
+        _rows.Add(row[..count]);
+        while (count == channelCount && !isWhole && !_rows.IsLineLong)
         {
-            if (isJoined || count > _channelCount)
-                _repairs.Add(_openLine, $"The values from here to line {_line} make {count / _channelCount} rows and are read as such.");
+            count = text.ReadNumbers(row, ref notFinite);
+            _rows.Add(row[..count]);
+            isWhole = text.IsAtLineEnd();
+        }
 
-            _rowEnd = _valueEnd;
-        }
-        else if (isJoined)
+        if (!text.IsAtLineEnd() && count < channelCount)
         {
-            ReadOnlySpan<float> last = _values.AsSpan(start, _valueEnd - start);
-            _valueEnd = start;
-            LeaveOutOpenLines();
-            last.CopyTo(_values.AsSpan(_rowEnd));
-            _valueEnd = _rowEnd + last.Length;
-            EndLine(_rowEnd);
+            _rows.LeaveOutLine();
+            TellNoNumber(ref text);
+            return false;
         }
+
+        TellNotFinite(notFinite);
+        _isInLongLine = !text.IsAtLineEnd();
+        if (_isInLongLine)
+            _rows.EndLongLine();
         else
-        {
-            _repairs.Add(_line, $"A row has {count} values instead of {_channelCount}; the first {_channelCount} are read.");
-            _rowEnd += _channelCount;
-            _valueEnd = _rowEnd;
-        }
+            _rows.EndLine(text.Place.Line);
+
+        return false;
     }
 
-    private void LeaveOutOpenLines()
+    // Goes on in a line whose rows are handed out before its end is known.
+    private bool TryReadLongLine(ref BvhText text, Span<float> row)
     {
-        int count = _valueEnd - _rowEnd;
+        BvhPlace start = text.Place;
+        BvhPlace notFinite = default;
+        int count = text.ReadNumbers(row, ref notFinite);
+        TellNotFinite(notFinite);
+        if (count == channelCount)
+            return true;
+
+        _isInLongLine = false;
         if (count > 0)
-            _repairs.Add(_openLine, $"A row has {count} values instead of {_channelCount}; it is left out.");
+            repairs.Add(start, $"A row has {count} values instead of {channelCount}", $"it is left out");
+        if (!text.IsAtLineEnd())
+            TellNoNumber(ref text);
 
-        _valueEnd = _rowEnd;
+        return false;
     }
 
-    private void Append(float value)
+    // Word by word, to see how the file is laid out.
+    private int ReadFirstRow(ref BvhText text, Span<float> row, ref BvhPlace notFinite)
     {
-        if (_valueEnd == _values.Length)
-            Grow();
+        format.BeginRow();
+        for (int count = 0; count < row.Length; count++)
+        {
+            int decimals = CountDecimals(text.PeekLineWord());
+            if (text.ReadNumbers(row.Slice(count, 1), ref notFinite) == 0)
+                return count;
 
-        _values[_valueEnd++] = value;
+            format.AddValue(decimals, text.ReadBlanks());
+        }
+
+        _isFirstRow = !text.IsAtLineEnd();
+        return row.Length;
     }
 
-    // To what is announced, when the text is long enough to hold that many: two bytes a value.
-    private void Grow()
+    private void TellNotFinite(BvhPlace place)
     {
-        double wanted = Math.Max(_frames * _channelCount, Math.Max(256, 2.0 * _values.Length));
-        Array.Resize(ref _values, (int)Math.Min(wanted, _mostValues));
+        if (place != default)
+            repairs.Add(place, $"Some values are not finite", $"they are read as they stand");
+    }
+
+    private void TellNoNumber(ref BvhText text)
+    {
+        repairs.Add(text.Place, $"{text.PeekLineWord()} is not a number", $"the line is left out");
+        text.SkipLine();
     }
 }

@@ -2,8 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Bvh;
 
-// A file can be wrong on every line; what is told about it stays short.
-internal sealed class BvhRepairLog
+// A file can be wrong on every line; what is told about it stays short. A strict one takes the first fault for a refusal.
+internal sealed class BvhRepairLog(bool isStrict)
 {
     private readonly List<BvhRepair> _listed = [];
 
@@ -13,14 +13,22 @@ internal sealed class BvhRepairLog
 
     private bool IsFull => _listed.Count == BvhDocument.MaxListedRepairs;
 
-    public void Add(int line, string description)
+    /// <summary>Tells of a repair.</summary>
+    /// <param name="place">Where.</param>
+    /// <param name="fault">What is wrong: a sentence without its full stop.</param>
+    /// <param name="remedy">What was made of it, as its second half.</param>
+    public void Add(
+        BvhPlace place,
+        [InterpolatedStringHandlerArgument("")] Description fault,
+        [InterpolatedStringHandlerArgument("")] Description remedy)
     {
+        if (isStrict)
+            throw new BvhFormatException($"{fault.ToString()}.", place.Line, place.Column);
+
         Count++;
         if (!IsFull)
-            _listed.Add(new BvhRepair(line, description));
+            _listed.Add(new BvhRepair(place.Line, place.Column, $"{fault.ToString()}; {remedy.ToString()}."));
     }
-
-    public void Add(int line, [InterpolatedStringHandlerArgument("")] Description description) => Add(line, description.ToString());
 
     // Puts a description together only where there is room for one more: a file of nothing but faults would else cost hundreds of bytes
     // for each of its own.
@@ -39,7 +47,9 @@ internal sealed class BvhRepairLog
 
         public void AppendFormatted(string text) => _parts!.Add(text);
 
-        public void AppendFormatted(int number) => _parts!.Add(number.ToString(System.Globalization.CultureInfo.InvariantCulture));
+        public void AppendFormatted(ReadOnlySpan<byte> word) => _parts!.Add(BvhWord.Quote(word));
+
+        public void AppendFormatted(long number) => _parts!.Add(number.ToString(System.Globalization.CultureInfo.InvariantCulture));
 
         public override string ToString() => _parts is null ? "" : string.Concat(_parts);
     }

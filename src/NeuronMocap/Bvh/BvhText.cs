@@ -1,42 +1,92 @@
-using System.Text;
+using NeuronMocap.Protocol;
+using static NeuronMocap.Bvh.BvhWord;
 
 namespace NeuronMocap.Bvh;
 
-// Walks the bytes of a file word by word or line by line and knows the place of each. A line ends with CRLF, LF or CR; words are parted by
-// whatever ASCII calls white space. No strings are made, save for what is shown to people.
+// Walks the bytes of a file word by word and knows the place of each. A line ends with CRLF, LF or CR; words are parted by whatever ASCII calls
+// white space. The text lies in memory as a whole, or comes from a stream in pieces of any size, of which a window is kept: then the words
+// that are handed out are gone with the next one. No strings are made, save for what is shown to people.
 internal ref struct BvhText
 {
-    private const int LongestQuote = 40;
+    /// <summary>Bytes of a word that are looked at as one; what a longer one has beyond is a word of its own.</summary>
+    public const int LongestWord = 1 << 16;
 
-    private readonly ReadOnlySpan<byte> _text;
+    private const int LongestBlanks = 16;
+
+    private readonly BvhTextSource? _source;
+    private ReadOnlySpan<byte> _window;
     private int _position;
-    private int _lineStart;
+    private Cursor _cursor;
 
     public BvhText(ReadOnlySpan<byte> text)
     {
-        ReadOnlySpan<byte> byteOrderMark = [0xEF, 0xBB, 0xBF];
-        _text = text.StartsWith(byteOrderMark) ? text[3..] : text;
-        Line = 1;
+        _window = text;
+        _cursor = Cursor.Start;
     }
 
-    /// <summary>Line of the next byte, from 1.</summary>
-    public int Line { get; private set; }
+    /// <summary>Goes on where the source's cursor is; <see cref="Save"/> puts it where this has come to.</summary>
+    public BvhText(BvhTextSource source)
+    {
+        _source = source;
+        _cursor = source.Cursor;
+        _window = source.Window;
+        _position = (int)(_cursor.Offset - _cursor.WindowStart);
+    }
 
-    /// <summary>Place of the next byte in its line, from 1.</summary>
-    public readonly int Column => _position - _lineStart + 1;
+    /// <summary>The next byte's.</summary>
+    public readonly BvhPlace Place => new(_cursor.Line, (int)Math.Min(int.MaxValue, Offset - _cursor.LineStart + 1));
 
-    public readonly int Remaining => _text.Length - _position;
+    /// <summary>How the first line ended; null while it has not.</summary>
+    public readonly string? LineEnd => _cursor.LineEnd;
+
+    /// <summary>The last byte of the space that was skipped, where there was any.</summary>
+    public byte LastBlank { get; private set; }
+
+    /// <summary>Bytes that are not read yet; null when the stream does not know its end.</summary>
+    public readonly long? Remaining => _window.Length - _position + (_source is null ? 0 : _source.Remaining);
+
+    private readonly long Offset => _cursor.WindowStart + _position;
+
+    public readonly void Save() => _source!.Cursor = _cursor with { Offset = Offset };
+
+    /// <summary>At the start of a file: whether there is a byte order mark, which is no text.</summary>
+    public bool TrySkipByteOrderMark()
+    {
+        if (!IsNext([0xEF, 0xBB, 0xBF]))
+            return false;
+
+        _position += 3;
+        _cursor.LineStart = Offset;
+        return true;
+    }
+
+    /// <summary>Goes to the next word, on this line or another.</summary>
+    /// <returns>False at the end.</returns>
+    public bool SkipSpace()
+    {
+        while (_position < _window.Length || Fill())
+        {
+            byte next = _window[_position];
+            if (!IsSpace(next))
+                return true;
+
+            LastBlank = next;
+            if (next is (byte)'\r' or (byte)'\n')
+                SkipLineEnd();
+            else
+                _position++;
+        }
+
+        return false;
+    }
 
     /// <summary>The next word, without going past it, so that the place is still the word's; empty at the end. A brace is a word.</summary>
     public ReadOnlySpan<byte> PeekWord()
     {
-        SkipSpace();
-        ReadOnlySpan<byte> rest = _text[_position..];
-        int length = 0;
-        while (length < rest.Length && !IsSpace(rest[length]) && !IsBrace(rest[length]))
-            length++;
+        if (!SkipSpace())
+            return default;
 
-        return rest[..(length == 0 && rest.Length > 0 ? 1 : length)];
+        return IsBrace(_window[_position]) ? _window.Slice(_position, 1) : PeekUntil(static letter => IsSpace(letter) || IsBrace(letter), LongestWord);
     }
 
     public ReadOnlySpan<byte> ReadWord()
@@ -56,113 +106,176 @@ internal ref struct BvhText
     }
 
     /// <summary>What is left of this line up to a brace, without the space around it; the brace or the line end comes next.</summary>
-    public ReadOnlySpan<byte> ReadToBrace()
+    /// <returns>False when it is longer than the longest word; then nothing is read.</returns>
+    public bool TryReadToBrace(out ReadOnlySpan<byte> text)
     {
-        ReadOnlySpan<byte> rest = _text[_position..];
-        int length = rest.IndexOfAny("\r\n{}"u8);
-        rest = length < 0 ? rest : rest[..length];
-        _position += rest.Length;
-        return Trim(rest);
-    }
-
-    /// <summary>What is left of this line, without the space around it; the next line comes next. Not to be called at the end.</summary>
-    public ReadOnlySpan<byte> ReadLine()
-    {
-        ReadOnlySpan<byte> rest = _text[_position..];
-        int length = rest.IndexOfAny((byte)'\r', (byte)'\n');
-        if (length < 0)
-        {
-            _position = _text.Length;
-            return Trim(rest);
-        }
-
-        _position += length;
-        SkipLineEnd();
-        return Trim(rest[..length]);
-    }
-
-    /// <summary>Takes the next word off the front of a line; empty when there is none.</summary>
-    public static ReadOnlySpan<byte> TakeWord(scoped ref ReadOnlySpan<byte> line)
-    {
-        int start = 0;
-        while (start < line.Length && IsSpace(line[start]))
-            start++;
-
-        int end = start;
-        while (end < line.Length && !IsSpace(line[end]))
-            end++;
-
-        ReadOnlySpan<byte> word = line[start..end];
-        line = line[end..];
-        return word;
-    }
-
-    public static bool AreEqual(ReadOnlySpan<byte> word, ReadOnlySpan<byte> keyword) =>
-        word.Length == keyword.Length && StartsWith(word, keyword);
-
-    /// <summary>Compares in any case of the ASCII letters.</summary>
-    public static bool StartsWith(ReadOnlySpan<byte> word, ReadOnlySpan<byte> keyword)
-    {
-        if (word.Length < keyword.Length)
+        ReadBlanks();
+        text = PeekUntil(static letter => IsLineEnd(letter) || IsBrace(letter), LongestWord + 1);
+        if (text.Length > LongestWord)
             return false;
 
+        _position += text.Length;
+        text = Trim(text);
+        return true;
+    }
+
+    public void SkipToBrace() => Skip(static letter => IsLineEnd(letter) || IsBrace(letter));
+
+    public void SkipLine() => Skip(IsLineEnd);
+
+    /// <summary>Goes past the space on this line.</summary>
+    /// <returns>The first bytes of it.</returns>
+    public ReadOnlySpan<byte> ReadBlanks()
+    {
+        ReadOnlySpan<byte> blanks = PeekUntil(static letter => !IsSpace(letter) || IsLineEnd(letter), LongestBlanks);
+        _position += blanks.Length;
+        if (blanks.Length == LongestBlanks)
+            Skip(static letter => !IsSpace(letter) || IsLineEnd(letter));
+
+        return blanks;
+    }
+
+    /// <summary>The next word of this line, without going past it; empty where the line has no more. Braces are letters like others.</summary>
+    public ReadOnlySpan<byte> PeekLineWord()
+    {
+        Skip(static letter => !IsSpace(letter) || IsLineEnd(letter));
+        return PeekUntil(IsSpace, LongestWord);
+    }
+
+    /// <summary>Goes past the space on this line; true when nothing more is on it.</summary>
+    public bool IsAtLineEnd()
+    {
+        Skip(static letter => !IsSpace(letter) || IsLineEnd(letter));
+        return (_position == _window.Length && !Fill()) || IsLineEnd(_window[_position]);
+    }
+
+    /// <summary>Goes past bytes that were peeked.</summary>
+    public void Advance(int count) => _position += count;
+
+    /// <summary>Goes past a keyword and the space after it, if the next bytes are it, in any case; what follows may touch it.</summary>
+    public bool TryRead(ReadOnlySpan<byte> keyword)
+    {
+        if (!IsNext(keyword))
+            return false;
+
+        _position += keyword.Length;
+        Skip(static letter => !IsSpace(letter) || IsLineEnd(letter));
+        return true;
+    }
+
+    /// <summary>Reads numbers of this line until there is no more room, the line ends, or something else than a number comes next.</summary>
+    /// <param name="values">Where they go.</param>
+    /// <param name="notFinite">Set to the place of the first one that is not finite, unless it is set already.</param>
+    /// <returns>How many were read.</returns>
+    public int ReadNumbers(Span<float> values, ref BvhPlace notFinite)
+    {
+        for (int count = 0; count < values.Length; count++)
+        {
+            while (_position < _window.Length && _window[_position] is (byte)' ' or (byte)'\t')
+                _position++;
+
+            if (TextNumber.TryParsePlain(_window[_position..], out values[count], out int length))
+            {
+                _position += length;
+                continue;
+            }
+
+            ReadOnlySpan<byte> word = PeekLineWord();
+            if (word.Length is 0 or LongestWord || !TextNumber.TryParse(word, out values[count]))
+                return count;
+            if (notFinite == default && !float.IsFinite(values[count]))
+                notFinite = Place;
+
+            _position += word.Length;
+        }
+
+        return values.Length;
+    }
+
+    private bool IsNext(ReadOnlySpan<byte> keyword)
+    {
         for (int i = 0; i < keyword.Length; i++)
         {
-            if (ToLower(word[i]) != ToLower(keyword[i]))
+            if ((_position + i == _window.Length && !Fill()) || ToLower(_window[_position + i]) != ToLower(keyword[i]))
                 return false;
         }
 
         return true;
     }
 
-    public static ReadOnlySpan<byte> Trim(ReadOnlySpan<byte> text)
+    // Reads on only where the end is not there yet: a word whose end has come is not kept waiting for what follows it.
+    private ReadOnlySpan<byte> PeekUntil(Predicate<byte> isEnd, int most)
     {
-        while (text.Length > 0 && IsSpace(text[0]))
-            text = text[1..];
-        while (text.Length > 0 && IsSpace(text[^1]))
-            text = text[..^1];
-
-        return text;
-    }
-
-    /// <summary>The start of some text, for a message.</summary>
-    public static string Quote(ReadOnlySpan<byte> text) =>
-        Quote(Encoding.UTF8.GetString(text[..Math.Min(text.Length, LongestQuote)]), isCut: text.Length > LongestQuote);
-
-    /// <summary>The start of some text, for a message.</summary>
-    public static string Quote(string text) => Quote(text.AsSpan(0, Math.Min(text.Length, LongestQuote)), isCut: text.Length > LongestQuote);
-
-    private static string Quote(ReadOnlySpan<char> start, bool isCut)
-    {
-        var quote = new StringBuilder(LongestQuote + 5).Append('\'');
-        foreach (char letter in start)
-            quote.Append(char.IsControl(letter) ? '?' : letter);
-
-        return quote.Append(isCut ? "...'" : "'").ToString();
-    }
-
-    private static byte ToLower(byte letter) => letter is >= (byte)'A' and <= (byte)'Z' ? (byte)(letter | 0x20) : letter;
-
-    private static bool IsSpace(byte letter) => letter == ' ' || (letter >= '\t' && letter <= '\r');
-
-    private static bool IsBrace(byte letter) => letter is (byte)'{' or (byte)'}';
-
-    private void SkipSpace()
-    {
-        while (_position < _text.Length && IsSpace(_text[_position]))
+        for (int length = 0; ; length++)
         {
-            if (_text[_position] is (byte)'\r' or (byte)'\n')
-                SkipLineEnd();
-            else
-                _position++;
+            if (length == most || (_position + length == _window.Length && !Fill()) || isEnd(_window[_position + length]))
+                return _window.Slice(_position, length);
         }
+    }
+
+    private void Skip(Predicate<byte> isEnd)
+    {
+        while ((_position < _window.Length || Fill()) && !isEnd(_window[_position]))
+            _position++;
     }
 
     private void SkipLineEnd()
     {
-        bool two = _text[_position] == '\r' && _position + 1 < _text.Length && _text[_position + 1] == '\n';
-        _position += two ? 2 : 1;
-        _lineStart = _position;
-        Line++;
+        bool isReturn = _window[_position++] == '\r';
+        if (_cursor.Line == 1)
+            _cursor.LineEnd = isReturn ? "\r" : "\n";
+        if (_cursor.Line < int.MaxValue)
+            _cursor.Line++;
+
+        _cursor.LineStart = Offset;
+        _cursor.IsAfterReturn = isReturn;
+        if (isReturn && _position < _window.Length)
+            SkipLineFeed();
+    }
+
+    // The second half of CR LF, which may come with a later piece.
+    private void SkipLineFeed()
+    {
+        _cursor.IsAfterReturn = false;
+        if (_window[_position] != '\n')
+            return;
+
+        _position++;
+        _cursor.LineStart = Offset;
+        if (_cursor.Line == 2)
+            _cursor.LineEnd = "\r\n";
+    }
+
+    private bool Fill()
+    {
+        do
+        {
+            if (_source is null or { IsEnded: true })
+                return false;
+
+            int forgotten = _source.Fill(_position);
+            _cursor.WindowStart += forgotten;
+            _position -= forgotten;
+            _window = _source.Window;
+            if (_source.IsEnded)
+                return false;
+            if (_cursor.IsAfterReturn)
+                SkipLineFeed();
+        }
+        while (_position == _window.Length);
+        return true;
+    }
+
+    /// <summary>Where a text is read, and what of it has to be known to go on.</summary>
+    public struct Cursor
+    {
+        public long WindowStart;
+        public long Offset;
+        public long LineStart;
+        public int Line;
+        public bool IsAfterReturn;
+        public string? LineEnd;
+
+        public static Cursor Start => new() { Line = 1 };
     }
 }

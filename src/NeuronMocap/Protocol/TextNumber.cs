@@ -1,3 +1,4 @@
+using System.Buffers.Binary;
 using System.Globalization;
 using System.Text;
 
@@ -17,6 +18,11 @@ internal static class TextNumber
     private const ulong ExactIntegers = 1UL << 53;
     private const ulong RoomForADigit = (ulong.MaxValue - 9) / 10;
     private const int ShortWord = 128;
+
+    // Bytes of a sign, fifteen digits and a point, less than 2^53; then white space, and eight bytes that are read at once.
+    private const int MostPlainDigits = 16;
+    private const int PlainRoom = 32;
+
     private const int LargestExponent = 99_999;
     private const long DiscardedBits = (1L << 29) - 1;
     private const long HalfOfThem = 1L << 28;
@@ -44,6 +50,58 @@ internal static class TextNumber
         return true;
     }
 
+    /// <summary>
+    /// Reads a number as most of them are, off the front of a longer text: digits with a point among them, and white space behind. Whatever else it
+    /// may be is left to <see cref="TryParse(ReadOnlySpan{byte}, out float)"/>, and so is a number close to the end of the text.
+    /// </summary>
+    /// <param name="text">The number and what follows.</param>
+    /// <param name="value">The nearest binary32.</param>
+    /// <param name="length">Bytes of the number, without the white space.</param>
+    /// <returns>False when it is not such a number.</returns>
+    public static bool TryParsePlain(ReadOnlySpan<byte> text, out float value, out int length)
+    {
+        value = 0;
+        length = 0;
+        if (text.Length < PlainRoom)
+            return false;
+
+        bool isNegative = text[0] == '-';
+        int start = isNegative ? 1 : 0;
+        int at = start;
+        ulong digits = 0;
+        uint digit;
+        while ((digit = (uint)(text[at] - '0')) <= 9 && at < MostPlainDigits)
+        {
+            digits = (digits * 10) + digit;
+            at++;
+        }
+
+        if (at == start || text[at] != '.')
+            return false;
+
+        int point = at++;
+        if (TryReadSixDigits(BinaryPrimitives.ReadUInt64LittleEndian(text[at..]), out uint six))
+        {
+            digits = (digits * 1_000_000) + six;
+            at += 6;
+        }
+        else
+        {
+            while ((digit = (uint)(text[at] - '0')) <= 9 && at < MostPlainDigits)
+            {
+                digits = (digits * 10) + digit;
+                at++;
+            }
+        }
+
+        length = at;
+        double magnitude = digits / PowersOfTen[at - point - 1];
+        value = isNegative ? -(float)magnitude : (float)magnitude;
+        return at <= MostPlainDigits
+            && text[at] is (byte)' ' or (>= (byte)'\t' and <= (byte)'\r')
+            && (BitConverter.DoubleToInt64Bits(magnitude) & DiscardedBits) != HalfOfThem;
+    }
+
     /// <summary>Reads a finite number as a double, and the power of ten of its last digit: -3 for 0.008.</summary>
     public static bool TryParse(ReadOnlySpan<byte> word, out double value, out int lastDigit)
     {
@@ -55,6 +113,24 @@ internal static class TextNumber
         lastDigit = number.Exponent;
         return double.TryParse(Encoding.ASCII.GetString(word), NumberStyles.Float, CultureInfo.InvariantCulture, out value)
             && double.IsFinite(value);
+    }
+
+    // Six digits and no seventh, what Axis Neuron writes: all at once, each byte a digit, then neighbours joined to pairs and fours.
+    private static bool TryReadSixDigits(ulong text, out uint value)
+    {
+        const ulong Zeros = 0x3030_3030_3030_3030;
+        const ulong BeyondNine = 0x0606_0606_0606_0606;
+        const ulong HighHalves = 0xF0F0_F0F0_F0F0_F0F0;
+        const ulong FirstSix = 0x0000_FFFF_FFFF_FFFF;
+        const ulong Seventh = 0x00FF_0000_0000_0000;
+
+        ulong digits = text ^ Zeros;
+        ulong others = (digits | (digits + BeyondNine)) & HighHalves;
+        ulong eight = digits << 16;
+        eight = ((eight * 10) + (eight >> 8)) & 0x00FF_00FF_00FF_00FF;
+        eight = ((eight * 100) + (eight >> 16)) & 0x0000_FFFF_0000_FFFF;
+        value = (uint)((eight * 10_000) + (eight >> 32));
+        return (others & FirstSix) == 0 && (others & Seventh) != 0;
     }
 
     // False where the double lies halfway between two floats: the decimal may lie to either side of it.

@@ -153,7 +153,7 @@ public class BvhHierarchyTests
     public void A_closing_brace_too_many_is_ignored()
     {
         BvhDocument document = Parse(Hierarchy + "}\n");
-        Assert.Equal(new BvhRepair(16, "A } that closes nothing is ignored."), OnlyRepair(document));
+        Assert.Equal(new BvhRepair(16, 1, "There is a } that closes nothing; it is ignored."), OnlyRepair(document));
     }
 
     [Fact]

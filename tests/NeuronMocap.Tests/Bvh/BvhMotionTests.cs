@@ -89,7 +89,7 @@ public class BvhMotionTests
         BvhDocument document = Parse($"{Hierarchy}MOTION\nFrames: {frames}\nFrame Time: 0.008\n{Row}{Row}");
 
         Assert.Equal(2, document.FrameCount);
-        Assert.Equal(new BvhRepair(17, $"'{frames}' frames are announced and 2 rows are there; the rows count."), OnlyRepair(document));
+        Assert.Equal(new BvhRepair(17, frames.Length == 0 ? 1 : 9, $"'{frames}' frames are announced and 2 rows are there; the rows count."), OnlyRepair(document));
     }
 
     [Fact]
@@ -98,7 +98,7 @@ public class BvhMotionTests
         BvhDocument document = Parse($"{Hierarchy}MOTION\nFrame Time: 0.008\n{Row}");
 
         Assert.Equal(1, document.FrameCount);
-        Assert.Equal(new BvhRepair(16, "The number of frames is missing; 1 are there."), OnlyRepair(document));
+        Assert.Equal(new BvhRepair(16, 1, "The number of frames is missing; 1 are there."), OnlyRepair(document));
     }
 
     [Theory]
@@ -118,7 +118,7 @@ public class BvhMotionTests
         BvhDocument document = Parse($"{Hierarchy}Frames: 1\nFrame Time: 0.008\n{Row}");
 
         AssertBits(RowValues, document.GetFrame(0));
-        Assert.Equal(new BvhRepair(16, "The word MOTION is missing; it is read as if it stood here."), OnlyRepair(document));
+        Assert.Equal(new BvhRepair(16, 1, "The word MOTION is missing; it is read as if it stood here."), OnlyRepair(document));
     }
 
     [Fact]
@@ -136,7 +136,7 @@ public class BvhMotionTests
         BvhDocument document = ParseRows(2, $"1 2 3 4 5 6 7 8 9 10\n{Row}");
 
         AssertBits([.. RowValues, .. RowValues], Values(document));
-        Assert.Equal(new BvhRepair(19, "A row has 10 values instead of 9; the first 9 are read."), OnlyRepair(document));
+        Assert.Equal(new BvhRepair(19, 1, "A row has 10 values instead of 9; the first 9 are read."), OnlyRepair(document));
     }
 
     [Theory]
@@ -192,10 +192,10 @@ public class BvhMotionTests
         Assert.Equal(0.008, document.DeclaredFrameTime);
         Assert.Equal(
             [
-                new BvhRepair(22, "A further MOTION begins here; its rows follow those before it."),
-                new BvhRepair(25, "A further frame time, '0.017', is ignored."),
-                new BvhRepair(27, "A further MOTION begins here; its rows follow those before it."),
-                new BvhRepair(27, "The number of frames is missing; 0 are there."),
+                new BvhRepair(22, 1, "A further MOTION begins here; its rows follow those before it."),
+                new BvhRepair(25, 13, "There is a further frame time, '0.017'; it is ignored."),
+                new BvhRepair(27, 1, "A further MOTION begins here; its rows follow those before it."),
+                new BvhRepair(27, 1, "The number of frames is missing; 0 are there."),
             ],
             document.Repairs);
     }
@@ -235,8 +235,8 @@ public class BvhMotionTests
 
         Assert.Equal(BvhDocument.MaxListedRepairs, document.Repairs.Count);
         Assert.Equal(5000, document.RepairCount);
-        Assert.Equal(new BvhRepair(19, "'x' is not a number; the line is left out."), document.Repairs[0]);
-        Assert.Equal("line 118: 'x' is not a number; the line is left out.", document.Repairs[99].ToString());
+        Assert.Equal(new BvhRepair(19, 1, "'x' is not a number; the line is left out."), document.Repairs[0]);
+        Assert.Equal("line 118, column 1: 'x' is not a number; the line is left out.", document.Repairs[99].ToString());
     }
 
     [Fact]

@@ -1,0 +1,75 @@
+using System.Text;
+
+namespace NeuronMocap.Bvh;
+
+// What bytes and words of a BVH file are.
+internal static class BvhWord
+{
+    private const int LongestQuote = 40;
+
+    public static bool IsSpace(byte letter) => letter == ' ' || (letter >= '\t' && letter <= '\r');
+
+    public static bool IsLineEnd(byte letter) => letter is (byte)'\r' or (byte)'\n';
+
+    public static bool IsBrace(byte letter) => letter is (byte)'{' or (byte)'}';
+
+    public static byte ToLower(byte letter) => letter is >= (byte)'A' and <= (byte)'Z' ? (byte)(letter | 0x20) : letter;
+
+    public static bool AreEqual(ReadOnlySpan<byte> word, ReadOnlySpan<byte> keyword) =>
+        word.Length == keyword.Length && StartsWith(word, keyword);
+
+    /// <summary>Compares in any case of the ASCII letters.</summary>
+    public static bool StartsWith(ReadOnlySpan<byte> word, ReadOnlySpan<byte> keyword)
+    {
+        if (word.Length < keyword.Length)
+            return false;
+
+        for (int i = 0; i < keyword.Length; i++)
+        {
+            if (ToLower(word[i]) != ToLower(keyword[i]))
+                return false;
+        }
+
+        return true;
+    }
+
+    public static ReadOnlySpan<byte> Trim(ReadOnlySpan<byte> text)
+    {
+        while (text.Length > 0 && IsSpace(text[0]))
+            text = text[1..];
+        while (text.Length > 0 && IsSpace(text[^1]))
+            text = text[..^1];
+
+        return text;
+    }
+
+    /// <summary>The digits after the point of a number, 0 for one with an exponent.</summary>
+    public static int CountDecimals(ReadOnlySpan<byte> number)
+    {
+        int point = number.IndexOf((byte)'.');
+        ReadOnlySpan<byte> decimals = number[(point + 1)..];
+        foreach (byte letter in decimals)
+        {
+            if (letter is < (byte)'0' or > (byte)'9')
+                return 0;
+        }
+
+        return point < 0 ? 0 : decimals.Length;
+    }
+
+    /// <summary>The start of some text, for a message.</summary>
+    public static string Quote(ReadOnlySpan<byte> text) =>
+        Quote(Encoding.UTF8.GetString(text[..Math.Min(text.Length, LongestQuote)]), isCut: text.Length > LongestQuote);
+
+    /// <summary>The start of some text, for a message.</summary>
+    public static string Quote(string text) => Quote(text.AsSpan(0, Math.Min(text.Length, LongestQuote)), isCut: text.Length > LongestQuote);
+
+    private static string Quote(ReadOnlySpan<char> start, bool isCut)
+    {
+        var quote = new StringBuilder(LongestQuote + 5).Append('\'');
+        foreach (char letter in start)
+            quote.Append(char.IsControl(letter) ? '?' : letter);
+
+        return quote.Append(isCut ? "...'" : "'").ToString();
+    }
+}
