@@ -1,8 +1,4 @@
 using System.Reflection;
-using System.Text;
-using NeuronMocap.Bvh;
-using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
 using NeuronMocap.Monitor.Files.Conversion;
 using NeuronMocap.Monitor.Terminal;
 using NeuronMocap.Playback;
@@ -35,7 +31,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         switch (to)
         {
             case FileKind.Bvh when from == FileKind.Bvh:
-                BvhEdit.Write(settings, _range, path, cancelled);
+                BvhEdit.Write(settings, _range, path, progress, cancelled);
                 break;
             case FileKind.Recording or FileKind.Raw when isStream:
                 CopyStream(from, to, path, progress, cancelled);

@@ -10,7 +10,7 @@ internal sealed class InfoTool(FileSettings settings, StandardStreams streams)
     {
         InfoReport report;
         using (var progress = new ProgressLine(streams, $"reading {Path.GetFileName(settings.Input)}"))
-            report = new BvhInspection(settings.Input, progress).Run(cancelled);
+            report = Inspect(progress, cancelled);
 
         if (!settings.Json)
         {
@@ -21,4 +21,11 @@ internal sealed class InfoTool(FileSettings settings, StandardStreams streams)
         streams.Output.Write(Encoding.UTF8.GetBytes(InfoJson.Write(report)));
         streams.Output.Flush();
     }
+
+    private InfoReport Inspect(IProgress<double> progress, CancellationToken cancelled) => FileKinds.Recognize(settings.Input) switch
+    {
+        FileKind.Bvh => new BvhInspection(settings.Input, progress).Run(cancelled),
+        FileKind.Calculation => new CalculationInspection(settings, progress).Run(cancelled),
+        var kind => new StreamInspection(settings, kind == FileKind.Recording, progress).Run(cancelled),
+    };
 }

@@ -1,6 +1,5 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Playback;
-using NeuronMocap.Protocol;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
@@ -20,7 +19,7 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
     /// <exception cref="IOException">It cannot be read.</exception>
     public static InputTake Load(FileSettings settings, FileKind kind, IProgress<double> progress, CancellationToken cancelled) => kind switch
     {
-        FileKind.Bvh => Of(BvhDocument.Load(settings.Input)),
+        FileKind.Bvh => Of(BvhFile.Load(settings.Input, progress, cancelled)),
         FileKind.Calculation => throw new NeuronException("later"),
         _ => OfStream(settings, progress, cancelled),
     };

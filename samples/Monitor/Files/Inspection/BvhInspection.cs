@@ -15,7 +15,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
 
     public InfoReport Run(CancellationToken cancelled)
     {
-        BvhDocument document = BvhDocument.Load(path);
+        BvhDocument document = BvhFile.Load(path, progress, cancelled);
         bool isNeuron = BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out string? reason);
         long size = new FileInfo(path).Length;
         var report = new InfoReport(
@@ -55,12 +55,12 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
     {
         string rate = Quantity.Format($"{document.FrameRate:0.###} Hz");
         if (document.DeclaredFrameTime == 0)
-            return rate + " (taken, for the file does not say)";
+            return rate + ", assumed: the file does not say";
 
         double declared = 1 / document.DeclaredFrameTime;
         return Math.Abs(declared - document.FrameRate) < document.FrameRate * 1e-6
-            ? rate + Quantity.Format($" (frame time {document.DeclaredFrameTime:0.#########} s)")
-            : rate + Quantity.Format($" (frame time {document.DeclaredFrameTime:0.#########} s, rounded: taken at its word {declared:0.##} Hz)");
+            ? rate + Quantity.Format($": the file says {document.DeclaredFrameTime:0.#########} s")
+            : rate + Quantity.Format($": the file says {document.DeclaredFrameTime:0.#########} s, which is {document.FrameTime.Numerator}/{document.FrameTime.Denominator} s rounded ({declared:0.##} Hz at its word)");
     }
 
     private static void AddSkeleton(InfoReport report, BvhDocument document, BvhSkeletonMap? map, string? reason)
@@ -127,7 +127,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
     {
         InfoSection section = report.Section("oddities", "Oddities");
         foreach (BvhRepair repair in document.Repairs)
-            section.Remark("repair", repair.Description, repair.Line);
+            section.Remark("repair", repair.Description, repair.Line, repair.Column);
         if (document.RepairCount > document.Repairs.Count)
             section.Remark("repairs", $"{document.RepairCount - document.Repairs.Count} more repairs");
         if (document.FrameCount == 0)

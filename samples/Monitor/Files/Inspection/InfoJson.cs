@@ -13,7 +13,7 @@ internal static class InfoJson
     {
         var json = new JsonObject { ["type"] = "info", ["file"] = report.File, ["kind"] = report.Kind };
         foreach (InfoSection section in report.Sections)
-            json[section.Name] = section.Facts.Count == 0 ? Remarks(section) : Facts(section);
+            json[section.Name] = section.Facts.Count == 0 ? Items(section) : Facts(section);
 
         return json.ToJsonString(Options) + "\n";
     }
@@ -27,20 +27,5 @@ internal static class InfoJson
         return json;
     }
 
-    private static JsonArray Remarks(InfoSection section)
-    {
-        var json = new JsonArray();
-        foreach (InfoRemark remark in section.Remarks)
-        {
-            var item = new JsonObject { ["code"] = remark.Code, ["text"] = remark.Text };
-            if (remark.Line > 0)
-                item["line"] = remark.Line;
-            if (remark.Column > 0)
-                item["column"] = remark.Column;
-
-            json.Add(item);
-        }
-
-        return json;
-    }
+    private static JsonArray Items(InfoSection section) => [.. section.Items.Select(static item => item.Json.DeepClone())];
 }

@@ -9,7 +9,7 @@ internal sealed class InfoPage
 {
     private const int Unlimited = 100_000;
     private const int WidestText = 110;
-    private const int MostRemarks = 20;
+    private const int MostItems = 20;
 
     private readonly IAnsiConsole _console;
     private readonly bool _isTerminal;
@@ -42,11 +42,11 @@ internal sealed class InfoPage
                     WriteRow(fact.Label, width, text);
             }
 
-            foreach (InfoRemark remark in section.Remarks.Take(MostRemarks))
-                WriteRow(string.Empty, 0, remark.Place + remark.Text);
+            foreach (InfoItem item in section.Items.Take(MostItems))
+                WriteRow(string.Empty, 0, item.Text);
 
-            if (section.Remarks.Count > MostRemarks)
-                WriteRow(string.Empty, 0, $"and {section.Remarks.Count - MostRemarks} more; --json lists them");
+            if (section.Items.Count > MostItems)
+                WriteRow(string.Empty, 0, $"and {section.Items.Count - MostItems} more; --json lists them");
         }
     }
 

@@ -27,11 +27,11 @@ internal sealed class InfoReport(string file, string kind, string summary)
     }
 }
 
-/// <summary>Facts that belong together, and remarks.</summary>
+/// <summary>Facts that belong together, or several things of a kind.</summary>
 internal sealed class InfoSection(string name, string title)
 {
     private readonly List<InfoFact> _facts = [];
-    private readonly List<InfoRemark> _remarks = [];
+    private readonly List<InfoItem> _items = [];
 
     public string Name => name;
 
@@ -39,9 +39,9 @@ internal sealed class InfoSection(string name, string title)
 
     public IReadOnlyList<InfoFact> Facts => _facts;
 
-    public IReadOnlyList<InfoRemark> Remarks => _remarks;
+    public IReadOnlyList<InfoItem> Items => _items;
 
-    public bool IsEmpty => _facts.Count == 0 && _remarks.Count == 0;
+    public bool IsEmpty => _facts.Count == 0 && _items.Count == 0;
 
     /// <summary>Adds a fact.</summary>
     /// <param name="name">Name of its JSON member.</param>
@@ -64,19 +64,29 @@ internal sealed class InfoSection(string name, string title)
     /// <param name="text">What a person reads.</param>
     /// <param name="line">Line of the file, from 1; 0 for none.</param>
     /// <param name="column">Byte of that line, from 1; 0 for none.</param>
-    public void Remark(string code, string text, int line = 0, int column = 0) => _remarks.Add(new InfoRemark(code, text, line, column));
+    public void Remark(string code, string text, int line = 0, int column = 0)
+    {
+        var json = new JsonObject { ["code"] = code, ["text"] = text };
+        if (line > 0)
+            json["line"] = line;
+        if (column > 0)
+            json["column"] = column;
+
+        string place = (line, column) switch
+        {
+            (0, _) => string.Empty,
+            (_, 0) => $"line {line}: ",
+            _ => $"line {line}, column {column}: ",
+        };
+        Item(place + text, json);
+    }
+
+    /// <summary>Adds one of several things of a kind.</summary>
+    public void Item(string text, JsonObject json) => _items.Add(new InfoItem(text, json));
 }
 
 /// <summary>One line of a section: see <see cref="InfoSection.Add(string, string, string?, JsonNode?)"/>.</summary>
 internal readonly record struct InfoFact(string Name, string Label, string? Text, JsonNode? Value);
 
-/// <summary>Something that was found: see <see cref="InfoSection.Remark"/>.</summary>
-internal readonly record struct InfoRemark(string Code, string Text, int Line, int Column)
-{
-    public string Place => (Line, Column) switch
-    {
-        (0, _) => string.Empty,
-        (_, 0) => $"line {Line}: ",
-        _ => $"line {Line}, column {Column}: ",
-    };
-}
+/// <summary>One of several things of a kind, for a person and for a program.</summary>
+internal readonly record struct InfoItem(string Text, JsonObject Json);

@@ -19,8 +19,8 @@ internal static class MotionSection
         section.Add(
             "extent",
             "extent",
-            Quantity.Format($"{size.X * unit:0.00} by {size.Z * unit:0.00} {name}: X {curves.Lowest.X * unit:0.00} to {curves.Highest.X * unit:0.00}, ")
-                + Quantity.Format($"Z {curves.Lowest.Z * unit:0.00} to {curves.Highest.Z * unit:0.00}"),
+            Quantity.Format($"{size.X * unit:0.00} by {size.Z * unit:0.00} {name}: X {Plain(curves.Lowest.X * unit):0.00} to {Plain(curves.Highest.X * unit):0.00}, ")
+                + Quantity.Format($"Z {Plain(curves.Lowest.Z * unit):0.00} to {Plain(curves.Highest.Z * unit):0.00}"),
             Box(curves, unit));
         section.Add(
             "hips",
@@ -42,7 +42,7 @@ internal static class MotionSection
         if (!motion.Roles.HasFeet)
             return;
 
-        section.Add("ground", "ground", Quantity.Format($"{curves.Ground * unit:0.000} {name}: the lowest that a foot comes to"), curves.Ground * unit);
+        section.Add("ground", "ground", Quantity.Format($"{Plain(curves.Ground * unit):0.000} {name}: the lowest that a foot comes to"), curves.Ground * unit);
         if (curves.LeftContacts is not { } left || curves.RightContacts is not { } right)
             return;
 
@@ -58,6 +58,9 @@ internal static class MotionSection
                 ["rightSteps"] = right.Steps.Count,
             });
     }
+
+    // Without a minus before zero.
+    private static double Plain(double value) => Math.Abs(value) < 0.005 && Math.Round(value, 3) == 0 ? 0 : value;
 
     private static double Known(float speed) => float.IsFinite(speed) ? speed : 0;
 

@@ -49,9 +49,9 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
 
     private void DrawPoses(SvgDrawing svg, SampledPose[] poses, float ground)
     {
-        string unit = motion.IsInCentimetres ? "metres above the ground" : "units of the file above the ground";
-        svg.Text(Left, Front.Top - 8, $"From the front (+Z), {unit}", PlotTheme.LabelSize, PlotTheme.Ink);
-        svg.Text(Left, Side.Top - 8, "From the right side of who faces front (−X)", PlotTheme.LabelSize, PlotTheme.Ink);
+        string unit = motion.IsInCentimetres ? "height in m" : "height in units of the file";
+        svg.Text(Left, Front.Top - 8, $"Front, seen from +Z ({unit})");
+        svg.Text(Left, Side.Top - 8, $"Side, seen from −X ({unit})");
         new PoseStrip(motion, poses, ground).Draw(svg, Front, Side);
         double cell = Side.Width / poses.Length;
         for (int i = 0; i < poses.Length; i++)
@@ -63,7 +63,7 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
 
     private void DrawMap(SvgDrawing svg, SampledPose[] poses, TakeCurves curves)
     {
-        svg.Text(Left, Map.Top - 8, motion.IsInCentimetres ? "Way of the hips and steps, from above, metres" : "Way of the root, from above, units of the file");
+        svg.Text(Left, Map.Top - 8, motion.IsInCentimetres ? "Path on the ground, from above (m)" : "Path on the ground, from above (units)");
         new GroundMap(motion, poses, curves).Draw(svg, Map);
         svg.Text(Map.Right, Map.Bottom + 36, "X →", PlotTheme.TickSize, PlotTheme.Dim, TextAnchor.End);
         svg.Text(Map.Left - 8, Map.Bottom + 36, "Z ↓", PlotTheme.TickSize, PlotTheme.Dim, TextAnchor.End);
@@ -72,25 +72,25 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
     private void DrawCharts(SvgDrawing svg, SampledPose[] poses, TakeCurves curves)
     {
         (string height, string speed, double metres) = motion.IsInCentimetres ? ("cm", "m/s", 0.01) : ("units", "units/s", 1);
-        TimeChart feet = ChartAt(570, 70);
-        TimeChart root = ChartAt(690, 62);
-        TimeChart hands = ChartAt(780, 62);
+        TimeChart feet = ChartAt(570, 66);
+        TimeChart root = ChartAt(690, 60);
+        TimeChart hands = ChartAt(782, 60);
         foreach (SampledPose pose in poses)
             svg.Line(feet.X(pose.Seconds), feet.Box.Top, feet.X(pose.Seconds), hands.Box.Bottom, PlotTheme.Grid);
 
         feet.Draw(
             svg,
-            curves.LeftContacts is null ? $"Height of the feet, {height}" : $"Height of the feet, {height}; bars: on the ground",
+            curves.LeftContacts is null ? $"Height of the feet ({height})" : $"Height of the feet ({height}); bars: on the ground",
             [new ChartLine(curves.LeftFoot, PlotTheme.Left), new ChartLine(curves.RightFoot, PlotTheme.Right)],
             curves.Ground,
             1,
             motion.IsInCentimetres ? 10 : 0.1);
         DrawContacts(svg, feet, curves.LeftContacts, PlotTheme.Left, feet.Box.Bottom + 5);
         DrawContacts(svg, feet, curves.RightContacts, PlotTheme.Right, feet.Box.Bottom + 5 + ContactHeight + 2);
-        root.Draw(svg, $"Speed of the hips over the ground, {speed}", [new ChartLine(curves.Root, PlotTheme.Middle)], 0, metres, 0.5);
+        root.Draw(svg, $"{(motion.IsInCentimetres ? "Speed of the hips" : "Speed of the root")} over the ground ({speed})", [new ChartLine(curves.Root, PlotTheme.Middle)], 0, metres, 0.5);
         hands.Draw(
             svg,
-            $"Speed of the hands, {speed}",
+            $"Speed of the hands ({speed})",
             [new ChartLine(curves.LeftHand, PlotTheme.Left), new ChartLine(curves.RightHand, PlotTheme.Right)],
             0,
             metres,

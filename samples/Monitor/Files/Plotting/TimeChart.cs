@@ -23,7 +23,7 @@ internal sealed class TimeChart(Box box, double frameRate, double duration)
     public void Draw(SvgDrawing svg, string title, IReadOnlyList<ChartLine> lines, double zero, double scale, double least)
     {
         double highest = Math.Max(least, lines.Select(line => (line.Curve.Highest - zero) * scale).Where(double.IsFinite).Append(0).Max());
-        double step = AxisTicks.Step(highest, 4);
+        double step = AxisTicks.Step(highest, 3);
         double top = Math.Ceiling((highest / step) - 1e-6) * step;
         svg.Text(box.Left, box.Top - 8, title, PlotTheme.LabelSize, PlotTheme.Ink);
         foreach (double value in AxisTicks.Between(0, top, step))
