@@ -108,6 +108,27 @@ public sealed class BvhDocument
         return new BvhDocument(new BvhHierarchy(hierarchy.Joints, hierarchy.ChannelCount), motion, repairs);
     }
 
+    /// <summary>Writes the document as a file, laid out by <see cref="TextFormat"/>. Read again it has the same values, bit for bit, except for the kinds of NaN.</summary>
+    /// <param name="path">Where; a file that is there already is replaced.</param>
+    /// <exception cref="IOException">The file cannot be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
+    public void Save(string path)
+    {
+        using FileStream stream = BvhFile.Create(path, isOverwriting: true);
+        Save(stream);
+    }
+
+    /// <summary>Writes the document to a stream; otherwise as <see cref="Save(string)"/>.</summary>
+    /// <param name="stream">Where, from its position on; it stays open.</param>
+    /// <exception cref="ArgumentException">The stream cannot be written.</exception>
+    /// <exception cref="IOException">The stream cannot be written.</exception>
+    public void Save(Stream stream)
+    {
+        using var writer = new BvhWriter(stream, Hierarchy, FrameTime, TextFormat, leaveOpen: true, FrameCount);
+        for (int frame = 0; frame < FrameCount; frame++)
+            writer.WriteFrame(GetFrame(frame));
+    }
+
     /// <summary>The values of one row, in the order of the file; see <see cref="BvhJoint.FirstChannel"/>.</summary>
     /// <param name="index">Number of the frame, from 0.</param>
     /// <returns>As many values as <see cref="ChannelCount"/>, in the document's own memory.</returns>

@@ -1,37 +1,22 @@
-using System.Globalization;
 using System.Numerics;
 using System.Text;
+using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// The text that a BVH file begins with: the hierarchy of the 59 bones, laid out as in the manual's Appendix B and in Axis Neuron's files. Numbers
-/// have three decimals, and more where three would change them: <see cref="BvhDocument.Parse"/> reads the very same values.
+/// The text that a BVH file begins with. Numbers have as many decimals as the layout says, three in Axis Neuron's, and more where these would change
+/// them: <see cref="BvhDocument.Parse"/> reads the very same values.
 /// </summary>
 public static class BvhHierarchyText
 {
-    // What Axis Neuron's files have.
-    private const string LineEnd = "\r\n";
-    private const int Indentation = 4;
-    private const string PositionChannels = "Xposition Yposition Zposition ";
-
-    /// <summary>Writes the hierarchy of the default body, that of Appendix B: <see cref="DefaultOffsets"/>.</summary>
+    /// <summary>Writes the hierarchy of the default body, that of the manual's Appendix B: <see cref="DefaultOffsets"/>.</summary>
     /// <param name="format">Names of the bones, and order of the rotation channels.</param>
-    /// <param name="layout">
-    /// Which channels there are: six for every bone with displacement, else six for the hips and three for the others. With a reference, a root of
-    /// that name with six channels, at the origin, carries the hips.
-    /// </param>
+    /// <param name="layout">Which channels there are: see <see cref="BvhBoneHierarchy.Create(SkeletonFormat, ChannelLayout, SkeletonBody)"/>.</param>
     /// <returns>The text from HIERARCHY to the last brace, with CR LF at the end of each line; ASCII.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such rotation order.</exception>
-    public static string Create(SkeletonFormat format, ChannelLayout layout)
-    {
-        Span<Vector3> offsets = stackalloc Vector3[BoneHierarchy.BoneCount];
-        for (int bone = 0; bone < offsets.Length; bone++)
-            offsets[bone] = DefaultOffsets.Get((Bone)bone, format.Variant);
-
-        return Create(offsets, default, format, layout);
-    }
+    public static string Create(SkeletonFormat format, ChannelLayout layout) => Create(BvhBoneHierarchy.Create(format, layout));
 
     /// <summary>Writes the hierarchy of a body.</summary>
     /// <param name="offsets">The bones' places relative to their parents, 59 in <see cref="Bone"/> order; centimetres.</param>
@@ -44,106 +29,99 @@ public static class BvhHierarchyText
     /// <returns>The text from HIERARCHY to the last brace, with CR LF at the end of each line; ASCII.</returns>
     /// <exception cref="ArgumentException">There are fewer than 59 offsets, or End Sites but fewer than 59.</exception>
     /// <exception cref="ArgumentOutOfRangeException">There is no such rotation order.</exception>
-    public static string Create(ReadOnlySpan<Vector3> offsets, ReadOnlySpan<Vector3> endSites, SkeletonFormat format, ChannelLayout layout)
-    {
-        if (offsets.Length < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is an offset for each of the 59 bones.", nameof(offsets));
-        if (endSites.Length is > 0 and < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is an End Site for each of the 59 bones, or none at all.", nameof(endSites));
+    public static string Create(ReadOnlySpan<Vector3> offsets, ReadOnlySpan<Vector3> endSites, SkeletonFormat format, ChannelLayout layout) =>
+        Create(BvhBoneHierarchy.Create(format, layout, new SkeletonBody(offsets, endSites, format.Variant)));
 
-        var writer = new Writer(offsets, endSites, format, layout);
-        return writer.Write();
+    /// <summary>Writes any hierarchy.</summary>
+    /// <param name="hierarchy">The joints.</param>
+    /// <param name="format">How the text is laid out; null for <see cref="BvhTextFormat.AxisNeuron"/>.</param>
+    /// <returns>The text from HIERARCHY to the last brace and its line end.</returns>
+    public static string Create(BvhHierarchy hierarchy, BvhTextFormat? format = null)
+    {
+        ArgumentNullException.ThrowIfNull(hierarchy);
+        return new Writer(format ?? BvhTextFormat.AxisNeuron).Write(hierarchy.Joints);
     }
 
-    private static string RotationChannels(RotationOrder order) => order switch
+    private sealed class Writer(BvhTextFormat format)
     {
-        RotationOrder.XZY => "Xrotation Zrotation Yrotation",
-        RotationOrder.YXZ => "Yrotation Xrotation Zrotation",
-        RotationOrder.XYZ => "Xrotation Yrotation Zrotation",
-        RotationOrder.YZX => "Yrotation Zrotation Xrotation",
-        RotationOrder.ZXY => "Zrotation Xrotation Yrotation",
-        RotationOrder.ZYX => "Zrotation Yrotation Xrotation",
-        _ => throw new ArgumentOutOfRangeException(nameof(order), order, "There are six rotation orders, 0 to 5."),
-    };
-
-    private readonly ref struct Writer(
-        ReadOnlySpan<Vector3> offsets,
-        ReadOnlySpan<Vector3> endSites,
-        SkeletonFormat format,
-        ChannelLayout layout)
-    {
-        private readonly ReadOnlySpan<Vector3> _offsets = offsets;
-        private readonly ReadOnlySpan<Vector3> _endSites = endSites;
         private readonly StringBuilder _text = new();
-        private readonly string _threeChannels = "3 " + RotationChannels(format.RotationOrder);
-        private readonly string _sixChannels = "6 " + PositionChannels + RotationChannels(format.RotationOrder);
+        private readonly Stack<BvhJoint> _open = new();
 
-        public string Write()
+        // Without recursion: a file may nest deeply. The joints are in the order of the file.
+        public string Write(IReadOnlyList<BvhJoint> joints)
         {
-            Line(0, "HIERARCHY");
-            if (!layout.HasReference)
+            Line("HIERARCHY");
+            foreach (BvhJoint joint in joints)
             {
-                WriteBone(Bone.Hips, "ROOT", depth: 0);
-                return _text.ToString();
+                CloseUpTo(joint.Parent);
+                Open($"{(joint.Parent is null ? "ROOT" : "JOINT")} {joint.Name}".TrimEnd());
+                _open.Push(joint);
+                WriteOffset(joint.Offset);
+                Line($"CHANNELS {string.Join(' ', joint.Channels.Select(static channel => channel.ToString()).Prepend($"{joint.Channels.Count}"))}");
             }
 
-            Open(0, "ROOT " + BvhSkeletonMap.ReferenceName);
-            WriteOffset(1, Vector3.Zero);
-            Line(1, "CHANNELS " + _sixChannels);
-            WriteBone(Bone.Hips, "JOINT", depth: 1);
-            Line(0, "}");
+            CloseUpTo(null);
             return _text.ToString();
         }
 
-        private void WriteBone(Bone bone, string kind, int depth)
+        private void CloseUpTo(BvhJoint? parent)
         {
-            Open(depth, $"{kind} {BoneHierarchy.GetName(bone, format.Variant)}");
-            WriteOffset(depth + 1, _offsets[(int)bone]);
-            Line(depth + 1, "CHANNELS " + (layout.PositionIndex(bone) >= 0 ? _sixChannels : _threeChannels));
-            for (Bone child = bone + 1; (int)child < BoneHierarchy.BoneCount; child++)
+            while (_open.Count > 0 && _open.Peek() != parent)
             {
-                if (BoneHierarchy.GetParent(child, format.Variant) == bone)
-                    WriteBone(child, "JOINT", depth + 1);
+                if (_open.Peek().EndSite is { } end)
+                    WriteEndSite(end);
+
+                _open.Pop();
+                Line("}");
             }
-
-            if (DefaultOffsets.TryGetEndSite(bone, out Vector3 end))
-                WriteEndSite(depth + 1, _endSites.IsEmpty ? end : _endSites[(int)bone]);
-
-            Line(depth, "}");
         }
 
-        private void WriteEndSite(int depth, Vector3 end)
+        private void WriteEndSite(Vector3 end)
         {
-            Open(depth, "End Site");
-            WriteOffset(depth + 1, end);
-            Line(depth, "}");
+            Open("End Site");
+            Indent(_open.Count + 1);
+            Append(end);
+            Line("}");
         }
 
-        private void WriteOffset(int depth, Vector3 offset) =>
-            Line(depth, $"OFFSET {Number(offset.X)} {Number(offset.Y)} {Number(offset.Z)}");
-
-        private void Open(int depth, string line)
+        private void WriteOffset(Vector3 offset)
         {
-            Line(depth, line);
-            Line(depth, "{");
+            Indent(_open.Count);
+            Append(offset);
         }
 
-        private void Line(int depth, string line) => _text.Append(' ', depth * Indentation).Append(line).Append(LineEnd);
-
-        // The shortest digits that are read back as the same value; a decimal holds all of them and never writes an exponent.
-        private static string Number(float value)
+        private void Append(Vector3 offset)
         {
-            const float LargestWithoutExponent = 1e15f;
-            const float SmallestWithoutExponent = 1e-15f;
-            string shortest = value.ToString("R", CultureInfo.InvariantCulture);
-            float magnitude = MathF.Abs(value);
-            if (value == 0)
-                return float.IsNegative(value) ? "-0.000" : "0.000";
-            if (!(magnitude is > SmallestWithoutExponent and < LargestWithoutExponent))
-                return shortest;
+            _text.Append("OFFSET");
+            Append(offset.X);
+            Append(offset.Y);
+            Append(offset.Z);
+            _text.Append(format.LineEnd);
+        }
 
-            decimal digits = decimal.Parse(shortest, NumberStyles.Float, CultureInfo.InvariantCulture);
-            return digits.ToString("0.000#########################", CultureInfo.InvariantCulture);
+        private void Append(float value)
+        {
+            Span<byte> digits = stackalloc byte[TextDigits.MaxSize];
+            digits = digits[..TextDigits.Write(digits, value, Math.Min(format.OffsetDecimals, TextDigits.MaxDecimals))];
+            _text.Append(' ').Append(Encoding.ASCII.GetString(digits));
+        }
+
+        private void Open(string line)
+        {
+            Line(line);
+            Line("{");
+        }
+
+        private void Line(string line)
+        {
+            Indent(_open.Count);
+            _text.Append(line).Append(format.LineEnd);
+        }
+
+        private void Indent(int depth)
+        {
+            for (int i = 0; i < depth; i++)
+                _text.Append(format.Indentation);
         }
     }
 }

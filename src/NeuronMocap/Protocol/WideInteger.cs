@@ -10,7 +10,19 @@ internal readonly ref struct WideInteger(Span<uint> limbs)
 
     private readonly Span<uint> _limbs = limbs;
 
-    public bool IsZero => _limbs.Trim(0u).IsEmpty;
+    public bool IsZero
+    {
+        get
+        {
+            foreach (uint limb in _limbs)
+            {
+                if (limb != 0)
+                    return false;
+            }
+
+            return true;
+        }
+    }
 
     public void Set(uint value)
     {

@@ -1,0 +1,222 @@
+using System.Text;
+using FsCheck.Fluent;
+using NeuronMocap.Bvh;
+using static NeuronMocap.Tests.Bvh.BvhSamples;
+
+namespace NeuronMocap.Tests.Bvh;
+
+public sealed class BvhWriterTests : IDisposable
+{
+    private readonly string _path = Path.Combine(Path.GetTempPath(), $"neuronmocap-{Guid.NewGuid():N}.bvh");
+
+    public void Dispose() => File.Delete(_path);
+
+    [Fact]
+    public void A_recorded_take_is_written_byte_for_byte()
+    {
+        string path = Fixtures.Require("test-take", "test.bvh");
+        BvhDocument.Load(path).Save(_path);
+
+        Assert.True(File.ReadAllBytes(path).AsSpan().SequenceEqual(File.ReadAllBytes(_path)), "The file differs.");
+    }
+
+    [Fact]
+    public void Any_document_is_read_back_with_the_same_values() =>
+        Properties.Hold(Gen.Choose(0, int.MaxValue - 1), Properties.SimplerNumbers, count: 300, static seed =>
+        {
+            var random = new RandomTakes(seed);
+            BvhHierarchy hierarchy = random.AnyHierarchy();
+            var document = new BvhDocument(hierarchy, new BvhFrameTime(1001, 60_000), random.AnyValues(hierarchy.ChannelCount * 5))
+            {
+                TextFormat = random.AnyFormat(),
+            };
+
+            byte[] text = Saved(document);
+            BvhDocument read = BvhDocument.Parse(text);
+
+            Assert.DoesNotContain(read.Repairs, repair => !repair.Description.Contains("not finite", StringComparison.Ordinal));
+            AssertSameHierarchy(hierarchy, read.Hierarchy);
+            Assert.Equal(document.FrameTime, read.FrameTime);
+            AssertSameValues(Values(document), Values(read));
+            Assert.Equal(Encoding.UTF8.GetString(text), Encoding.UTF8.GetString(Saved(new BvhDocument(read.Hierarchy, read.FrameTime, Values(read)) { TextFormat = document.TextFormat })));
+        });
+
+    [Fact]
+    public void What_is_written_row_by_row_is_read_the_same_and_its_fields_are_padded()
+    {
+        BvhDocument document = Parse(TwoRows);
+        using (var writer = new BvhWriter(_path, document.Hierarchy, BvhFrameTime.Default))
+        {
+            writer.WriteFrame(document.GetFrame(0));
+            writer.WriteFrame(document.GetFrame(1));
+            Assert.Equal(2, writer.FrameCount);
+        }
+
+        BvhDocument read = BvhDocument.Load(_path);
+        Assert.Empty(read.Repairs);
+        AssertBits(Values(document), Values(read));
+        Assert.Contains("\r\nFrames: 2         \r\nFrame Time: 0.008333            \r\n1.000000 2.0", File.ReadAllText(_path), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Everything_before_a_flush_is_in_the_file_with_its_number_while_the_writer_goes_on()
+    {
+        BvhDocument document = Parse(TwoRows);
+        using var writer = new BvhWriter(_path, document.Hierarchy, BvhFrameTime.Default);
+        writer.WriteFrame(document.GetFrame(0));
+        writer.Flush();
+        writer.WriteFrame(document.GetFrame(1));
+
+        BvhDocument read = BvhDocument.Parse(ReadShared());
+        Assert.Empty(read.Repairs);
+        AssertBits(document.GetFrame(0), Values(read));
+
+        writer.Flush();
+        AssertBits(Values(document), Values(BvhDocument.Parse(ReadShared())));
+    }
+
+    [Fact]
+    public void The_frame_time_can_be_told_at_the_end()
+    {
+        BvhDocument document = Parse(TwoRows);
+        using (var writer = new BvhWriter(_path, document.Hierarchy, BvhFrameTime.Default))
+        {
+            writer.WriteFrame(document.GetFrame(0));
+            writer.FrameTime = new BvhFrameTime(1001, 30_000);
+        }
+
+        Assert.Equal(new BvhFrameTime(1001, 30_000), BvhDocument.Load(_path).FrameTime);
+    }
+
+    [Fact]
+    public void A_stream_that_cannot_seek_gets_a_file_that_opens()
+    {
+        BvhDocument document = Parse(TwoRows);
+        using var memory = new MemoryStream();
+        using (var writer = new BvhWriter(new OneWayStream(memory), document.Hierarchy, BvhFrameTime.Default))
+        {
+            writer.WriteFrame(document.GetFrame(0));
+            Assert.Throws<InvalidOperationException>(() => writer.FrameTime = new BvhFrameTime(1, 60));
+        }
+
+        BvhDocument read = BvhDocument.Parse(memory.ToArray());
+        Assert.Contains("'0' frames are announced and 1 rows are there", OnlyRepair(read).Description, StringComparison.Ordinal);
+        AssertBits(document.GetFrame(0), Values(read));
+    }
+
+    // Where a stream is already written to, places are those of the stream.
+    [Fact]
+    public void A_stream_is_written_from_where_it_stands()
+    {
+        BvhDocument document = Parse(TwoRows);
+        using var memory = new MemoryStream();
+        memory.Write("some text before HIERARCHY, "u8);
+        using (var writer = new BvhWriter(memory, document.Hierarchy, BvhFrameTime.Default, leaveOpen: true))
+            writer.WriteFrame(document.GetFrame(0));
+
+        Assert.Equal(memory.Length, memory.Position);
+        Assert.StartsWith("some text before HIERARCHY, HIERARCHY", Encoding.ASCII.GetString(memory.ToArray()), StringComparison.Ordinal);
+        Assert.Contains("Frames: 1 ", Encoding.ASCII.GetString(memory.ToArray()), StringComparison.Ordinal);
+    }
+
+    // CHANNELS may stand after the children's; the values of a row stand in the order of these lines.
+    [Fact]
+    public void Columns_in_an_order_of_their_own_follow_the_joints_when_written()
+    {
+        BvhDocument document = Parse(
+            "HIERARCHY\nROOT A\n{\nOFFSET 0 0 0\nJOINT B\n{\nOFFSET 1 0 0\nCHANNELS 1 Xrotation\n}\nCHANNELS 2 Yrotation Zrotation\n}\n"
+            + "MOTION\nFrames: 1\nFrame Time: 0.01\n1 2 3\n");
+
+        BvhDocument read = BvhDocument.Parse(Saved(document));
+        Assert.Equal([2f, 3, 1], Values(read));
+        Assert.Equal(["Yrotation", "Zrotation"], read.Joints[0].Channels.Select(channel => channel.ToString()));
+    }
+
+    [Fact]
+    public void Joints_without_names_and_unknown_channels_keep_their_places()
+    {
+        BvhDocument document = Parse(
+            "HIERARCHY\nROOT\n{\nOFFSET 0 0 0\nCHANNELS 2 Xrotation Scale\n}\nMOTION\nFrames: 1\nFrame Time: 0.01\n1 2\n");
+
+        BvhDocument read = BvhDocument.Parse(Saved(document));
+        AssertSameHierarchy(document.Hierarchy, read.Hierarchy);
+        AssertBits(Values(document), Values(read));
+    }
+
+    [Fact]
+    public void A_row_allocates_nothing()
+    {
+        BvhHierarchy hierarchy = BvhBoneHierarchy.Create(default, default);
+        float[] row = [.. Enumerable.Range(0, 180).Select(i => (i / 7f) - 10)];
+        row[5] = float.Epsilon;
+        row[6] = float.NaN;
+        using var writer = new BvhWriter(_path, hierarchy, BvhFrameTime.Default);
+        Allocations.AssertNone(() => writer.WriteFrame(row));
+    }
+
+    [Fact]
+    public void Wrong_arguments_are_refused()
+    {
+        BvhHierarchy hierarchy = Parse(TwoRows).Hierarchy;
+        Assert.Throws<ArgumentException>(() => new BvhWriter(new MemoryStream(), hierarchy, default));
+        Assert.Throws<ArgumentException>(() => new BvhWriter(new MemoryStream([], writable: false), hierarchy, BvhFrameTime.Default));
+        var writer = new BvhWriter(new MemoryStream(), hierarchy, BvhFrameTime.Default);
+        Assert.Throws<ArgumentException>(() => writer.WriteFrame(new float[8]));
+        Assert.Throws<ArgumentException>(() => writer.FrameTime = default);
+        writer.Dispose();
+        writer.Dispose();
+        Assert.Throws<ObjectDisposedException>(() => writer.WriteFrame(new float[9]));
+        Assert.Throws<ObjectDisposedException>(writer.Flush);
+    }
+
+    internal static byte[] Saved(BvhDocument document)
+    {
+        using var memory = new MemoryStream();
+        document.Save(memory);
+        return memory.ToArray();
+    }
+
+    private static void AssertSameHierarchy(BvhHierarchy expected, BvhHierarchy actual) => Assert.Equal(
+        expected.Joints.Select(static joint => (joint.Name, joint.Parent?.Index, joint.Offset, joint.EndSite, joint.FirstChannel, string.Join(' ', joint.Channels))),
+        actual.Joints.Select(static joint => (joint.Name, joint.Parent?.Index, joint.Offset, joint.EndSite, joint.FirstChannel, string.Join(' ', joint.Channels))));
+
+    // Text does not tell the many patterns of NaN apart.
+    private static void AssertSameValues(float[] expected, float[] actual) => AssertBits(
+        [.. expected.Select(static value => float.IsNaN(value) ? float.NaN : value)],
+        [.. actual.Select(static value => float.IsNaN(value) ? float.NaN : value)]);
+
+    private byte[] ReadShared()
+    {
+        using var stream = new FileStream(_path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
+        byte[] bytes = new byte[stream.Length];
+        stream.ReadExactly(bytes);
+        return bytes;
+    }
+
+    private sealed class OneWayStream(Stream inner) : Stream
+    {
+        public override bool CanRead => false;
+
+        public override bool CanSeek => false;
+
+        public override bool CanWrite => true;
+
+        public override long Length => throw new NotSupportedException();
+
+        public override long Position
+        {
+            get => throw new NotSupportedException();
+            set => throw new NotSupportedException();
+        }
+
+        public override void Flush() => inner.Flush();
+
+        public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+
+        public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
+
+        public override void SetLength(long value) => throw new NotSupportedException();
+
+        public override void Write(byte[] buffer, int offset, int count) => inner.Write(buffer, offset, count);
+    }
+}
