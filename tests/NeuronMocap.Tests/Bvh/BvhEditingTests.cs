@@ -1,0 +1,219 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Skeleton;
+using static NeuronMocap.Tests.Bvh.BvhSamples;
+
+namespace NeuronMocap.Tests.Bvh;
+
+/// <summary>Trimming, joining and resampling: what happens to the frames of a take.</summary>
+public class BvhEditingTests
+{
+    private static readonly BvhDocument Five = Numbered(5, new BvhFrameTime(1, 120));
+
+    [Fact]
+    public void A_part_of_a_take_has_its_rows_and_its_rate()
+    {
+        BvhDocument part = Five.Trim(1, 3);
+
+        Assert.Equal(3, part.FrameCount);
+        AssertBits(Five.GetFrame(1), part.GetFrame(0));
+        AssertBits(Five.GetFrame(3), part.GetFrame(2));
+        Assert.Equal(Five.FrameTime, part.FrameTime);
+        Assert.Equal(0, Five.Trim(5, 0).FrameCount);
+    }
+
+    [Theory]
+    [InlineData(-1, 1, "start")]
+    [InlineData(6, 0, "start")]
+    [InlineData(2, 4, "count")]
+    [InlineData(2, -1, "count")]
+    public void A_part_lies_within_the_take(int start, int count, string parameter) =>
+        Assert.Throws<ArgumentOutOfRangeException>(parameter, () => Five.Trim(start, count));
+
+    [Fact]
+    public void A_part_by_time_begins_and_ends_at_the_nearest_frames()
+    {
+        BvhDocument take = Numbered(241, new BvhFrameTime(1, 120));
+        BvhDocument part = take.Trim(TimeSpan.FromSeconds(0.5), TimeSpan.FromSeconds(1));
+
+        Assert.Equal(120, part.FrameCount);
+        AssertBits(take.GetFrame(60), part.GetFrame(0));
+        AssertBits(take.GetFrame(1), take.Trim(TimeSpan.FromTicks(83_333), TimeSpan.FromTicks(83_333)).GetFrame(0));
+        Assert.Equal(240, take.Trim(TimeSpan.Zero, TimeSpan.FromSeconds(2)).FrameCount);
+        Assert.Throws<ArgumentOutOfRangeException>(() => take.Trim(TimeSpan.Zero, TimeSpan.FromSeconds(2.1)));
+        Assert.Throws<ArgumentOutOfRangeException>(() => take.Trim(TimeSpan.FromSeconds(-1), TimeSpan.FromSeconds(1)));
+    }
+
+    [Fact]
+    public void Joined_takes_follow_each_other()
+    {
+        BvhDocument joined = BvhEditing.Join([Five, Five.Trim(0, 0), Five.Trim(1, 2)]);
+
+        Assert.Equal(7, joined.FrameCount);
+        AssertBits([.. Values(Five), .. Values(Five.Trim(1, 2))], Values(joined));
+    }
+
+    [Theory]
+    [InlineData("JOINT Spine", "JOINT Back", "joint 2 is Back instead of Spine")]
+    [InlineData("OFFSET 0.5 14.307 1e-1", "OFFSET 0.5 15 1e-1", "the OFFSET of Spine")]
+    [InlineData("CHANNELS 3 Yrotation Xrotation", "CHANNELS 3 Xrotation Yrotation", "Spine has the channels")]
+    [InlineData("Frame Time: 0.008", "Frame Time: 0.010", "Resample")]
+    public void Takes_that_differ_are_not_joined(string text, string other, string reason)
+    {
+        BvhDocument next = Parse(TwoRows.Replace(text, other, StringComparison.Ordinal));
+        NeuronException failure = Assert.Throws<NeuronException>(() => BvhEditing.Join([Parse(TwoRows), next]));
+        Assert.Contains(reason, failure.Message, StringComparison.Ordinal);
+    }
+
+    // The root's position channels replace its OFFSET: it says nothing about the body.
+    [Fact]
+    public void The_offset_of_a_joint_with_positions_may_differ() =>
+        Assert.Equal(4, BvhEditing.Join([Parse(TwoRows), Parse(TwoRows.Replace("93.020", "90", StringComparison.Ordinal))]).FrameCount);
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void An_aligned_take_goes_on_where_the_one_before_ended(bool hasReference)
+    {
+        var random = new RandomTakes(7);
+        BvhHierarchy hierarchy = BvhBoneHierarchy.Create(SkeletonFormat.Default, new ChannelLayout(hasDisplacement: false, hasReference));
+        var first = new BvhDocument(hierarchy, BvhFrameTime.Default, random.Motion(hierarchy, 20));
+        var second = new BvhDocument(hierarchy, BvhFrameTime.Default, random.Motion(hierarchy, 30));
+
+        BvhDocument joined = BvhEditing.Join([first, second], isAligned: true);
+
+        // As a whole: all distances and heights are kept.
+        var before = new RawPose(joined, 19);
+        var start = new RawPose(joined, 20);
+        AssertNear([before.Position("Hips")[0], before.Position("Hips")[2]], [start.Position("Hips")[0], start.Position("Hips")[2]], 1e-3);
+        for (int frame = 0; frame < 30; frame += 7)
+        {
+            var expected = new RawPose(second, frame);
+            var actual = new RawPose(joined, 20 + frame);
+            foreach (string joint in (string[])["Hips", "Head", "LeftHand"])
+            {
+                Assert.Equal(expected.Position(joint)[1], actual.Position(joint)[1], 1e-3);
+                Assert.Equal(Horizontal(expected, joint, new RawPose(second, 0)), Horizontal(actual, joint, start), 1e-3);
+            }
+        }
+
+        // No other heading brings the hips nearer to how they were turned.
+        double nearest = before.Distance(start).Rotation;
+        Assert.True(nearest <= 2, $"{nearest}");
+        for (int frame = 1; frame < 50; frame++)
+            Assert.True(LargestStep(joined, frame) < 180, $"The hips jump at frame {frame}.");
+    }
+
+    [Fact]
+    public void Two_takes_of_one_heading_are_aligned_by_moving_alone()
+    {
+        var random = new RandomTakes(8);
+        BvhHierarchy hierarchy = BvhBoneHierarchy.Create(default, default);
+        var take = new BvhDocument(hierarchy, BvhFrameTime.Default, random.Motion(hierarchy, 2));
+        BvhDocument last = take.Trim(1, 1);
+
+        BvhDocument joined = BvhEditing.Join([take, last], isAligned: true);
+        AssertNear(Values(last).Select(value => (double)value), joined.GetFrame(2).ToArray().Select(value => (double)value), 1e-4);
+    }
+
+    [Fact]
+    public void Every_second_frame_of_120_hz_is_60_hz_bit_for_bit()
+    {
+        BvhDocument half = Five.Resample(60);
+
+        Assert.Equal(new BvhFrameTime(1, 60), half.FrameTime);
+        Assert.Equal(3, half.FrameCount);
+        for (int frame = 0; frame < 3; frame++)
+            AssertBits(Five.GetFrame(2 * frame), half.GetFrame(frame));
+    }
+
+    [Fact]
+    public void The_last_frame_is_kept_where_the_length_is_no_whole_number_of_frames()
+    {
+        BvhDocument take = Five.Trim(0, 4).Resample(60);
+
+        Assert.Equal(3, take.FrameCount);
+        AssertBits(Five.GetFrame(2), take.GetFrame(1));
+        AssertBits(Five.GetFrame(3), take.GetFrame(2));
+    }
+
+    // An hour at 59.94 Hz: a rate as a double would be off by whole frames' bits at the end.
+    [Fact]
+    public void Times_are_fractions()
+    {
+        BvhHierarchy hierarchy = Parse("HIERARCHY\nROOT A\n{\nOFFSET 0 0 0\nCHANNELS 1 Xposition\n}\n").Hierarchy;
+        float[] values = [.. Enumerable.Range(0, 60_001).Select(static frame => (float)frame)];
+        BvhDocument resampled = new BvhDocument(hierarchy, new BvhFrameTime(1001, 60_000), values).Resample(new BvhFrameTime(1, 1000));
+
+        Assert.Equal(1_001_001, resampled.FrameCount);
+        for (int frame = 0; frame <= 1_001_000; frame += 1001)
+            Assert.Equal(frame / 1001f * 60, resampled.GetFrame(frame)[0]);
+    }
+
+    [Fact]
+    public void Rotations_between_frames_lie_on_the_shortest_way_between_quaternions()
+    {
+        for (int seed = 0; seed < 40; seed++)
+        {
+            BvhDocument take = new RandomTakes(seed).Take(new RandomTakes(seed).TurningHierarchy(), 4);
+            BvhDocument twice = take.Resample(new BvhFrameTime(take.FrameTime.Numerator, take.FrameTime.Denominator * 2));
+
+            Assert.Equal(7, twice.FrameCount);
+            for (int frame = 1; frame < 7; frame += 2)
+            {
+                foreach (BvhJoint joint in take.Joints)
+                    AssertHalfWay(joint, take.GetFrame(frame / 2), twice.GetFrame(frame), take.GetFrame((frame / 2) + 1));
+            }
+        }
+    }
+
+    // (179, 10, -3) and the same rotation as (-1, 170, 177): between them lies neither, but the rotation itself.
+    [Fact]
+    public void A_flip_of_the_angles_is_no_motion()
+    {
+        BvhHierarchy hierarchy = Parse("HIERARCHY\nROOT A\n{\nOFFSET 0 0 0\nCHANNELS 3 Yrotation Xrotation Zrotation\n}\n").Hierarchy;
+        var take = new BvhDocument(hierarchy, BvhFrameTime.Default, [179, 10, -3, -1, 170, 177]);
+
+        BvhDocument resampled = take.Resample(480);
+        Assert.Equal(5, resampled.FrameCount);
+        for (int frame = 0; frame < 5; frame++)
+            Assert.Equal(0, new RawPose(resampled, frame).Distance(new RawPose(take, 0)).Rotation, 1e-6);
+    }
+
+    [Fact]
+    public void Too_many_frames_are_refused()
+    {
+        BvhDocument day = Numbered(2, new BvhFrameTime(3600, 1));
+        Assert.Throws<ArgumentException>(() => day.Resample(1e6));
+        Assert.Throws<ArgumentException>(() => day.Resample(default(BvhFrameTime)));
+    }
+
+    private static BvhDocument Numbered(int frames, BvhFrameTime time)
+    {
+        BvhHierarchy hierarchy = Parse(Hierarchy).Hierarchy;
+        return new BvhDocument(hierarchy, time, [.. Enumerable.Range(0, frames * 9).Select(static i => (i / 3f) + 0.1f)]);
+    }
+
+    private static void AssertHalfWay(BvhJoint joint, ReadOnlySpan<float> from, ReadOnlySpan<float> middle, ReadOnlySpan<float> to)
+    {
+        int first = joint.FirstChannel + joint.Channels.Count - 3;
+        RotationOrder order = Enum.Parse<RotationOrder>(string.Concat(joint.Channels.TakeLast(3).Select(static channel => channel.ToString()[0])));
+        var a = EulerAngles.ToQuaternion(new(from[first], from[first + 1], from[first + 2]), order);
+        var b = EulerAngles.ToQuaternion(new(to[first], to[first + 1], to[first + 2]), order);
+        var half = EulerAngles.ToQuaternion(new(middle[first], middle[first + 1], middle[first + 2]), order);
+        var expected = System.Numerics.Quaternion.Slerp(a, b, 0.5f);
+        Assert.Equal(1, Math.Abs(System.Numerics.Quaternion.Dot(expected, half)), 1e-5);
+    }
+
+    private static double Horizontal(RawPose pose, string joint, RawPose origin)
+    {
+        double x = pose.Position(joint)[0] - origin.Position("Hips")[0];
+        double z = pose.Position(joint)[2] - origin.Position("Hips")[2];
+        return Math.Sqrt((x * x) + (z * z));
+    }
+
+    private static float LargestStep(BvhDocument take, int frame) =>
+        Enumerable.Range(3, 3).Max(column => Math.Abs(take.GetFrame(frame)[column] - take.GetFrame(frame - 1)[column]));
+
+    private static void AssertNear(IEnumerable<double> expected, IEnumerable<double> actual, double tolerance) =>
+        Assert.All(expected.Zip(actual), pair => Assert.Equal(pair.First, pair.Second, tolerance));
+}
