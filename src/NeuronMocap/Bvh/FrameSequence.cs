@@ -1,0 +1,91 @@
+using System.Diagnostics;
+
+namespace NeuronMocap.Bvh;
+
+// How many rows a frame makes, by its index, and how long a row lasts, by the times of receipt.
+internal sealed class FrameSequence(BvhGaps gaps)
+{
+    // As where losses are counted: a larger step is a server that counts anew, and a frame that comes later than this is not late but the same.
+    private const uint LargestGap = 10_000;
+    private const uint LargestDelay = 63;
+    private const int RestartRun = 3;
+
+    // No suit is faster. An index that jumps without time having passed is no loss, and a stream that means harm cannot blow up the file.
+    private const int MostRowsPerSecond = 1000;
+
+    // A longer silence between two frames without an index is a pause of the server.
+    private static readonly long LongestInterval = Stopwatch.Frequency;
+
+    private uint? _index;
+    private uint _step = uint.MaxValue;
+    private int _lateRun;
+    private long _timestamp;
+    private long _elapsed;
+    private long _intervals;
+    private bool _hasBegun;
+
+    /// <summary>Takes the next frame.</summary>
+    /// <returns>The number of rows: none for a frame that comes late, one, or more where others were lost before it.</returns>
+    public int Next(uint? index, long timestamp)
+    {
+        if (!_hasBegun)
+            return Begin(index, timestamp);
+        if (index is not { } next || _index is not { } last)
+            return Continue(index, timestamp, missing: 0, isGap: timestamp - _timestamp > LongestInterval);
+        if (next == last)
+            return Continue(index, timestamp, missing: 0, isGap: false);
+        if (last - next <= LargestDelay)
+            return ++_lateRun < RestartRun ? 0 : Begin(index, timestamp);
+
+        uint step = next - last;
+        if (step > LargestGap)
+            return Begin(index, timestamp);
+
+        // Of frequency reducing every index is a multiple: the smallest step is from one frame to the next.
+        _step = Math.Min(_step, step);
+        long missing = ((step + (_step / 2)) / _step) - 1;
+        bool isLoss = missing * Stopwatch.Frequency <= (timestamp - _timestamp) * MostRowsPerSecond;
+        return isLoss ? Continue(index, timestamp, (int)missing, isGap: false) : Begin(index, timestamp);
+    }
+
+    /// <summary>The time of a row: the usual one that is near what was measured, else the measured one.</summary>
+    public BvhFrameTime Measure()
+    {
+        if (_intervals == 0 || _elapsed <= 0)
+            return BvhFrameTime.Default;
+
+        double elapsed = (double)_elapsed / Stopwatch.Frequency;
+        double rate = _intervals / elapsed;
+
+        // Clocks of suits are off by less than a hundredth; the first and the last frame each come by up to 10 ms early or late.
+        double tolerance = 0.015 + (0.02 / elapsed);
+        double? nearest = null;
+        foreach (short usual in BvhFrameTimeText.UsualRates)
+        {
+            double distance = Math.Abs((usual / rate) - 1);
+            if (distance > tolerance)
+                continue;
+
+            tolerance = distance;
+            nearest = usual;
+        }
+
+        return BvhFrameTime.FromFrameRate(nearest ?? Math.Min(Math.Max(Math.Round(rate, 2), 0.01), 1e6));
+    }
+
+    // What came before has no relation in time to what comes now.
+    private int Begin(uint? index, long timestamp)
+    {
+        (_index, _timestamp, _hasBegun, _lateRun) = (index, timestamp, true, 0);
+        return 1;
+    }
+
+    private int Continue(uint? index, long timestamp, int missing, bool isGap)
+    {
+        bool isCounted = !isGap && (missing == 0 || gaps == BvhGaps.Repeat);
+        _elapsed += isCounted ? timestamp - _timestamp : 0;
+        _intervals += isCounted ? missing + 1 : 0;
+        Begin(index, timestamp);
+        return gaps == BvhGaps.Repeat ? missing + 1 : 1;
+    }
+}
