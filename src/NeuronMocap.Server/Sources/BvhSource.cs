@@ -111,13 +111,14 @@ public sealed class BvhSource : MotionSource
 
     private FootContacts[] EstimateContacts()
     {
-        var feet = new FootTrack(_map.GetBody());
+        var feet = new FootTrack();
+        SkeletonBody body = _map.GetBody();
         Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
         for (int frame = 0; frame < _map.Document.FrameCount; frame++)
         {
             GetPose(frame, pose);
             ForwardKinematics.ToWorld(pose, pose, Variant);
-            feet.Add(pose, frame / FrameRate);
+            feet.Add(pose, body, frame / FrameRate);
         }
 
         return feet.EstimateContacts();
