@@ -31,8 +31,8 @@ internal sealed class PlaybackClock
 
     public void Run(long now)
     {
-        IsRunning = true;
         MoveTo(PositionAt(now), now);
+        IsRunning = true;
     }
 
     public void Halt(long now)

@@ -245,7 +245,7 @@ internal sealed class PlaybackRun
     private void Follow(in Arrival arrival, long timestamp)
     {
         _receiver.Time = arrival.Time;
-        _parser.Follow(arrival with { Bytes = arrival.Bytes.Slice(_taken) }, timestamp);
+        _parser.Follow(_taken == 0 ? arrival : arrival with { Bytes = arrival.Bytes.Slice(_taken) }, timestamp);
     }
 
     private Arrival Peek()

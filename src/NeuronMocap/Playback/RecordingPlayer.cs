@@ -35,6 +35,10 @@ public sealed class RecordingPlayer : IDisposable
     private Action<Exception>? _callbackFailed;
     private TimeSpan? _seek;
     private int _steps;
+    private int _stepsBack;
+
+    // Of steps back: the place was found, and a step forward shall show the frame.
+    private bool _isShowing;
     private int _passes = 1;
     private int _pass = 1;
     private bool _isPaused;
@@ -180,7 +184,10 @@ public sealed class RecordingPlayer : IDisposable
     public void Step() => Change(() =>
     {
         Halt();
-        _steps++;
+        if (_stepsBack > 0)
+            _stepsBack--;
+        else
+            _steps++;
     });
 
     /// <summary>
@@ -190,7 +197,10 @@ public sealed class RecordingPlayer : IDisposable
     public void StepBack() => Change(() =>
     {
         Halt();
-        _steps--;
+        if (_steps > 0 && !_isShowing)
+            _steps--;
+        else
+            _stepsBack++;
     });
 
     /// <summary>
@@ -205,7 +215,7 @@ public sealed class RecordingPlayer : IDisposable
         Change(() =>
         {
             _seek = target;
-            _steps = 0;
+            (_steps, _stepsBack, _isShowing) = (0, 0, false);
         });
     }
 
@@ -293,8 +303,10 @@ public sealed class RecordingPlayer : IDisposable
                     return PlaybackTurn.Stop;
                 if (_seek is not null)
                     return PlaybackTurn.Seek;
-                if (_steps != 0)
-                    return _steps > 0 ? PlaybackTurn.Step : PlaybackTurn.StepBack;
+                if (_stepsBack > 0)
+                    return PlaybackTurn.StepBack;
+                if (_steps > 0)
+                    return PlaybackTurn.Step;
 
                 if (_isPaused)
                 {
@@ -329,15 +341,14 @@ public sealed class RecordingPlayer : IDisposable
         }
     }
 
-    // Playback thread: frames to go back by; one step forward, to show the frame, takes their place.
+    // Playback thread: frames to go back by, from the one that was passed last; a step forward, to show the frame, takes their place. The one that was
+    // to be shown has not been passed.
     internal int TakeStepsBack()
     {
         lock (_gate)
         {
-            int count = Math.Max(0, -_steps);
-            if (count > 0)
-                _steps = 1;
-
+            int count = _stepsBack - (_isShowing ? 1 : 0);
+            (_steps, _stepsBack, _isShowing) = (1, 0, true);
             return count;
         }
     }
@@ -357,7 +368,10 @@ public sealed class RecordingPlayer : IDisposable
     internal void EndStep()
     {
         lock (_gate)
+        {
             _steps = Math.Max(0, _steps - 1);
+            _isShowing = false;
+        }
     }
 
     // Playback thread, at the end of a pass: whether another follows. It begins at the very instant at which this one ends.
