@@ -1,4 +1,5 @@
 using System.Numerics;
+using NeuronMocap.Kinematics;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;
@@ -90,25 +91,29 @@ internal sealed class RecordedTimeline
     private float[] Interpolate(float[] before, float[] after, float part)
     {
         float[] values = new float[before.Length];
-        Span<Vector3> none = stackalloc Vector3[BoneHierarchy.BoneCount];
+        BoneTransform[] from = Read(before);
+        BoneTransform[] to = Read(after);
+        PoseInterpolation.Linear(from, to, part, from);
         foreach (Bone bone in BoneHierarchy.Bones)
-        {
-            BoneTransform from = PoseValues.Read(before, _layout, _order, bone, none);
-            BoneTransform to = PoseValues.Read(after, _layout, _order, bone, none);
-            PoseValues.Write(values, _layout, _order, bone, Blend(from, to, part));
-        }
+            PoseValues.Write(values, _layout, _order, bone, from[(int)bone]);
 
         if (_layout.HasReference)
-        {
-            PoseValues.WriteReference(
-                values, _order, Blend(PoseValues.ReadReference(before, _layout, _order), PoseValues.ReadReference(after, _layout, _order), part));
-        }
+            PoseValues.WriteReference(values, _order, from[BoneHierarchy.BoneCount]);
 
         return values;
     }
 
-    private static BoneTransform Blend(BoneTransform from, BoneTransform to, float part) =>
-        new(Vector3.Lerp(from.Position, to.Position, part), Quaternion.Slerp(from.Rotation, to.Rotation, part));
+    // The Reference node comes last.
+    private BoneTransform[] Read(float[] values)
+    {
+        BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount + 1];
+        Span<Vector3> unused = stackalloc Vector3[BoneHierarchy.BoneCount];
+        foreach (Bone bone in BoneHierarchy.Bones)
+            pose[(int)bone] = PoseValues.Read(values, _layout, _order, bone, unused);
+
+        pose[^1] = PoseValues.ReadReference(values, _layout, _order);
+        return pose;
+    }
 
     // The step of the index that is by far the most common: a server may send every second or third frame only.
     private static int FindReduction(IReadOnlyList<RecordedTakeRow> rows)

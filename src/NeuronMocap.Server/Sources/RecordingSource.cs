@@ -183,13 +183,13 @@ public sealed class RecordingSource : MotionSource
 
     private FootContacts[] EstimateContacts()
     {
-        var feet = new FootTrack(_body);
+        var feet = new FootTrack();
         Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
         for (int frame = 0; frame < _timeline.Rows.Count; frame++)
         {
             GetPose(frame, pose);
             ForwardKinematics.ToWorld(pose, pose, Variant);
-            feet.Add(pose, frame / FrameRate);
+            feet.Add(pose, _body, frame / FrameRate);
         }
 
         return feet.EstimateContacts();

@@ -4,7 +4,7 @@ using NeuronMocap.Server.Sources;
 
 namespace NeuronMocap.Monitor.Files.Conversion;
 
-/// <summary>A take as a calculation export: what the sensors would have measured.</summary>
+/// <summary>A take as a calculation export: what the sensors would have measured, in the axes of Axis Neuron's exports.</summary>
 internal static class CalculationOutput
 {
     public static void Write(MotionSource take, Stream output, IProgress<double> progress, CancellationToken cancelled)
@@ -16,6 +16,7 @@ internal static class CalculationOutput
         {
             cancelled.ThrowIfCancellationRequested();
             CalculationSynthesizer.Write(take, frame, values);
+            CalculationAxes.Export.ConvertFromBvh(values);
             writer.WriteFrame(values);
             progress.Report((double)frame / count);
         }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using NeuronMocap.Kinematics;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
@@ -56,12 +57,7 @@ internal sealed class TakePart : MotionSource
 
         Span<BoneTransform> after = stackalloc BoneTransform[BoneHierarchy.BoneCount];
         _take.GetPose(before + 1, after);
-        for (int bone = 0; bone < after.Length; bone++)
-        {
-            pose[bone] = new BoneTransform(
-                Vector3.Lerp(pose[bone].Position, after[bone].Position, part),
-                Quaternion.Slerp(pose[bone].Rotation, after[bone].Rotation, part));
-        }
+        PoseInterpolation.Linear(pose[..after.Length], after, part, pose);
     }
 
     public override void WriteValues(long frame, ChannelLayout layout, RotationOrder order, Span<float> values)

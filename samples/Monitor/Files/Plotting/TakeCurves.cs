@@ -1,4 +1,5 @@
 using System.Numerics;
+using NeuronMocap.Kinematics;
 
 namespace NeuronMocap.Monitor.Files.Plotting;
 
@@ -7,12 +8,14 @@ internal sealed class TakeCurves
 {
     private const int Stretches = 540;
     private const int LongestTrail = 2000;
-    private const float LeastWay = 5; // cm
+    private const float Slack = 10; // cm
+    private const float SlackOfUnknownUnit = 0.05f; // of the height of the first pose
 
-    private Vector3? _anchor;
+    private readonly WalkingDistance _walk;
 
     private TakeCurves(PointMotion motion)
     {
+        _walk = new WalkingDistance(motion.IsInCentimetres ? Slack : Math.Max(1e-6f, FirstHeight(motion) * SlackOfUnknownUnit));
         LeftFoot = new Curve(motion.FrameCount, Stretches);
         RightFoot = new Curve(motion.FrameCount, Stretches);
         Root = new Curve(motion.FrameCount, Stretches);
@@ -47,8 +50,8 @@ internal sealed class TakeCurves
     /// <summary>The highest X, Y and Z of the hips.</summary>
     public Vector3 Highest { get; private set; } = new(float.NegativeInfinity);
 
-    /// <summary>Length of the way of the hips over the ground, without the sway of who stands.</summary>
-    public double Distance { get; private set; }
+    /// <summary>Length of the way of the hips over the ground, without the sway of who stands: <see cref="WalkingDistance"/>.</summary>
+    public double Distance => _walk.Distance;
 
     /// <summary>Places of the hips, evenly in time.</summary>
     public List<Vector3> Trail { get; } = [];
@@ -77,7 +80,7 @@ internal sealed class TakeCurves
         {
             cancelled.ThrowIfCancellationRequested();
             motion.GetPoints(frame, points);
-            AddPlace(points[roles.Root], motion.IsInCentimetres ? LeastWay : 0);
+            AddPlace(points[roles.Root], frame / motion.FrameRate);
             AddFeet(frame, motion, points);
             Add(Root, root.Add(points[roles.Root]));
             if (roles.LeftHand is { } left)
@@ -91,19 +94,13 @@ internal sealed class TakeCurves
         }
     }
 
-    private void AddPlace(Vector3 place, float leastWay)
+    private void AddPlace(Vector3 place, double seconds)
     {
         if (!SampledPose.IsFinite(place))
             return;
 
         (Lowest, Highest) = (Vector3.Min(Lowest, place), Vector3.Max(Highest, place));
-        Vector3 way = (place - (_anchor ?? place)) with { Y = 0 };
-        _anchor ??= place;
-        if (way.Length() < leastWay)
-            return;
-
-        Distance += way.Length();
-        _anchor = place;
+        _walk.Update(place, seconds);
     }
 
     private void AddFeet(long frame, PointMotion motion, Vector3[] points)
@@ -131,6 +128,14 @@ internal sealed class TakeCurves
     {
         if (value is { } known)
             curve.Add(known.Frame, known.Speed);
+    }
+
+    private static float FirstHeight(PointMotion motion)
+    {
+        Vector3[] points = new Vector3[motion.PointCount];
+        motion.GetPoints(0, points);
+        float height = points.Max(static point => point.Y) - points.Min(static point => point.Y);
+        return float.IsFinite(height) ? height : 0;
     }
 
     private static Vector3 LowestOf(IReadOnlyList<int> foot, Vector3[] points)
