@@ -32,6 +32,9 @@ broadcast.SetAction((result, _) => Broadcast.RunAsync(result.GetValue(clients)!,
 var decode = new Command("decode", "Cost of a frame without a network: scan, decode, publish, take.") { runs, json };
 decode.SetAction((result, _) => Decode.RunAsync(result.GetValue(runs), Open(result)));
 
+var kinematics = new Command("kinematics", "Cost of a frame from its values to world transforms, velocities, contacts and retimed poses.") { runs, json };
+kinematics.SetAction((result, _) => PoseCost.RunAsync(result.GetValue(runs), Open(result)));
+
 var rates = new Option<double[]>("--rates") { Description = "Frames per second.", DefaultValueFactory = _ => [60, 120, 1000], AllowMultipleArgumentsPerToken = true };
 var latency = new Command("latency", "Time from send to the handler, one frame at a time.") { rates, seconds, runs, json };
 latency.SetAction((result, _) => Latency.RunAsync(result.GetValue(rates)!, result.GetValue(seconds), result.GetValue(runs), Open(result)));
@@ -67,7 +70,7 @@ sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(conne
 
 return await new RootCommand("Measures the receive path as ratios to a floor that is measured in the same run.")
     {
-        throughput, latency, streams, avatars, consumers, broadcast, decode, micro, flood, pace, sinks,
+        throughput, latency, streams, avatars, consumers, broadcast, decode, kinematics, micro, flood, pace, sinks,
     }
     .Parse(args)
     .InvokeAsync();

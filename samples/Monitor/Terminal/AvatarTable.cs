@@ -1,5 +1,6 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
 using Spectre.Console;
 using Spectre.Console.Rendering;
 
@@ -100,7 +101,7 @@ internal static class AvatarTable
             Alarm(avatar.Disordered),
             new Text(Quantity.Count(avatar.Restarts)),
             new Text(Quantity.Age(age), isStale ? new Style(Palette.Bad) : Style.Plain),
-            avatar.Kind != PacketKind.Calculation ? Text.Empty : Feet(state.GetContacts(avatar.AvatarIndex)),
+            DescribeFeet(state, avatar),
         ];
     }
 
@@ -117,7 +118,15 @@ internal static class AvatarTable
 
     private static Text Alarm(long count) => new(Quantity.Count(count), count > 0 ? new Style(Palette.Warning) : Style.Plain);
 
-    private static Paragraph Feet((bool Left, bool Right)? contacts)
+    // Calculation data says it; motion is drawn of one avatar only, and estimated for that one.
+    private static IRenderable DescribeFeet(LiveState state, AvatarStatistics avatar) => avatar.Kind switch
+    {
+        PacketKind.Calculation => Feet(state.GetContacts(avatar.AvatarIndex)),
+        PacketKind.Motion when avatar.AvatarIndex == state.Avatar => Feet(state.EstimatedContacts),
+        _ => Text.Empty,
+    };
+
+    private static Paragraph Feet(FootContacts? contacts)
     {
         if (contacts is not { } feet)
             return new Paragraph("-");

@@ -1,7 +1,9 @@
 using System.Diagnostics;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
+using NeuronMocap.Kinematics;
 using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Terminal;
@@ -9,7 +11,8 @@ namespace NeuronMocap.Monitor.Terminal;
 /// <summary>All that the live view shows, as of the last look at the reader. One thread; only <see cref="Events"/> takes others.</summary>
 internal sealed class LiveState(MonitorOptions options)
 {
-    private readonly Dictionary<int, (bool Left, bool Right)> _contacts = [];
+    private readonly Dictionary<int, FootContacts> _contacts = [];
+    private readonly FootContactEstimator _feet = new();
     private readonly RateMeter _bytes = new();
     private readonly RateMeter _allocatedHere = new();
     private readonly RateMeter _allocatedElsewhere = new();
@@ -31,6 +34,9 @@ internal sealed class LiveState(MonitorOptions options)
 
     /// <summary>Number of the avatar that is drawn.</summary>
     public int Avatar { get; private set; }
+
+    /// <summary>The feet of the drawn avatar that seem to stand on the ground, by its motion; null before there was a pose.</summary>
+    public FootContacts? EstimatedContacts { get; private set; }
 
     /// <summary>Page of the bone table, counted up without end.</summary>
     public int BonePage { get; set; }
@@ -79,7 +85,7 @@ internal sealed class LiveState(MonitorOptions options)
         foreach (AvatarStatistics avatar in Counters.Avatars.Where(avatar => avatar.Kind == PacketKind.Calculation))
         {
             if (latest.TryTakeCalculation(avatar.AvatarIndex, out CalculationFrame? frame) && frame.BoneCount > 0)
-                _contacts[avatar.AvatarIndex] = (frame.LeftFootContact, frame.RightFootContact);
+                _contacts[avatar.AvatarIndex] = frame.FootContacts;
         }
     }
 
@@ -91,12 +97,15 @@ internal sealed class LiveState(MonitorOptions options)
         else
             Pose.Take(frame);
 
-        if (Pose.HasSkeleton)
-            Scale.Include(Pose.Points);
+        if (!Pose.HasSkeleton)
+            return;
+
+        Scale.Include(Pose.Points);
+        EstimatedContacts = _feet.Update(Pose.World, Pose.Body, frame.Timestamp / (double)Stopwatch.Frequency);
     }
 
     /// <summary>The feet on the ground, where a calculation frame of the avatar said so.</summary>
-    public (bool Left, bool Right)? GetContacts(int avatar) => _contacts.TryGetValue(avatar, out (bool, bool) contacts) ? contacts : null;
+    public FootContacts? GetContacts(int avatar) => _contacts.TryGetValue(avatar, out FootContacts contacts) ? contacts : null;
 
     public void ResetCounters(NeuronReader reader)
     {
@@ -113,6 +122,8 @@ internal sealed class LiveState(MonitorOptions options)
 
         Avatar = avatars[(Array.IndexOf(avatars, Avatar) + 1) % avatars.Length];
         Pose = null;
+        EstimatedContacts = null;
+        _feet.Reset();
         Scale = new ViewScale();
         IsPaused = false;
     }

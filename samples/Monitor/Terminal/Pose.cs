@@ -10,7 +10,7 @@ internal sealed class Pose
 {
     private readonly BoneTransform[] _world = new BoneTransform[BoneHierarchy.BoneCount];
     private readonly Vector3[] _angles = new Vector3[BoneHierarchy.BoneCount];
-    private readonly Vector3[] _points = new Vector3[Wireframe.PointCount];
+    private readonly Vector3[] _points = new Vector3[JointPositions.Count];
 
     public Pose(MotionFrame frame) => Take(frame);
 
@@ -21,7 +21,13 @@ internal sealed class Pose
     /// <summary>Whether the frame's values were those of the 59 bones; if not, there is nothing but the header.</summary>
     public bool HasSkeleton { get; private set; }
 
-    /// <summary>Where the points of the <see cref="Wireframe"/> are in the world, in centimetres.</summary>
+    /// <summary>Gives what the stream does not carry: where bones end, and without displacement where they begin.</summary>
+    public SkeletonBody Body { get; private set; } = SkeletonBody.Default();
+
+    /// <summary>Where the 59 bones are in the world.</summary>
+    public ReadOnlySpan<BoneTransform> World => _world;
+
+    /// <summary>Where the points of the <see cref="Wireframe"/> are in the world, in the order of <see cref="JointPositions"/>; centimetres.</summary>
     public ReadOnlySpan<Vector3> Points => _points;
 
     public void Take(MotionFrame frame)
@@ -32,19 +38,11 @@ internal sealed class Pose
         if (!HasSkeleton)
             return;
 
-        frame.CopyWorldTransforms(_world);
+        Body = SkeletonBody.Default(Format.Variant);
+        frame.CopyWorldTransforms(_world, Body);
+        JointPositions.Copy(_world, Body, _points);
         foreach (Bone bone in BoneHierarchy.Bones)
-        {
             _angles[(int)bone] = frame.GetEulerAngles(bone);
-            _points[(int)bone] = _world[(int)bone].Position;
-        }
-
-        int point = BoneHierarchy.BoneCount;
-        foreach (Bone bone in Wireframe.EndBones)
-        {
-            DefaultOffsets.TryGetEndSite(bone, out Vector3 end);
-            _points[point++] = _world[(int)bone].TransformPoint(end);
-        }
     }
 
     /// <summary>In the world, in centimetres.</summary>

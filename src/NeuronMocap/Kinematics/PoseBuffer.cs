@@ -36,7 +36,7 @@ public sealed class PoseBuffer
     /// <summary>Frames that came while there was no room: nobody sampled for long, or the delay is too long for the capacity. Any thread may ask.</summary>
     public long DroppedCount => Interlocked.Read(ref _dropped);
 
-    /// <summary>Seconds from one frame to the next on the sender's clock; 0 before it is known. Ask the sampling thread.</summary>
+    /// <summary>Seconds from one frame to the next on the sender's clock, of those that came, in the mean of the last few; 0 before it is known. Ask the sampling thread.</summary>
     public double FrameInterval => _clock.Interval;
 
     /// <summary>

@@ -159,6 +159,34 @@ public sealed class MotionFrameTests
         Assert.NotEqual(local[0], world[0]);
     }
 
+    [Theory]
+    [InlineData(180)]
+    [InlineData(186)]
+    [InlineData(354)]
+    [InlineData(360)]
+    public void A_body_gives_the_positions_that_the_stream_does_not(int count)
+    {
+        MotionFrame frame = Lend(GoldenPackets.NewMotion(Ascending(count)));
+        var body = SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperArm = 0.4f }, SkeletonVariant.Spine3);
+        BoneTransform[] local = new BoneTransform[59];
+        BoneTransform[] world = new BoneTransform[59];
+        BoneTransform[] expected = new BoneTransform[59];
+
+        frame.CopyLocalTransforms(local, body);
+        frame.CopyWorldTransforms(world, body);
+
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            bool isCarried = frame.Layout.PositionIndex(bone) >= 0;
+            Assert.Equal(isCarried ? frame.GetPosition(bone) : body.GetOffset(bone), local[(int)bone].Position);
+            Assert.Equal(frame.GetRotation(bone), local[(int)bone].Rotation);
+        }
+
+        ForwardKinematics.ToWorld(local, expected, SkeletonVariant.Spine3, frame.GetReference());
+        Assert.Equal(expected, world);
+        Assert.Throws<ArgumentNullException>(() => frame.CopyWorldTransforms(world, null!));
+    }
+
     [Fact]
     public void Less_room_than_59_transforms_is_refused()
     {

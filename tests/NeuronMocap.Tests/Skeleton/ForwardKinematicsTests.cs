@@ -63,6 +63,31 @@ public sealed class ForwardKinematicsTests
         Assert.Equal(world, pose);
     }
 
+    [Theory]
+    [InlineData(SkeletonVariant.Neck1)]
+    [InlineData(SkeletonVariant.Spine3)]
+    public void World_to_local_is_the_way_back(SkeletonVariant variant)
+    {
+        for (int seed = 0; seed < 50; seed++)
+        {
+            var random = new Random(seed);
+            BoneTransform[] pose = RandomPose(random);
+            BoneTransform? root = seed % 2 == 0 ? null : RandomTransform(random);
+            BoneTransform[] world = new BoneTransform[59];
+            BoneTransform[] back = new BoneTransform[59];
+            ForwardKinematics.ToWorld(pose, world, variant, root);
+            ForwardKinematics.ToLocal(world, back, variant, root);
+            ForwardKinematics.ToLocal(world, world, variant, root);
+
+            Assert.Equal(back, world);
+            for (int bone = 0; bone < 59; bone++)
+            {
+                AssertNear(pose[bone].Position, back[bone].Position);
+                Assert.True(Math.Abs(Quaternion.Dot(pose[bone].Rotation, back[bone].Rotation)) > 1 - 1e-5f);
+            }
+        }
+    }
+
     [Fact]
     public void Only_59_transforms_are_read_and_written()
     {
@@ -80,6 +105,8 @@ public sealed class ForwardKinematicsTests
         BoneTransform[] less = new BoneTransform[58];
         Assert.Equal("local", Assert.Throws<ArgumentException>(() => ForwardKinematics.ToWorld(less, enough)).ParamName);
         Assert.Equal("world", Assert.Throws<ArgumentException>(() => ForwardKinematics.ToWorld(enough, less)).ParamName);
+        Assert.Equal("world", Assert.Throws<ArgumentException>(() => ForwardKinematics.ToLocal(less, enough)).ParamName);
+        Assert.Equal("local", Assert.Throws<ArgumentException>(() => ForwardKinematics.ToLocal(enough, less)).ParamName);
     }
 
     [Fact]

@@ -1,0 +1,147 @@
+using System.Diagnostics;
+using System.Numerics;
+using NeuronMocap.Benchmarks.Harness;
+using NeuronMocap.Kinematics;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Benchmarks.Macro;
+
+// What one frame costs from its values to whatever is computed of it, on one thread and a hot cache.
+internal static class PoseCost
+{
+    private const int Rounds = 200_000;
+    private const int Frames = 64;
+    private const double Interval = 1 / 120.0;
+
+    private static readonly ChannelLayout Layout = new(hasDisplacement: true, hasReference: false);
+
+    public static async Task<int> RunAsync(int runs, Report report)
+    {
+        report.Begin($"Nanoseconds a frame of 59 bones with displacement, against copying its 354 values once; {Rounds} frames a run, {runs} runs.");
+        var take = new Take();
+        Way[] ways =
+        [
+            new("values to local", () => Measure(take.Decode)),
+            new("local to world", () => Measure(take.ToWorld)),
+            new("values to world", () => Measure(i =>
+            {
+                take.Decode(i);
+                ForwardKinematics.ToWorld(take.Pose, take.Pose);
+            })),
+            new("world to local", () => Measure(take.ToLocal)),
+            new("72 positions", () => Measure(take.CopyPositions)),
+            new("centre of mass", () => Measure(take.FindCentre)),
+            new("velocities", () => Measure(take.FindVelocities)),
+            new("foot contacts", () => Measure(new Feet(take).Update)),
+            new("interpolate, linear", () => Measure(take.InterpolateLinear)),
+            new("interpolate, cubic", () => Measure(take.InterpolateCubic)),
+            new("buffer: push and sample", () => Measure(new Retiming(take).PushAndSample)),
+        ];
+        Aim[] aims = [new("ns/frame", 2000, Way: "values to world"), new("B/frame", 0)];
+        report.Add(await Alternation.RunAsync("one frame", runs, new Way("copy", () => Measure(take.Copy)), ways, aims));
+        return report.End();
+    }
+
+    private static Figures Measure(Action<int> step)
+    {
+        for (int i = 0; i < 1000; i++)
+            step(i);
+
+        long allocated = GC.GetAllocatedBytesForCurrentThread();
+        long start = Stopwatch.GetTimestamp();
+        for (int i = 0; i < Rounds; i++)
+            step(i);
+
+        double nanoseconds = Stopwatch.GetElapsedTime(start).TotalNanoseconds / Rounds;
+        allocated = GC.GetAllocatedBytesForCurrentThread() - allocated;
+        return new Figures { ["ns/frame"] = nanoseconds, ["B/frame"] = allocated / (double)Rounds };
+    }
+
+    private sealed class Take
+    {
+        private readonly float[][] _values = new float[Frames][];
+        private readonly float[] _copy = new float[Layout.ValueCount];
+        private readonly Vector3[] _positions = new Vector3[JointPositions.Count];
+        private readonly BoneVelocity[] _velocities = new BoneVelocity[BoneHierarchy.BoneCount];
+
+        public Take()
+        {
+            var actor = new SyntheticActor(1 / Interval);
+            for (int i = 0; i < Frames; i++)
+            {
+                _values[i] = new float[Layout.ValueCount];
+                Local[i] = new BoneTransform[BoneHierarchy.BoneCount];
+                World[i] = new BoneTransform[BoneHierarchy.BoneCount];
+                actor.WriteValues(i, Layout, RotationOrder.YXZ, _values[i]);
+                actor.GetPose(i, Local[i]);
+                ForwardKinematics.ToWorld(Local[i], World[i]);
+            }
+        }
+
+        public BoneTransform[] Pose { get; } = new BoneTransform[BoneHierarchy.BoneCount];
+
+        public BoneTransform[][] Local { get; } = new BoneTransform[Frames][];
+
+        public BoneTransform[][] World { get; } = new BoneTransform[Frames][];
+
+        public void Copy(int i) => _values[i % Frames].AsSpan().CopyTo(_copy);
+
+        public void Decode(int i) => PoseDecoder.Decode(_values[i % Frames], Layout, RotationOrder.YXZ, SkeletonBody.Default(), Pose);
+
+        public void ToWorld(int i) => ForwardKinematics.ToWorld(Local[i % Frames], Pose);
+
+        public void ToLocal(int i) => ForwardKinematics.ToLocal(World[i % Frames], Pose);
+
+        public void CopyPositions(int i) => JointPositions.Copy(World[i % Frames], SkeletonBody.Default(), _positions);
+
+        public void FindCentre(int i) => CenterOfMass.Compute(World[i % Frames], SkeletonBody.Default());
+
+        public void FindVelocities(int i)
+        {
+            int now = (i % (Frames - 2)) + 1;
+            PoseVelocity.Central(World[now - 1], World[now], World[now + 1], Interval, Interval, _velocities);
+        }
+
+        public void InterpolateLinear(int i)
+        {
+            int now = i % (Frames - 1);
+            PoseInterpolation.Linear(Local[now], Local[now + 1], 0.3, Pose);
+        }
+
+        public void InterpolateCubic(int i)
+        {
+            int now = (i % (Frames - 3)) + 1;
+            var frames = new FourPoses
+            {
+                First = Local[now - 1],
+                Second = Local[now],
+                Third = Local[now + 1],
+                Fourth = Local[now + 2],
+                Times = (0, 1, 2, 3),
+            };
+            PoseInterpolation.Cubic(frames, 1.3, Pose);
+        }
+    }
+
+    private sealed class Feet(Take take)
+    {
+        private readonly FootContactEstimator _estimator = new();
+        private long _frame;
+
+        public void Update(int i) => _estimator.Update(take.World[i % Frames], SkeletonBody.Default(), _frame++ * Interval);
+    }
+
+    private sealed class Retiming(Take take)
+    {
+        private readonly PoseBuffer _buffer = new();
+        private uint _frame;
+
+        public void PushAndSample(int i)
+        {
+            double time = _frame * Interval;
+            _buffer.Push(take.Local[i % Frames], time, _frame++);
+            _buffer.Sample(time + 0.001, take.Pose);
+        }
+    }
+}
