@@ -16,7 +16,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
 
     public void Run(CancellationToken cancelled)
     {
-        FileKind to = FileKinds.OfName(settings.Output!);
+        FileKind to = FileKinds.OfName(settings.Output!)!.Value;
         FileKind from = FileKinds.Recognize(settings.Input);
         using var output = new OutputFile(settings.Output!, settings.Overwrite);
         using (var progress = new ProgressLine(streams, $"writing {Path.GetFileName(settings.Output)}"))

@@ -102,6 +102,16 @@ internal sealed class FileArguments
         foreach (Option option in ((Option[])[.. ofServer, .. foreign]).Where(option => CommandLine.IsGiven(result, option)))
             result.AddError($"{task.Name} and {option.Name} exclude each other.");
 
+        if (task == _convert && result.GetValue(_convert) is [_, var converted] && FileKinds.OfName(converted) is null)
+        {
+            result.AddError(
+                $"--convert: the name '{converted}' does not say what to write. Known are .bvh, .nmrec (recording), .calc (calculation export), "
+                + ".bin and .dat (the bytes of the stream).");
+        }
+
+        if (task == _plot && result.GetValue(_plot) is [_, var drawn] && !drawn.EndsWith(".svg", StringComparison.OrdinalIgnoreCase))
+            result.AddError($"--plot: the name '{drawn}' does not end with .svg, the only kind of picture.");
+
         if (CommandLine.IsGiven(result, _from) && CommandLine.IsGiven(result, _to) && result.GetValue(_from) >= result.GetValue(_to))
             result.AddError("--from: the end, --to, is not later.");
     }

@@ -46,17 +46,14 @@ internal static class FileKinds
             $"'{path}' is none of the files that are known: a BVH file, a recording, a calculation export, or the bytes of a stream.");
     }
 
-    /// <summary>What a file is to become.</summary>
-    /// <exception cref="NeuronException">Its name says nothing that is known.</exception>
-    public static FileKind OfName(string path) => Path.GetExtension(path).ToLowerInvariant() switch
+    /// <summary>What a file is to become; null when its name says nothing that is known.</summary>
+    public static FileKind? OfName(string path) => Path.GetExtension(path).ToLowerInvariant() switch
     {
         ".bvh" => FileKind.Bvh,
         ".nmrec" => FileKind.Recording,
         ".calc" => FileKind.Calculation,
         ".bin" or ".dat" => FileKind.Raw,
-        var extension => throw new NeuronException(
-            $"'{path}': {(extension.Length == 0 ? "a name without an extension" : extension)} does not say what to write. Known are .bvh, "
-            + ".nmrec (recording), .calc (calculation export), and .bin and .dat (the bytes of the stream)."),
+        _ => null,
     };
 
     private static byte[] ReadStart(string path)

@@ -1,6 +1,7 @@
 using System.Numerics;
 using NeuronMocap.Kinematics;
 using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;
@@ -20,7 +21,7 @@ public sealed class RecordingSource : MotionSource
     private readonly SkeletonBody _body;
     private readonly Lazy<FootContacts[]> _contacts;
 
-    private RecordingSource(RecordedTakeBuilder builder)
+    private RecordingSource(RecordedTakeBuilder builder, RecordingMetadata? metadata)
     {
         AvatarIndex = builder.AvatarIndex!.Value;
         AvatarName = builder.AvatarName;
@@ -28,7 +29,7 @@ public sealed class RecordingSource : MotionSource
         Layout = builder.Layout;
         Format = builder.Format;
         _timeline = new RecordedTimeline(builder.Rows, Layout, Format.RotationOrder);
-        _body = FindBody();
+        _body = RecordedBody.Find(metadata, AvatarIndex, Variant) ?? FindBody();
         _contacts = new Lazy<FootContacts[]>(builder.HasContacts ? ReadContacts : EstimateContacts);
         HasMeasuredContacts = builder.HasContacts;
     }
@@ -72,6 +73,9 @@ public sealed class RecordingSource : MotionSource
     /// <summary>Where frames are missing.</summary>
     public IReadOnlyList<RecordedGap> Gaps => _timeline.Gaps;
 
+    /// <summary>Whether the sizes of the body are the actor's: false where a stream without displacement leaves only the default ones.</summary>
+    public bool HasOwnBody => HasDisplacement || _body != SkeletonBody.Default(Variant);
+
     /// <summary>Whether <see cref="GetFootContacts"/> is what the server measured, not an estimate.</summary>
     public bool HasMeasuredContacts { get; }
 
@@ -102,7 +106,9 @@ public sealed class RecordingSource : MotionSource
             progress?.Report(reader.Duration > TimeSpan.Zero ? Math.Min(reader.Time / reader.Duration, 1) : 0);
         }
 
-        return builder.Rows.Count > 0 ? new RecordingSource(builder) : throw new NeuronException(DescribeLack(builder));
+        return builder.Rows.Count > 0
+            ? new RecordingSource(builder, RecordedBody.ReadMetadata(path))
+            : throw new NeuronException(DescribeLack(builder));
     }
 
     /// <summary>When a frame arrived, since the recording's start; of an interpolated one, when it would have.</summary>
@@ -135,7 +141,10 @@ public sealed class RecordingSource : MotionSource
         return (contacts.Left, contacts.Right);
     }
 
-    /// <summary>Writes the body: with displacement that of the first frame, else the default one, for a stream does not tell.</summary>
+    /// <summary>
+    /// Writes the body: the one that the recording's metadata tell; else with displacement that of the first frame, and without the default one, for a stream
+    /// does not tell.
+    /// </summary>
     /// <param name="offsets">Room for the places of the 59 bones relative to their parents, in <see cref="Bone"/> order; centimetres.</param>
     /// <param name="endSites">Room for 59 places where the bones end, relative to them; zero for bones that have children.</param>
     public override void GetBody(Span<Vector3> offsets, Span<Vector3> endSites)

@@ -31,7 +31,7 @@ public sealed class RecordingMetadata
     public const string SkeletonVariantName = "skeleton-variant";
 
     /// <summary>
-    /// The body that performs: the HIERARCHY of a BVH file, with its OFFSETs, which a stream without displacement does not carry.
+    /// The body of avatar 0: the HIERARCHY of a BVH file, with its OFFSETs, which a stream without displacement does not carry.
     /// </summary>
     public const string BvhHierarchyName = "bvh-hierarchy";
 

@@ -8,14 +8,14 @@ internal static class BvhEdit
     public static void Write(FileSettings settings, TimeRange range, string output, IProgress<double> progress, CancellationToken cancelled)
     {
         BvhDocument document = BvhFile.Load(settings.Input, progress, cancelled);
+        if (settings.Rate is { } rate)
+            document = document.Resample(rate);
         if (!range.IsAll)
         {
             (long first, long count) = range.FramesOf(document.FrameCount, document.FrameRate);
             document = document.Trim((int)first, (int)count);
         }
 
-        if (settings.Rate is { } rate)
-            document = document.Resample(rate);
         if (settings.RotationOrder is { } order)
             document = document.WithRotationOrder(order);
 

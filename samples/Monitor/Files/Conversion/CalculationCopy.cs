@@ -1,3 +1,4 @@
+using System.Text;
 using NeuronMocap.Calculation;
 using NeuronMocap.Frames;
 using NeuronMocap.Monitor.Terminal;
@@ -9,11 +10,14 @@ namespace NeuronMocap.Monitor.Files.Conversion;
 /// <summary>Rows of calculation data, copied value by value.</summary>
 internal static class CalculationCopy
 {
+    private const int LongestEnd = 64;
+
     /// <summary>From an export to another one.</summary>
     public static void ToFile(string input, TimeRange range, string output, IProgress<double> progress, CancellationToken cancelled)
     {
         using CalculationFileReader reader = CalculationFileReader.Open(input);
-        using CalculationFileWriter writer = CalculationFileWriter.Create(output, reader.ValueCount, reader.TextFormat);
+        CalculationTextFormat format = range.IsAll ? reader.TextFormat with { LastRowEnd = ReadEnd(input) } : reader.TextFormat;
+        using CalculationFileWriter writer = CalculationFileWriter.Create(output, reader.ValueCount, format);
         Copy(reader, range, (_, values) => writer.WriteFrame(values), progress, cancelled);
     }
 
@@ -66,6 +70,17 @@ internal static class CalculationCopy
         }
 
         return writer is not null;
+    }
+
+    // What stands behind the last value, which a writer has to know before it comes there.
+    private static string ReadEnd(string path)
+    {
+        using FileStream file = File.OpenRead(path);
+        byte[] end = new byte[(int)Math.Min(file.Length, LongestEnd)];
+        file.Position = file.Length - end.Length;
+        file.ReadExactly(end);
+        string text = Encoding.ASCII.GetString(end);
+        return text[text.TrimEnd().Length..];
     }
 
     private static void Copy(

@@ -109,12 +109,14 @@ internal sealed class StreamContents
     {
         Frames? frames = _frames.GetValueOrDefault((avatar.Kind, avatar.Source, avatar.AvatarIndex));
         string kind = avatar.Kind == PacketKind.Motion ? "motion" : "calculation";
-        string text = Quantity.Format($"{avatar.AvatarIndex} {avatar.AvatarName}: {avatar.Frames:#,0} {kind} frames");
+        string text = Quantity.Format($"{avatar.AvatarIndex} {avatar.AvatarName}: {avatar.Frames:#,0} {kind} frame{(avatar.Frames == 1 ? string.Empty : "s")}");
         if (hasTimes && frames?.Rate is { } rate)
             text += Quantity.Format($", {rate:0.0} Hz, at most {frames.LongestInterval.TotalMilliseconds:0} ms between two");
         if (avatar.FrequencyReduction > 1)
             text += $", 1 of {avatar.FrequencyReduction} frames sent";
-        text += Quantity.Format($", {avatar.Lost:#,0} lost in {avatar.Gaps:#,0} gaps");
+        text += Quantity.Format($", {(avatar.Lost == 0 ? "none" : Quantity.Count(avatar.Lost))} lost");
+        if (avatar.Gaps > 0)
+            text += Quantity.Format($" in {avatar.Gaps:#,0} gap{(avatar.Gaps == 1 ? string.Empty : "s")}");
         if (avatar.Restarts > 0)
             text += Quantity.Format($", counted anew {avatar.Restarts:#,0} times");
 

@@ -39,8 +39,8 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         take.Add("seconds", "duration", Quantity.Format($"{duration:0.000} s"), duration);
         take.Add("frames", "frames", Frames(source), source.FrameCount.Value);
         take.Add("receivedFrames", string.Empty, null, source.ReceivedFrames).Add("interpolatedFrames", string.Empty, null, source.InterpolatedFrames);
-        take.Add("frameRate", "frame rate", Rate(source), source.FrameRate);
-        take.Add("measuredRate", string.Empty, null, source.MeasuredRate ?? double.NaN);
+        take.Add("frameRate", "frame rate", Rate(source, isRecording), source.FrameRate);
+        take.Add("measuredRate", string.Empty, null, isRecording ? source.MeasuredRate ?? double.NaN : double.NaN);
         take.Add("variant", "bone names", source.Variant.ToString());
         take.Add("rotationOrder", "rotation order", source.Format.RotationOrder.ToString());
         take.Add("displacement", "displacement", source.Layout.HasDisplacement ? "on" : "off", source.Layout.HasDisplacement);
@@ -56,7 +56,7 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         RowRemarks.Add(oddities, scan, source.FrameRate, hierarchy.ChannelCount);
         if (oddities.IsEmpty)
             oddities.Remark("none", "none");
-        if (source.HasDisplacement)
+        if (source.HasOwnBody)
             BodySection.Add(report, source);
 
         var motion = new BodyMotion(source);
@@ -75,9 +75,12 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         ? Quantity.Count(source.ReceivedFrames)
         : Quantity.Format($"{source.FrameCount:#,0}: {source.ReceivedFrames:#,0} received and {source.InterpolatedFrames:#,0} interpolated");
 
-    private static string Rate(RecordingSource source)
+    private static string Rate(RecordingSource source, bool hasTimes)
     {
         string rate = Quantity.Format($"{source.FrameRate:0.###} Hz");
+        if (!hasTimes)
+            return rate + ": of the timecodes, or assumed";
+
         return source.MeasuredRate is { } measured
             ? rate + Quantity.Format($": {measured:0.00} by the times of arrival")
             : rate + ", assumed: there are no times";

@@ -16,8 +16,10 @@ internal sealed class GroundMap(PointMotion motion, IReadOnlyList<SampledPose> p
     {
         View view = Fit(box);
         DrawGrid(svg, box, view);
+        svg.BeginGroup("steps");
         DrawFootprints(svg, view);
-
+        svg.EndGroup();
+        svg.BeginGroup("path");
         var path = new SvgPath();
         bool inside = false;
         foreach (Vector3 place in curves.Trail)
@@ -34,6 +36,7 @@ internal sealed class GroundMap(PointMotion motion, IReadOnlyList<SampledPose> p
         }
 
         svg.Stroke(path, PlotTheme.Middle, 1.4);
+        svg.EndGroup();
         DrawMoments(svg, view);
     }
 

@@ -27,8 +27,12 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
         double highest = _height;
         double widest = Math.Max(LeastSize, poses.Max(pose => Math.Max(Reach(pose, static point => point.X), Reach(pose, static point => point.Z))));
         double scale = Math.Min((front.Height - (2 * Padding)) / (highest - lowest), ((cell / 2) - Padding) / widest);
+        svg.BeginGroup("front");
         DrawRow(svg, front, cell, scale, lowest, static point => point.X, static point => point.Z);
+        svg.EndGroup();
+        svg.BeginGroup("side");
         DrawRow(svg, side, cell, scale, lowest, static point => point.Z, static point => -point.X);
+        svg.EndGroup();
     }
 
     private void DrawRow(SvgDrawing svg, Box row, double cell, double scale, double lowest, Func<Vector3, float> across, Func<Vector3, float> nearness)

@@ -4,9 +4,7 @@ using System.Xml;
 
 namespace NeuronMocap.Monitor.Files.Plotting;
 
-/// <summary>
-/// Where the text stands: at the left, in the middle or at the right of its point.
-/// </summary>
+/// <summary>Which part of a text stands at its point.</summary>
 internal enum TextAnchor
 {
     Start,
@@ -53,6 +51,15 @@ internal sealed class SvgDrawing : IDisposable
         double rounded = Math.Round(value, 2);
         return (rounded == 0 ? 0 : rounded).ToString("0.##", CultureInfo.InvariantCulture);
     }
+
+    /// <summary>Begins a part of the picture that has a name; <see cref="EndGroup"/> ends it.</summary>
+    public void BeginGroup(string name)
+    {
+        Begin("g");
+        Attribute("id", name);
+    }
+
+    public void EndGroup() => End();
 
     public void Text(
         double x, double y, string text, double size = PlotTheme.LabelSize, string fill = PlotTheme.Ink, TextAnchor anchor = TextAnchor.Start, bool bold = false)

@@ -66,15 +66,18 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
         svg.Text(Left, Map.Top - 8, motion.IsInCentimetres ? "Path on the ground, from above (m)" : "Path on the ground, from above (units)");
         new GroundMap(motion, poses, curves).Draw(svg, Map);
         svg.Text(Map.Right, Map.Bottom + 36, "X →", PlotTheme.TickSize, PlotTheme.Dim, TextAnchor.End);
+        if (curves.LeftContacts is not null)
+            svg.Text(Map.Left + (Map.Width / 2), Map.Bottom + 36, "hollow arrow: start; dots: feet set down", PlotTheme.TickSize, PlotTheme.Dim, TextAnchor.Middle);
+
         svg.Text(Map.Left - 8, Map.Bottom + 36, "Z ↓", PlotTheme.TickSize, PlotTheme.Dim, TextAnchor.End);
     }
 
     private void DrawCharts(SvgDrawing svg, SampledPose[] poses, TakeCurves curves)
     {
         (string height, string speed, double metres) = motion.IsInCentimetres ? ("cm", "m/s", 0.01) : ("units", "units/s", 1);
-        TimeChart feet = ChartAt(570, 66);
-        TimeChart root = ChartAt(690, 60);
-        TimeChart hands = ChartAt(782, 60);
+        TimeChart feet = ChartAt("feet", 570, 66);
+        TimeChart root = ChartAt("hips", 690, 60);
+        TimeChart hands = ChartAt("hands", 782, 60);
         foreach (SampledPose pose in poses)
             svg.Line(feet.X(pose.Seconds), feet.Box.Top, feet.X(pose.Seconds), hands.Box.Bottom, PlotTheme.Grid);
 
@@ -84,7 +87,7 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
             [new ChartLine(curves.LeftFoot, PlotTheme.Left), new ChartLine(curves.RightFoot, PlotTheme.Right)],
             curves.Ground,
             1,
-            motion.IsInCentimetres ? 10 : 0.1);
+            motion.IsInCentimetres ? 5 : 0.05);
         DrawContacts(svg, feet, curves.LeftContacts, PlotTheme.Left, feet.Box.Bottom + 5);
         DrawContacts(svg, feet, curves.RightContacts, PlotTheme.Right, feet.Box.Bottom + 5 + ContactHeight + 2);
         root.Draw(svg, $"{(motion.IsInCentimetres ? "Speed of the hips" : "Speed of the root")} over the ground ({speed})", [new ChartLine(curves.Root, PlotTheme.Middle)], 0, metres, 0.5);
@@ -98,7 +101,7 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
         hands.DrawTimes(svg, "seconds");
     }
 
-    private TimeChart ChartAt(double top, double height) => new(new Box(ChartLeft, top, ChartWidth, height), motion.FrameRate, motion.Duration);
+    private TimeChart ChartAt(string name, double top, double height) => new(name, new Box(ChartLeft, top, ChartWidth, height), motion.FrameRate, motion.Duration);
 
     private void DrawContacts(SvgDrawing svg, TimeChart chart, ContactTrack? track, string color, double top)
     {

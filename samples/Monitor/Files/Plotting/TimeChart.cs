@@ -4,7 +4,7 @@ namespace NeuronMocap.Monitor.Files.Plotting;
 internal readonly record struct ChartLine(Curve Curve, string Color);
 
 /// <summary>Values over time, in a box of its own with an axis on the left; charts one below the other share the time below the last.</summary>
-internal sealed class TimeChart(Box box, double frameRate, double duration)
+internal sealed class TimeChart(string name, Box box, double frameRate, double duration)
 {
     private const double LineWidth = 1.1;
     private const int MostTimes = 9;
@@ -23,7 +23,7 @@ internal sealed class TimeChart(Box box, double frameRate, double duration)
     public void Draw(SvgDrawing svg, string title, IReadOnlyList<ChartLine> lines, double zero, double scale, double least)
     {
         double highest = Math.Max(least, lines.Select(line => (line.Curve.Highest - zero) * scale).Where(double.IsFinite).Append(0).Max());
-        double step = AxisTicks.Step(highest, 3);
+        double step = AxisTicks.Step(highest, 4);
         double top = Math.Ceiling((highest / step) - 1e-6) * step;
         svg.Text(box.Left, box.Top - 8, title, PlotTheme.LabelSize, PlotTheme.Ink);
         foreach (double value in AxisTicks.Between(0, top, step))
@@ -33,8 +33,11 @@ internal sealed class TimeChart(Box box, double frameRate, double duration)
             svg.Text(box.Left - 8, y + 4, AxisTicks.Label(value, step), PlotTheme.TickSize, PlotTheme.Dim, TextAnchor.End);
         }
 
+        svg.BeginGroup(name);
         foreach (ChartLine line in lines)
             svg.Stroke(PathOf(line.Curve), line.Color, LineWidth);
+
+        svg.EndGroup();
 
         double Y(double value) => box.Bottom - (value / top * box.Height);
 
