@@ -79,11 +79,12 @@ SimulatorSources CreateSources(ParseResult parsed)
     try
     {
         return SourceFactory.Create(new SourceSettings(
-            parsed.GetValue(command.Bvh), parsed.GetValue(command.Avatars) ?? 1, parsed.GetValue(command.Loop)));
+            parsed.GetValue(command.Bvh), parsed.GetValue(command.Calc), parsed.GetValue(command.Avatars) ?? 1, parsed.GetValue(command.Loop)));
     }
     catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException)
     {
-        throw new SimulatorException($"--bvh: {exception.Message}");
+        string option = parsed.GetValue(command.Calc) is null ? command.Bvh.Name : command.Calc.Name;
+        throw new SimulatorException($"{option}: {exception.Message}");
     }
 }
 

@@ -38,7 +38,7 @@ internal sealed class SimulatorCommand : RootCommand
         DataCommands.CustomParser = ParseWord<OnOff>("on", "off");
         foreach (Option option in (Option[])
             [
-                Bvh, Synthetic, Bind, Port, Udp, Avatars, Rate, Frames, Loop, WaitForClient,
+                Bvh, Calc, Synthetic, Bind, Port, Udp, Avatars, Rate, Frames, Loop, WaitForClient,
                 Displacement, Reference, Order, Format, Header, Decimals, Calculation, Fragment, DataCommands, Commands,
             ])
         {
@@ -52,6 +52,12 @@ internal sealed class SimulatorCommand : RootCommand
     {
         HelpName = "FILE",
         Description = "Play a BVH file of the Perception Neuron skeleton.",
+    };
+
+    public Option<FileInfo?> Calc { get; } = new("--calc")
+    {
+        HelpName = "FILE",
+        Description = "Play a calculation export of Axis Neuron; with --calculation its own values go out with the poses.",
     };
 
     public Option<bool> Synthetic { get; } = new("--synthetic")
@@ -218,6 +224,8 @@ internal sealed class SimulatorCommand : RootCommand
     {
         if (result.GetResult(Bvh) is not null && result.GetResult(Synthetic) is not null)
             result.AddError("--bvh and --synthetic exclude each other.");
+        if (result.GetResult(Calc) is not null && (result.GetResult(Bvh) ?? result.GetResult(Synthetic)) is not null)
+            result.AddError("--calc, --bvh and --synthetic exclude each other.");
         if (result.GetResult(WaitForClient) is not null && result.GetResult(Udp) is not null && result.GetResult(Port) is null)
             result.AddError("--wait-for-client waits for a TCP client: give --port as well as --udp.");
     }

@@ -1,5 +1,6 @@
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Calculation;
 
@@ -107,6 +108,16 @@ public sealed class CalculationDocument
     {
         ReadOnlySpan<float> values = GetValues(index);
         return new CalculationFrame(_header with { FrameIndex = (uint)index }, values);
+    }
+
+    /// <summary>Which feet touch the ground in a frame.</summary>
+    /// <param name="index">Number of the frame, from 0.</param>
+    /// <returns>The frame's flags.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
+    public FootContacts GetFootContacts(int index)
+    {
+        ReadOnlySpan<float> flags = GetValues(index)[(CalculationFrame.BodyValueCount - 2)..];
+        return new FootContacts(flags[0] != 0, flags[1] != 0);
     }
 
     /// <summary>Writes the file, over one that is there.</summary>
