@@ -23,14 +23,13 @@ int Run(ParseResult parsed)
 {
     try
     {
-        SimulatorSources sources = CreateSources(parsed);
-        BroadcasterOptions options = SimulatorOptions.Create(command, parsed, sources);
+        (BroadcasterOptions options, string description) = CreateOptions(parsed);
         using var broadcaster = new Broadcaster(options);
         using CommandServer? commands = OpenCommands(parsed, broadcaster, options);
         using PosixSignalRegistration interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Stop);
         using PosixSignalRegistration terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Stop);
         broadcaster.Start();
-        new SimulatorReport(broadcaster, commands, options, sources.Description).Run();
+        new SimulatorReport(broadcaster, commands, options, description).Run();
         return Done;
 
         void Stop(PosixSignalContext context)
@@ -72,6 +71,15 @@ CommandServer? OpenCommands(ParseResult parsed, Broadcaster broadcaster, Broadca
     {
         throw new SimulatorException($"--commands: {exception.Message}");
     }
+}
+
+(BroadcasterOptions Options, string Description) CreateOptions(ParseResult parsed)
+{
+    if (command.Play.Read(parsed, parsed.GetValue(command.Rate), parsed.GetValue(command.Loop)) is { } play)
+        return (SimulatorOptions.Create(command, parsed, play), play.Description);
+
+    SimulatorSources sources = CreateSources(parsed);
+    return (SimulatorOptions.Create(command, parsed, sources), sources.Description);
 }
 
 SimulatorSources CreateSources(ParseResult parsed)

@@ -5,6 +5,7 @@ using System.Net;
 using System.Numerics;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
+using NeuronMocap.Simulator.Playback;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Simulator;
@@ -45,6 +46,7 @@ internal sealed class SimulatorCommand : RootCommand
             Add(option);
         }
 
+        Play.AddTo(this);
         Validators.Add(CheckTogether);
     }
 
@@ -168,6 +170,8 @@ internal sealed class SimulatorCommand : RootCommand
         Arity = ArgumentArity.ZeroOrOne,
     };
 
+    public PlayArguments Play { get; } = new();
+
     /// <summary>All options in one line, for those who made a mistake.</summary>
     public string Usage => "Usage: neuron-simulator " + string.Join(' ', Options
         .Where(option => option.Name is not ("--help" or "--version"))
@@ -226,6 +230,8 @@ internal sealed class SimulatorCommand : RootCommand
             result.AddError("--bvh and --synthetic exclude each other.");
         if (result.GetResult(Calc) is not null && (result.GetResult(Bvh) ?? result.GetResult(Synthetic)) is not null)
             result.AddError("--calc, --bvh and --synthetic exclude each other.");
+        Play.RejectContradictions(
+            result, [Bvh, Calc, Synthetic, Avatars, Frames, Displacement, Reference, Order, Format, Header, Decimals, Calculation, DataCommands, Commands]);
         if (result.GetResult(WaitForClient) is not null && result.GetResult(Udp) is not null && result.GetResult(Port) is null)
             result.AddError("--wait-for-client waits for a TCP client: give --port as well as --udp.");
     }

@@ -1,4 +1,6 @@
 using NeuronMocap.Bvh;
+using NeuronMocap.Calculation;
+using NeuronMocap.Monitor.Files.Conversion;
 using NeuronMocap.Playback;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
@@ -20,7 +22,7 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
     public static InputTake Load(FileSettings settings, FileKind kind, IProgress<double> progress, CancellationToken cancelled) => kind switch
     {
         FileKind.Bvh => Of(BvhFile.Load(settings.Input, progress, cancelled)),
-        FileKind.Calculation => throw new NeuronException("later"),
+        FileKind.Calculation => Of(CalculationDocument.Load(settings.Input), UsualName),
         _ => OfStream(settings, progress, cancelled),
     };
 
@@ -31,9 +33,15 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
         return new InputTake(source, map!.Layout, source.RotationOrder, UsualName);
     }
 
+    private static InputTake Of(CalculationDocument document, string avatarName) =>
+        new(new CalculationSource(document), new ChannelLayout(hasDisplacement: true, hasReference: false), RotationOrder.YXZ, avatarName);
+
     private static InputTake OfStream(FileSettings settings, IProgress<double> progress, CancellationToken cancelled)
     {
         var options = new PlaybackOptions { RotationOrder = settings.RotationOrder };
+        if (CalculationCopy.TryLoadStream(settings, progress, cancelled) is { } calculation)
+            return Of(calculation.Document, calculation.AvatarName);
+
         RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, options, progress, cancelled);
         return new InputTake(source, source.Layout, source.Format.RotationOrder, source.AvatarName);
     }

@@ -146,7 +146,7 @@ internal sealed class RecordedTimeline
         return time > TimeSpan.Zero ? frames / time.TotalSeconds : null;
     }
 
-    private static double ChooseRate(double measured)
+    public static double ChooseRate(double measured)
     {
         double nearest = UsualRates.MinBy(rate => Math.Abs(rate - measured));
         return Math.Abs(nearest - measured) <= nearest * RateTolerance ? nearest : measured;

@@ -111,6 +111,11 @@ public sealed class RecordingSource : MotionSource
             : throw new NeuronException(DescribeLack(builder));
     }
 
+    /// <summary>The rate that a server is set to, from a measured one: see <see cref="FrameRate"/>.</summary>
+    /// <param name="measured">Frames per second.</param>
+    /// <returns>A usual rate within one per cent of it, or itself.</returns>
+    public static double ChooseRate(double measured) => RecordedTimeline.ChooseRate(measured);
+
     /// <summary>When a frame arrived, since the recording's start; of an interpolated one, when it would have.</summary>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
     /// <returns>The time.</returns>

@@ -9,6 +9,8 @@ internal sealed class PlaybackRun
     // Silently read before a place, so that parsers know where packets begin when they come to it.
     private static readonly TimeSpan LeadIn = TimeSpan.FromSeconds(1);
 
+    private static readonly TimeSpan BeforeAll = TimeSpan.FromTicks(-1);
+
     private readonly RecordingPlayer _player;
     private readonly ArrivalSource _source;
     private readonly PlaybackReceiver _receiver = new();
@@ -195,6 +197,7 @@ internal sealed class PlaybackRun
                 continue;
 
             Rewind(shown - leadIn);
+            _receiver.Place(BeforeAll);
             SkipSilently(Math.Max(0, skipped));
             return;
         }

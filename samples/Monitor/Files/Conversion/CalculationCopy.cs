@@ -4,6 +4,7 @@ using NeuronMocap.Frames;
 using NeuronMocap.Monitor.Terminal;
 using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
+using NeuronMocap.Server.Sources;
 
 namespace NeuronMocap.Monitor.Files.Conversion;
 
@@ -70,6 +71,41 @@ internal static class CalculationCopy
         }
 
         return writer is not null;
+    }
+
+    /// <summary>The calculation frames of an avatar whose stream has no poses; null where there are poses, or no calculation frames.</summary>
+    public static (CalculationDocument Document, string AvatarName)? TryLoadStream(FileSettings settings, IProgress<double> progress, CancellationToken cancelled)
+    {
+        using RecordedFrameReader reader = RecordedFrameReader.Open(settings.Input);
+        using var text = new MemoryStream();
+        CalculationFileWriter? writer = null;
+        (int? avatar, string name, TimeSpan first, TimeSpan last) = (settings.Avatar, string.Empty, TimeSpan.Zero, TimeSpan.Zero);
+        while (reader.Read())
+        {
+            cancelled.ThrowIfCancellationRequested();
+            progress.Report(reader.Duration > TimeSpan.Zero ? reader.Time / reader.Duration : 0);
+            if (reader.Frame.AvatarIndex != (avatar ?? reader.Frame.AvatarIndex))
+                continue;
+            if (reader.Frame is MotionFrame { HasSkeleton: true })
+                return null;
+            if (reader.Frame is not CalculationFrame { BoneCount: > 0 } frame)
+                continue;
+
+            if (writer is null)
+                (writer, first, name) = (new CalculationFileWriter(text, frame.Values.Length, leaveOpen: true), reader.Time, frame.AvatarName);
+            if (frame.Values.Length != writer.ValueCount)
+                continue;
+
+            (avatar, last) = (frame.AvatarIndex, reader.Time);
+            writer.WriteFrame(frame.Values);
+        }
+
+        if (writer is null)
+            return null;
+
+        writer.Dispose();
+        double rate = last > first ? RecordingSource.ChooseRate((writer.FrameCount - 1) / (last - first).TotalSeconds) : CalculationReadOptions.DefaultFrameRate;
+        return (CalculationDocument.Parse(text.GetBuffer().AsSpan(0, (int)text.Length), new CalculationReadOptions { FrameRate = rate }), name);
     }
 
     // What stands behind the last value, which a writer has to know before it comes there.

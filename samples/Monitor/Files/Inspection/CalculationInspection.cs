@@ -1,7 +1,9 @@
 using System.Text.Json.Nodes;
 using NeuronMocap.Calculation;
 using NeuronMocap.Frames;
+using NeuronMocap.Monitor.Files.Plotting;
 using NeuronMocap.Monitor.Terminal;
+using NeuronMocap.Server.Sources;
 
 namespace NeuronMocap.Monitor.Files.Inspection;
 
@@ -32,6 +34,10 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
             "feet on ground",
             Quantity.Format($"left {100.0 * left / reader.FrameCount:0.0} %, right {100.0 * right / reader.FrameCount:0.0} % of the frames, as the server measured"),
             new JsonObject { ["left"] = Math.Round((double)left / reader.FrameCount, 5), ["right"] = Math.Round((double)right / reader.FrameCount, 5) });
+        var source = new CalculationSource(CalculationDocument.Load(settings.Input));
+        BodySection.Add(report, source);
+        var motion = new BodyMotion(source);
+        MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancelled));
         return report;
     }
 

@@ -38,6 +38,9 @@ internal sealed class StreamContents
     /// <summary>Whether an avatar, or any, has motion frames of the 59 bones.</summary>
     public bool HasPoses(int? avatar) => _frames.Any(pair => pair.Value.HasSkeleton && pair.Key.Avatar == (avatar ?? pair.Key.Avatar));
 
+    /// <summary>Whether an avatar, or any, has calculation frames of Axis Neuron.</summary>
+    public bool HasCalculation(int? avatar) => _frames.Keys.Any(key => key.Kind == PacketKind.Calculation && key.Avatar == (avatar ?? key.Avatar));
+
     public void AddTo(InfoReport report, bool hasTimes)
     {
         InfoSection stream = report.Section("stream", "Stream");

@@ -26,6 +26,8 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         contents.AddTo(report, isRecording);
         if (contents.HasPoses(settings.Avatar))
             AddTake(report, cancelled);
+        else if (contents.HasCalculation(settings.Avatar))
+            AddMotion(report, InputTake.Load(settings, FileKind.Recording, progress, cancelled).Motion, hasBody: true, cancelled);
 
         return report;
     }
@@ -56,7 +58,12 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         RowRemarks.Add(oddities, scan, source.FrameRate, hierarchy.ChannelCount);
         if (oddities.IsEmpty)
             oddities.Remark("none", "none");
-        if (source.HasOwnBody)
+        AddMotion(report, source, source.HasOwnBody, cancelled);
+    }
+
+    private void AddMotion(InfoReport report, MotionSource source, bool hasBody, CancellationToken cancelled)
+    {
+        if (hasBody)
             BodySection.Add(report, source);
 
         var motion = new BodyMotion(source);
