@@ -66,13 +66,10 @@ public sealed class CalculationSource : MotionSource
     /// </summary>
     /// <param name="source">The avatar's performance; not looked at.</param>
     /// <param name="frame">Frame number, from 0.</param>
-    /// <param name="values">Room for <see cref="ValueCount"/> values.</param>
-    /// <exception cref="ArgumentException">There is room for another number of values.</exception>
+    /// <param name="values">Room for 946 values, all of which are written: of a file without fingers theirs are zero.</param>
     public void WriteCalculation(MotionSource source, long frame, Span<float> values)
     {
-        if (values.Length != ValueCount)
-            throw new ArgumentException($"The file's rows have {ValueCount} values.", nameof(values));
-
+        values.Clear();
         _document.GetValues((int)(frame % _document.FrameCount)).CopyTo(values);
     }
 }

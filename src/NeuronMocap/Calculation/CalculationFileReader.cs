@@ -20,7 +20,7 @@ public sealed class CalculationFileReader : IDisposable
     private readonly CalculationRepairLog _repairs;
     private readonly float[] _values = new float[CalculationFrame.FullValueCount];
     private readonly byte[] _rowEnd;
-    private readonly int _lastDecimals;
+    private readonly int _leastDecimals;
     private bool _isFirst = true;
 
     /// <summary>Opens a file, and reads it up to its first row.</summary>
@@ -38,7 +38,7 @@ public sealed class CalculationFileReader : IDisposable
         byte[] header = ReadHeader();
         CalculationRow row = CalculationRow.Read(_lines.Text, _values);
         ValueCount = row.Count;
-        _lastDecimals = CalculationRow.CountDecimals(row.LastWord);
+        _leastDecimals = CalculationRow.FindLeastDecimals(_lines.Text);
         TextFormat = DescribeText(header, row);
         _rowEnd = Encoding.ASCII.GetBytes(TextFormat.RowEnd);
     }
@@ -178,9 +178,11 @@ public sealed class CalculationFileReader : IDisposable
         return true;
     }
 
-    // A row may well be the last one and lack its end; then its last number is as long as that of the first row.
+    // A row may well be the last one and lack its end; then its last number has as many digits as each in the first row. The row of 338 ends with
+    // a flag, which has none.
     private bool IsCutInNumber(in CalculationRow row) =>
-        FrameCount > 0 && row.Length == _lines.TextAndEnd.Length && CalculationRow.CountDecimals(row.LastWord) < _lastDecimals;
+        FrameCount > 0 && ValueCount == CalculationFrame.FullValueCount && row.Length == _lines.TextAndEnd.Length
+        && CalculationRow.CountDecimals(row.LastWord) < _leastDecimals;
 
     private void AddWrongRow(in CalculationRow row, string expected)
     {

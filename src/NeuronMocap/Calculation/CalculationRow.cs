@@ -1,3 +1,4 @@
+using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Calculation;
@@ -5,6 +6,8 @@ namespace NeuronMocap.Calculation;
 // What one pass over a line found: how many words, which of them is no number, and how the text looks.
 internal ref struct CalculationRow
 {
+    private const int FirstContact = CalculationFrame.BodyValueCount - 2;
+
     private ReadOnlySpan<byte> _rest;
 
     /// <summary>Number of words that are numbers, up to the first one that is none.</summary>
@@ -59,6 +62,20 @@ internal ref struct CalculationRow
             count++;
 
         return count;
+    }
+
+    /// <summary>Digits after the point that every number of a row has, its contact flags aside.</summary>
+    public static int FindLeastDecimals(ReadOnlySpan<byte> line)
+    {
+        var row = new CalculationRow { _rest = line };
+        int least = int.MaxValue;
+        for (int column = 0; row.TryReadWord(line.Length, out ReadOnlySpan<byte> word); column++)
+        {
+            if (column is not (FirstContact or FirstContact + 1))
+                least = Math.Min(least, CountDecimals(word));
+        }
+
+        return least;
     }
 
     public static bool IsSpace(byte letter) => letter == ' ' || (letter >= '\t' && letter <= '\r');
