@@ -4,6 +4,7 @@ using System.Globalization;
 using System.Net;
 using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Diagnosis;
+using NeuronMocap.Monitor.Export;
 using NeuronMocap.Monitor.Files;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
@@ -20,7 +21,7 @@ internal sealed class CommandLine
 
     private const string Usage =
         "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--command-port PORT] [--once] [--frames N] "
-        + "[--duration SECONDS] [--json | --quiet]\n"
+        + "[--duration SECONDS] [--json | --quiet] [--export FILE.bvh [--export-avatar N|all] [--overwrite]]\n"
         + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]\n"
         + "       neuron-monitor --info FILE [--json] | --convert IN OUT | --plot FILE OUT.svg [--overwrite] [--avatar N] [--order YXZ] [--rate HZ] "
         + "[--from SECONDS] [--to SECONDS]";
@@ -130,9 +131,15 @@ internal sealed class CommandLine
         Description = "Print nothing but the summary at the end, as one JSON object.",
     };
 
-    private readonly CommandArguments _commands = new();
+    private readonly Option<bool> _overwrite = new("--overwrite")
+    {
+        Description = "Replace a file that is there already.",
+        Arity = ArgumentArity.Zero,
+    };
 
-    private readonly FileArguments _files = new();
+    private readonly CommandArguments _commands = new();
+    private readonly ExportArguments _export;
+    private readonly FileArguments _files;
 
     private readonly RootCommand _root = new(
         "Shows what a Perception Neuron server (Axis Neuron, Axis Studio or a simulator) sends: on a terminal live, with the skeleton, "
@@ -151,7 +158,11 @@ internal sealed class CommandLine
         }
 
         _commands.AddTo(_root);
+        _export = new ExportArguments(_overwrite);
+        _export.AddTo(_root);
+        _files = new FileArguments(_overwrite);
         _files.AddTo(_root);
+        _root.Options.Add(_overwrite);
 
         _root.Validators.Add(RejectContradictions);
         HelpExamples.AddTo(_root);
@@ -240,9 +251,15 @@ internal sealed class CommandLine
         if (IsGiven(result, _commandPort) && !IsGiven(result, _connect))
             result.AddError("--command-port needs --connect: it is a port of the server that --connect names.");
         _files.RejectContradictions(
-            result, [_connect, _udp, _demo, _allowSender, _diagnose, _commandPort, _once, _frames, _duration, _quiet, .. _commands.Own], _order, _json);
+            result,
+            [_connect, _udp, _demo, _allowSender, _diagnose, _commandPort, _once, _frames, _duration, _quiet, .. _commands.Own, .. _export.Own],
+            _order,
+            _json);
         if (!_files.IsGiven(result))
             _commands.RejectContradictions(result, [_connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
+        _export.RejectContradictions(result, [_diagnose, _commands.Main]);
+        if (IsGiven(result, _overwrite) && !_export.IsGiven(result) && !_files.IsGiven(result))
+            result.AddError("--overwrite needs --export, --convert or --plot: there is no other file to replace.");
         if (IsGiven(result, _json) && IsGiven(result, _quiet))
             result.AddError("--json and --quiet exclude each other.");
     }
@@ -277,6 +294,7 @@ internal sealed class CommandLine
         AllowedSenders = result.GetValue(_allowSender) ?? [],
         RotationOrder = result.GetValue(_order),
         CommandPort = result.GetValue(_commandPort),
+        Export = _export.Read(result),
         Once = result.GetValue(_once),
         Frames = result.GetValue(_frames),
         Duration = result.GetValue(_duration),

@@ -28,6 +28,7 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
           neuron-monitor --diagnose --udp 7012                  the same for UDP; with --demo it shows a healthy stream
           neuron-monitor --commands 192.168.1.20                bone sizes, rotation order and BVH header; port 8013
           neuron-monitor --commands 192.168.1.20 --zero-out 0   avatar 0 faces front; all for all of them
+          neuron-monitor --connect studio --export take.bvh     keep what is shown, until q or Ctrl+C
           neuron-monitor --connect studio --json --frames 100   100 frames for another program
           neuron-monitor --connect studio --quiet --duration 10 does anything arrive? The exit code tells
 

@@ -1,5 +1,6 @@
 using System.Net;
 using NeuronMocap.Monitor.Commands;
+using NeuronMocap.Monitor.Export;
 using NeuronMocap.Monitor.Files;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
@@ -53,6 +54,9 @@ internal sealed record MonitorOptions
 
     /// <summary>What to do with a file instead of showing a stream; null for a stream.</summary>
     public FileSettings? Files { get; init; }
+
+    /// <summary>The BVH file to write meanwhile; null for none.</summary>
+    public ExportSettings? Export { get; init; }
 
     /// <summary>Number of frames, motion and calculation together, to end after; null for no end.</summary>
     public long? Frames { get; init; }

@@ -1,4 +1,5 @@
 using NeuronMocap.Delivery;
+using NeuronMocap.Monitor.Export;
 using NeuronMocap.Monitor.Output;
 using NeuronMocap.Monitor.Terminal;
 using NeuronMocap.Server;
@@ -21,7 +22,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
             using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder ?? RotationOrder.YXZ) : null;
             return await RunAsync(demo?.Address ?? options.Server, cancelled);
         }
-        catch (BroadcasterException exception)
+        catch (Exception exception) when (exception is BroadcasterException or ExportException)
         {
             return await FailAsync(exception.Message);
         }
@@ -30,6 +31,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
     private async Task<int> RunAsync(ServerAddress? server, CancellationToken cancelled)
     {
         await using var reader = new NeuronReader(options.ToReaderOptions(server));
+        using ExportRun export = ExportRun.Begin(reader, options.Export, options.Frames);
         MonitorOutput output = CreateOutput(reader);
         Connect(reader, output);
 
@@ -37,7 +39,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancelled, duration.Token);
         reader.Start();
         Task showing = output.RunAsync(stop.Token);
-        await Task.WhenAny(showing, reader.Completion, _enough.Task);
+        await Task.WhenAny(showing, reader.Completion, _enough.Task, export.Broken);
         bool asked = !duration.IsCancellationRequested && !reader.Completion.IsCompleted;
         ConnectionStatus status = reader.Status;
 
@@ -48,8 +50,11 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         // At the last frame that was asked for, the receive thread took the figures; what came before it stopped does not count.
         ReaderStatistics statistics = _enough.Task.IsCompleted ? await _enough.Task : reader.GetStatistics();
         output.Finish(statistics);
+        bool isExported = export.TryFinish(streams.Error);
         if (output.Failure is { } failure)
             return await FailAsync($"standard output cannot be written: {failure.Message}");
+        if (!isExported)
+            return CommandLine.NothingReceived;
         if (asked || statistics.MotionFrames + statistics.CalculationFrames + statistics.StudioCalculationFrames > 0)
             return CommandLine.Done;
 

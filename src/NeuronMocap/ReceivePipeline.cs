@@ -135,6 +135,15 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         return queue;
     }
 
+    public FrameQueue OpenMotionQueue(int capacity, string name, out MotionIntake intake)
+    {
+        MotionIntake? consumer = null;
+        var queue = new FrameQueue(capacity, _format, closed => Close(closed, consumer!), name, _metrics.HandOver(name));
+        intake = consumer = new MotionIntake(queue);
+        Open(queue, consumer);
+        return queue;
+    }
+
     public LatestFrames OpenLatest()
     {
         var latest = new LatestFrames(_format, _dispatcher.Remove, _metrics.HandOver("latest"));

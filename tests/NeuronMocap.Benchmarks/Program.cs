@@ -43,6 +43,10 @@ var counts = new Option<int[]>("--counts") { Description = "Numbers of connectio
 var streams = new Command("streams", "Cost of many connections in one process.") { counts, seconds, runs, json };
 streams.SetAction((result, _) => Streams.RunAsync(result.GetValue(counts)!, result.GetValue(seconds), result.GetValue(runs), Open(result)));
 
+var megabytes = new Option<int>("--megabytes") { Description = "Size of the file.", DefaultValueFactory = _ => 100 };
+var bvh = new Command("bvh", "Reading a BVH file, row by row and as a document.") { megabytes, runs, json };
+bvh.SetAction((result, _) => BvhFiles.RunAsync(result.GetValue(megabytes), result.GetValue(runs), Open(result)));
+
 var micro = new Command("micro", "The steps of the receive path one by one, by BenchmarkDotNet.");
 micro.SetAction(_ => { BenchmarkRunner.Run<ReceivePathBenchmarks>(ReceivePathBenchmarks.Config); });
 
@@ -70,7 +74,7 @@ sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(conne
 
 return await new RootCommand("Measures the receive path as ratios to a floor that is measured in the same run.")
     {
-        throughput, latency, streams, avatars, consumers, broadcast, decode, kinematics, micro, flood, pace, sinks,
+        throughput, latency, streams, avatars, consumers, broadcast, decode, kinematics, bvh, micro, flood, pace, sinks,
     }
     .Parse(args)
     .InvokeAsync();

@@ -48,6 +48,9 @@ internal sealed class CommandArguments
     /// <summary>The options that only a command channel understands.</summary>
     public Option[] Own => [_commands, _zeroOut, _header];
 
+    /// <summary>The option that asks for the command channel instead of a stream.</summary>
+    public Option Main => _commands;
+
     public void AddTo(RootCommand root)
     {
         foreach (Option option in (Option[])[_commands, _avatar, _zeroOut, _header])

@@ -6,7 +6,8 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Monitor.Files;
 
 /// <summary>The options of the tools for files.</summary>
-internal sealed class FileArguments
+/// <param name="overwrite">The option that lets a file be replaced; other options have it, too.</param>
+internal sealed class FileArguments(Option<bool> overwrite)
 {
     private const double LongestTime = 1_000_000;
     private const double LowestRate = 0.01;
@@ -37,12 +38,6 @@ internal sealed class FileArguments
         AllowMultipleArgumentsPerToken = true,
     };
 
-    private readonly Option<bool> _overwrite = new("--overwrite")
-    {
-        Description = "With --convert and --plot: replace a file that is there already.",
-        Arity = ArgumentArity.Zero,
-    };
-
     private readonly Option<double?> _rate = new("--rate")
     {
         HelpName = "HZ",
@@ -71,7 +66,7 @@ internal sealed class FileArguments
 
     public void AddTo(RootCommand root)
     {
-        foreach (Option option in (Option[])[.. Tasks, _overwrite, _rate, _from, _to])
+        foreach (Option option in (Option[])[.. Tasks, _rate, _from, _to])
             root.Options.Add(option);
     }
 
@@ -88,7 +83,7 @@ internal sealed class FileArguments
         Option[] tasks = [.. Tasks.Where(option => CommandLine.IsGiven(result, option))];
         if (tasks.Length == 0)
         {
-            foreach (Option option in ((Option[])[_overwrite, _rate, _from, _to]).Where(option => CommandLine.IsGiven(result, option)))
+            foreach (Option option in ((Option[])[_rate, _from, _to]).Where(option => CommandLine.IsGiven(result, option)))
                 result.AddError($"{option.Name} needs {(option == _rate ? "--convert" : "--convert or --plot")}: it is about the file that is written.");
 
             return;
@@ -98,7 +93,7 @@ internal sealed class FileArguments
         if (tasks.Length > 1)
             result.AddError($"{task.Name} and {tasks[1].Name} exclude each other.");
 
-        Option[] foreign = task == _info ? [_overwrite, _rate, _from, _to] : task == _plot ? [_rate, json] : [json];
+        Option[] foreign = task == _info ? [overwrite, _rate, _from, _to] : task == _plot ? [_rate, json] : [json];
         foreach (Option option in ((Option[])[.. ofServer, .. foreign]).Where(option => CommandLine.IsGiven(result, option)))
             result.AddError($"{task.Name} and {option.Name} exclude each other.");
 
@@ -125,7 +120,7 @@ internal sealed class FileArguments
         FileTask what = task == _info ? FileTask.Info : task == _plot ? FileTask.Plot : FileTask.Convert;
         return new FileSettings(what, files[0], files.ElementAtOrDefault(1))
         {
-            Overwrite = result.GetValue(_overwrite),
+            Overwrite = result.GetValue(overwrite),
             Avatar = result.GetValue(avatar),
             RotationOrder = result.GetValue(order),
             Rate = result.GetValue(_rate),

@@ -130,7 +130,7 @@ public sealed class BvhDocument
     /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
     public void Save(string path)
     {
-        using FileStream stream = BvhFile.Create(path, isOverwriting: true);
+        using FileStream stream = BvhFile.Create(path);
         Save(stream);
     }
 

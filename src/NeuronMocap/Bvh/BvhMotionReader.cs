@@ -227,9 +227,10 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
     // Goes on in a line whose rows are handed out before its end is known.
     private bool TryReadLongLine(ref BvhText text, Span<float> row)
     {
+        bool isAtEnd = text.IsAtLineEnd();
         BvhPlace start = text.Place;
         BvhPlace notFinite = default;
-        int count = text.ReadNumbers(row, ref notFinite);
+        int count = isAtEnd ? 0 : text.ReadNumbers(row, ref notFinite);
         TellNotFinite(notFinite);
         if (count == channelCount)
             return true;

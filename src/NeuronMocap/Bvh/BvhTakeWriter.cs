@@ -25,7 +25,7 @@ public sealed class BvhTakeWriter : IDisposable
     /// <exception cref="IOException">The file cannot be written.</exception>
     /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
     public BvhTakeWriter(string path, BvhTakeOptions? options = null)
-        : this(BvhFile.Create(path, isOverwriting: true), options)
+        : this(BvhFile.Create(path), options)
     {
     }
 

@@ -46,7 +46,7 @@ public sealed class BvhWriter : IDisposable
     /// <exception cref="IOException">The file cannot be written.</exception>
     /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
     public BvhWriter(string path, BvhHierarchy hierarchy, BvhFrameTime frameTime, BvhTextFormat? format = null)
-        : this(BvhFile.Create(path, isOverwriting: true), hierarchy, frameTime, format)
+        : this(BvhFile.Create(path), hierarchy, frameTime, format)
     {
     }
 

@@ -33,7 +33,8 @@ internal sealed class MonoProgram : IDisposable
             Adapt(Path.Combine(AppContext.BaseDirectory, assembly), Path.Combine(_folder, assembly));
 
         string reference = "-r:" + Path.Combine(_folder, "NeuronMocap.Compatibility.dll");
-        await RunAsync(Compiler, ["-warnaserror", "-r:" + Facade, reference, "-out:" + Executable, .. sources]);
+        string library = "-r:" + Path.Combine(_folder, "NeuronMocap.dll");
+        await RunAsync(Compiler, ["-warnaserror", "-r:" + Facade, reference, library, "-out:" + Executable, .. sources]);
     }
 
     public Task<string[]> RunAsync(params string[] arguments) => RunAsync(Runtime, [Executable, .. arguments]);

@@ -55,6 +55,13 @@ internal sealed class SampleProcess : IDisposable
         return _process.ExitCode;
     }
 
+    // As kill -9 does it, and until nothing of it is left.
+    public async Task KillAsync()
+    {
+        _process.Kill();
+        await WaitForExitAsync();
+    }
+
     public Task<string> ReadErrorAsync() => _process.StandardError.ReadToEndAsync(TestContext.Current.CancellationToken);
 
     public void Dispose()

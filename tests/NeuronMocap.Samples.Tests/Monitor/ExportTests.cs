@@ -1,0 +1,153 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Protocol;
+using NeuronMocap.Samples.Tests.Infrastructure;
+
+namespace NeuronMocap.Samples.Tests.Monitor;
+
+public sealed class ExportTests : IDisposable
+{
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("neuronmocap");
+
+    private string Target => Path.Combine(_folder.FullName, "take.bvh");
+
+    public void Dispose() => _folder.Delete(recursive: true);
+
+    [Theory]
+    [InlineData("--json")]
+    [InlineData("--quiet")]
+    [InlineData("--once")]
+    public async Task The_frames_that_are_shown_are_kept(string output)
+    {
+        using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)), FrameServer.Motion(2, Values(2)), FrameServer.Motion(4, Values(4)));
+
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--once", output, "--export", Target);
+
+        Assert.Equal(0, result.ExitCode);
+        string line = Assert.Single(result.Error);
+        Assert.StartsWith("neuron-monitor: 3 frames of Char00 at ", line, StringComparison.Ordinal);
+        Assert.EndsWith($"Hz in {Target}; lengths of the bones of the default body.", line, StringComparison.Ordinal);
+        BvhDocument take = BvhDocument.Load(Target);
+        Assert.Equal([1f, 2, 4], Enumerable.Range(0, 3).Select(frame => take.GetFrame(frame)[179]));
+    }
+
+    [Fact]
+    public async Task As_many_frames_are_kept_as_asked_for()
+    {
+        using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, Values(1)));
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--quiet", "--frames", "7", "--export", Target);
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Equal(7, BvhDocument.Load(Target).FrameCount);
+    }
+
+    [Fact]
+    public async Task The_demo_is_kept_too()
+    {
+        MonitorResult result = await MonitorRunner.RunAsync("--demo", "--quiet", "--frames", "5", "--export", Target);
+        Assert.Equal(0, result.ExitCode);
+        Assert.Contains("5 frames of Demo at", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_file_that_is_there_is_replaced_only_when_asked_for()
+    {
+        await File.WriteAllTextAsync(Target, "precious", TestContext.Current.CancellationToken);
+        using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)));
+
+        MonitorResult refused = await MonitorRunner.RunAsync("--connect", server.Address, "--once", "--quiet", "--export", Target);
+        Assert.Equal(1, refused.ExitCode);
+        Assert.EndsWith("--overwrite replaces it.", Assert.Single(refused.Error), StringComparison.Ordinal);
+        Assert.Equal("precious", await File.ReadAllTextAsync(Target, TestContext.Current.CancellationToken));
+
+        MonitorResult replaced = await MonitorRunner.RunAsync("--connect", server.Address, "--once", "--quiet", "--export", Target, "--overwrite");
+        Assert.Equal(0, replaced.ExitCode);
+        Assert.Equal(1, BvhDocument.Load(Target).FrameCount);
+    }
+
+    [Fact]
+    public async Task Every_avatar_gets_a_file_when_asked_for()
+    {
+        var header = new MotionHeader { AvatarName = new AvatarName("Two"), AvatarIndex = 2, FrameIndex = 1 };
+        using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)), FrameServer.Motion(header, Values(9)));
+
+        MonitorResult result = await MonitorRunner.RunAsync(
+            "--connect", server.Address, "--once", "--quiet", "--export", Target, "--export-avatar", "all");
+        Assert.Equal(2, result.Error.Length);
+        Assert.Equal(9, BvhDocument.Load(Path.Combine(_folder.FullName, "take-avatar2.bvh")).GetFrame(0)[0]);
+
+        await MonitorRunner.RunAsync("--connect", server.Address, "--once", "--quiet", "--export", Target, "--export-avatar", "2");
+        Assert.Equal(9, BvhDocument.Load(Target).GetFrame(0)[0]);
+    }
+
+    [Fact]
+    public async Task Without_a_frame_no_file_is_left()
+    {
+        using FrameServer server = FrameServer.Sending(FrameServer.Calculation(1, 2));
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--once", "--quiet", "--export", Target);
+
+        Assert.Equal("neuron-monitor: no motion frame came, and no file was written.", Assert.Single(result.Error));
+        Assert.False(File.Exists(Target));
+    }
+
+    [Theory]
+    [InlineData("--diagnose and --export", "--export", "a.bvh", "--diagnose")]
+    [InlineData("--commands and --export", "--export", "a.bvh", "--commands")]
+    [InlineData("--overwrite needs --export", "--overwrite")]
+    [InlineData("--export-avatar needs --export", "--export-avatar", "1")]
+    [InlineData("is not a number of an avatar", "--export", "a.bvh", "--export-avatar", "-1")]
+    public async Task Contradictions_are_refused(string reason, params string[] args)
+    {
+        MonitorResult result = await MonitorRunner.RunAsync(args);
+        Assert.Equal(2, result.ExitCode);
+        Assert.Contains(result.Error, line => line.Contains(reason, StringComparison.Ordinal));
+    }
+
+    // kill -9: nothing of the program runs any more, and what it had handed to the system is there.
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    public async Task A_process_that_is_killed_leaves_a_file_that_opens_with_all_rows_but_those_of_the_last_moment(int seed)
+    {
+        var random = new Random(seed);
+        BvhDocument before;
+        using (var monitor = new SampleProcess("neuron-monitor", "--demo", "--quiet", "--export", Target))
+        {
+            while (!File.Exists(Target) || ReadShared() is null)
+                await Task.Delay(10, TestContext.Current.CancellationToken);
+
+            await Task.Delay(random.Next(400), TestContext.Current.CancellationToken);
+            before = ReadShared()!;
+            await monitor.KillAsync();
+        }
+
+        BvhDocument after = BvhDocument.Load(Target);
+        Assert.True(after.FrameCount >= before.FrameCount, $"{after.FrameCount} of {before.FrameCount} rows.");
+        Assert.Equal(before.ChannelCount, after.ChannelCount);
+        for (int frame = 0; frame < before.FrameCount; frame++)
+            Assert.True(before.GetFrame(frame).SequenceEqual(after.GetFrame(frame)), $"Row {frame} differs.");
+
+        // The number that other programs go by is never more than there are.
+        string declared = File.ReadLines(Target).First(static line => line.StartsWith("Frames:", StringComparison.Ordinal));
+        Assert.InRange(int.Parse(declared["Frames:".Length..].Trim(), System.Globalization.CultureInfo.InvariantCulture), 1, after.FrameCount);
+    }
+
+    private static float[] Values(float value)
+    {
+        float[] values = new float[180];
+        Array.Fill(values, value);
+        return values;
+    }
+
+    // Null before there is a row that counts.
+    private BvhDocument? ReadShared()
+    {
+        using var stream = new FileStream(Target, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
+        byte[] bytes = new byte[stream.Length];
+        stream.ReadExactly(bytes);
+        int frames = bytes.AsSpan().IndexOf("Frames: "u8);
+        bool hasRows = frames >= 0 && frames + 8 < bytes.Length && bytes[frames + 8] is > (byte)'0' and <= (byte)'9';
+        return hasRows ? BvhDocument.Parse(bytes) : null;
+    }
+}

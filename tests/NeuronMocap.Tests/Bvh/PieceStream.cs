@@ -1,0 +1,50 @@
+namespace NeuronMocap.Tests.Bvh;
+
+/// <summary>A stream that gives its bytes in pieces of the sizes that it is told, like a pipe: it neither seeks nor knows its length.</summary>
+internal sealed class PieceStream(byte[] bytes, Func<int> nextSize) : Stream
+{
+    private int _position;
+
+    public override bool CanRead => true;
+
+    public override bool CanSeek => false;
+
+    public override bool CanWrite => false;
+
+    public override long Length => throw new NotSupportedException();
+
+    public override long Position
+    {
+        get => throw new NotSupportedException();
+        set => throw new NotSupportedException();
+    }
+
+    /// <summary>Bytes that were taken.</summary>
+    public int Taken => _position;
+
+    public bool IsClosed { get; private set; }
+
+    public override int Read(byte[] buffer, int offset, int count)
+    {
+        int size = Math.Min(Math.Min(count, Math.Max(1, nextSize())), bytes.Length - _position);
+        bytes.AsSpan(_position, size).CopyTo(buffer.AsSpan(offset));
+        _position += size;
+        return size;
+    }
+
+    public override void Flush()
+    {
+    }
+
+    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
+
+    public override void SetLength(long value) => throw new NotSupportedException();
+
+    public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+
+    protected override void Dispose(bool disposing)
+    {
+        IsClosed = true;
+        base.Dispose(disposing);
+    }
+}

@@ -1,0 +1,252 @@
+using System.Text;
+using NeuronMocap.Bvh;
+using NeuronMocap.Protocol;
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Bvh;
+using NeuronMocap.Tests.Commands;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Tests.Reader;
+
+public sealed class BvhExportTests : IDisposable
+{
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("neuronmocap");
+    private readonly TestServer _server = new();
+
+    private string Target => Path.Combine(_folder.FullName, "take.bvh");
+
+    public void Dispose()
+    {
+        _server.Dispose();
+        _folder.Delete(recursive: true);
+    }
+
+    [Fact]
+    public async Task Every_frame_of_a_take_that_is_broadcast_stands_in_the_file_bit_for_bit()
+    {
+        BvhDocument take = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh")).Trim(0, 600);
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions
+        {
+            Sources = [new BvhSource(take)],
+            Port = 0,
+            Rate = BroadcasterOptions.MaxRate,
+            WaitForClient = true,
+        });
+        broadcaster.Start();
+        await using var reader = new NeuronReader(new NeuronReaderOptions { Port = broadcaster.LocalEndPoint!.Port, Reconnect = { Enabled = false } });
+        using BvhExport export = reader.ExportBvh(Target, new BvhExportOptions { FrameTime = take.FrameTime });
+        reader.Start();
+        await export.Completion.Soon();
+
+        Assert.Null(export.Failure);
+        Assert.Equal(0, export.FramesDropped);
+        BvhExportFile file = Assert.Single(export.Files);
+        Assert.Equal((Target, 600, 0, 0), (file.Path, file.FrameCount, file.RepeatedFrames, file.LateFrames));
+        BvhDocument read = BvhDocument.Load(Target);
+        Assert.Empty(read.Repairs);
+        BvhSamples.AssertBits(BvhSamples.Values(take), BvhSamples.Values(read));
+    }
+
+    [Theory]
+    [InlineData("text")]
+    [InlineData("studio")]
+    [InlineData("old")]
+    public async Task Frames_of_every_format_are_exported(string format)
+    {
+        byte[][] packets = [.. Enumerable.Range(0, 3).Select(frame => format switch
+        {
+            "text" => TestPackets.Line(frame),
+            "old" => TestPackets.Motion(frame, layout: HeaderLayout.Old),
+            _ => StudioMotion(frame),
+        })];
+        BvhExport export = await ExportAsync(packets);
+
+        Assert.Null(export.Failure);
+        BvhDocument read = BvhDocument.Load(Target);
+        Assert.Equal(3, read.FrameCount);
+        Assert.Equal(TestPackets.Value(2, 0, 353), read.GetFrame(2)[353]);
+        Assert.Equal(format is "studio" ? "Zrotation Xrotation Yrotation" : "Yrotation Xrotation Zrotation", string.Join(' ', read.Joints[0].Channels.Skip(3)));
+        Assert.Equal(BvhBodySource.Stream, export.Files[0].BodySource);
+    }
+
+    [Fact]
+    public async Task Only_the_first_avatar_is_exported_unless_asked_otherwise()
+    {
+        byte[][] packets = [TestPackets.Motion(0, 3), TestPackets.Motion(0, 1), TestPackets.Motion(1, 3), TestPackets.Motion(1, 3, count: 17), TestPackets.Calculation(1, 3)];
+        BvhExport export = await ExportAsync(packets);
+        Assert.Equal((2, 2), (export.FramesWritten, export.FramesIgnored));
+        Assert.Equal(3, Assert.Single(export.Files).AvatarIndex);
+
+        export = await ExportAsync(packets, new BvhExportOptions { AvatarIndex = 1, IsOverwriting = true });
+        Assert.Equal((1, 3), (export.FramesWritten, export.FramesIgnored));
+        Assert.Equal(TestPackets.Value(0, 1, 5), BvhDocument.Load(Target).GetFrame(0)[5]);
+    }
+
+    [Fact]
+    public async Task Every_avatar_gets_a_file_when_asked_for()
+    {
+        BvhExport export = await ExportAsync(
+            [TestPackets.Motion(0, 3), TestPackets.Motion(0, 1), TestPackets.Motion(1, 3)], new BvhExportOptions { IsForEachAvatar = true });
+
+        Assert.Equal(["take-avatar1.bvh", "take-avatar3.bvh"], _folder.GetFiles().Select(static file => file.Name).Order(StringComparer.Ordinal));
+        Assert.Equal([2, 1], export.Files.Select(static file => file.FrameCount));
+        Assert.Equal(TestPackets.Value(1, 3, 5), BvhDocument.Load(export.Files[0].Path).GetFrame(1)[5]);
+    }
+
+    [Fact]
+    public async Task Another_layout_in_the_middle_begins_another_file()
+    {
+        BvhExport export = await ExportAsync([TestPackets.Motion(0), TestPackets.Motion(1, count: 180), TestPackets.Motion(2, count: 180), TestPackets.Motion(3)]);
+
+        Assert.Equal(["take-part2.bvh", "take-part3.bvh", "take.bvh"], _folder.GetFiles().Select(static file => file.Name).Order(StringComparer.Ordinal));
+        Assert.Equal([1, 2, 1], export.Files.Select(static file => file.FrameCount));
+        Assert.Equal(180, BvhDocument.Load(export.Files[1].Path).ChannelCount);
+        Assert.Equal([BvhBodySource.Stream, BvhBodySource.Default, BvhBodySource.Stream], export.Files.Select(static file => file.BodySource));
+    }
+
+    [Fact]
+    public async Task A_server_that_changes_its_layout_all_the_time_ends_the_export_and_not_the_reader()
+    {
+        byte[][] packets = [.. Enumerable.Range(0, 120).Select(static frame => TestPackets.Motion(frame, count: frame % 2 == 0 ? 180 : 354))];
+        BvhExport export = await ExportAsync(packets);
+
+        Assert.Contains("changed layout", Assert.IsType<NeuronException>(export.Failure).Message, StringComparison.Ordinal);
+        Assert.Equal(100, _folder.GetFiles().Length);
+    }
+
+    [Fact]
+    public async Task The_hierarchy_and_the_rotation_order_are_those_of_the_command_channel()
+    {
+        var told = new SkeletonFormat(RotationOrder.ZXY, SkeletonVariant.Spine3);
+        var body = SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperLeg = 0.5f }, SkeletonVariant.Spine3);
+        using var commands = new CommandScript(request => request.ReplyAsync(request.Id == 1003
+            ? [(byte)told.RotationOrder, 0, 0, 0]
+            : Encoding.ASCII.GetBytes(BvhHierarchyText.Create(BvhBoneHierarchy.Create(told, default, body)))));
+        BvhExport export = await ExportAsync([TestPackets.Motion(0, count: 180), TestPackets.Motion(1, count: 180)], Patient, commands.Port);
+
+        BvhDocument read = BvhDocument.Load(Target);
+        Assert.Equal(BvhBodySource.Header, Assert.Single(export.Files).BodySource);
+        Assert.Equal(2, read.FrameCount);
+        Assert.Equal(body.Offsets.ToArray(), read.Joints.Select(static joint => joint.Offset));
+        Assert.Equal("Zrotation Xrotation Yrotation", string.Join(' ', read.Joints[5].Channels));
+        Assert.Contains(read.Joints, static joint => joint.Name is "Spine3");
+    }
+
+    [Fact]
+    public async Task Without_a_header_the_bone_sizes_make_the_hierarchy()
+    {
+        BoneDimensions dimensions = SkeletonBody.Default().Measure() with { UpperLeg = 0.5f };
+        byte[] sizes = new byte[BoneDimensions.Size];
+        dimensions.Write(sizes);
+        using var commands = new CommandScript(request => request.ReplyAsync(request.Id switch
+        {
+            1003 => [(byte)RotationOrder.YXZ, 0, 0, 0],
+            1004 => sizes,
+            _ => "no header"u8.ToArray(),
+        }));
+        BvhExport export = await ExportAsync([TestPackets.Motion(0, count: 180)], Patient, commands.Port);
+
+        Assert.Equal(BvhBodySource.Dimensions, Assert.Single(export.Files).BodySource);
+        Assert.Equal(-50, BvhDocument.Load(Target).Joints[2].Offset.Y, 1e-3);
+    }
+
+    [Fact]
+    public async Task A_command_channel_that_does_not_answer_is_not_waited_for_longer_than_said()
+    {
+        using var commands = new CommandScript(static _ => Task.CompletedTask);
+        BvhExport export = await ExportAsync(
+            [TestPackets.Motion(0, count: 180)], new BvhExportOptions { HeaderTimeout = TimeSpan.FromMilliseconds(20) }, commands.Port);
+
+        Assert.Equal(BvhBodySource.Default, Assert.Single(export.Files).BodySource);
+        Assert.Equal(1, BvhDocument.Load(Target).FrameCount);
+    }
+
+    [Fact]
+    public async Task A_file_that_is_there_is_replaced_only_when_asked_for_and_only_when_a_frame_comes()
+    {
+        await File.WriteAllTextAsync(Target, "precious", TestContext.Current.CancellationToken);
+        using var reader = new NeuronReader(_server.Options());
+        Assert.Throws<IOException>(() => reader.ExportBvh(Target));
+
+        reader.ExportBvh(Target, new BvhExportOptions { IsOverwriting = true }).Dispose();
+        Assert.Equal("precious", await File.ReadAllTextAsync(Target, TestContext.Current.CancellationToken));
+
+        string other = Path.Combine(_folder.FullName, "other.bvh");
+        reader.ExportBvh(other).Dispose();
+        Assert.False(File.Exists(other));
+        Assert.Throws<DirectoryNotFoundException>(() => reader.ExportBvh(Path.Combine(_folder.FullName, "nowhere", "take.bvh")));
+        Assert.Throws<ArgumentException>(() => reader.ExportBvh(" "));
+        Assert.Throws<ArgumentOutOfRangeException>(() => reader.ExportBvh(other, new BvhExportOptions { Capacity = 0 }));
+    }
+
+    [Fact]
+    public async Task As_many_frames_as_asked_for_are_exported()
+    {
+        BvhExport export = await ExportAsync([TestPackets.Motions(0, 300)], new BvhExportOptions { MaxFrames = 257 });
+        Assert.Equal(257, export.FramesWritten);
+        Assert.Equal(257, BvhDocument.Load(Target).FrameCount);
+    }
+
+    // What a process that is killed at this moment would leave behind: what the system has.
+    [Fact]
+    public async Task At_any_moment_the_file_opens_with_what_was_flushed()
+    {
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticActor(240)], Port = 0 });
+        broadcaster.Start();
+        await using var reader = new NeuronReader(new NeuronReaderOptions { Port = broadcaster.LocalEndPoint!.Port });
+        using BvhExport export = reader.ExportBvh(Target);
+        reader.Start();
+
+        var random = new Random(5);
+        await Limits.UntilAsync(() => export.FramesWritten > 0);
+        for (int moment = 0; moment < 20; moment++)
+        {
+            await Task.Delay(random.Next(30), TestContext.Current.CancellationToken);
+            long known = export.FramesWritten;
+            BvhDocument read = BvhDocument.Parse(ReadShared());
+            Assert.True(read.FrameCount >= known, $"{read.FrameCount} of {known} rows.");
+            Assert.Equal(354, read.ChannelCount);
+        }
+    }
+
+    private static readonly BvhExportOptions Patient = new() { HeaderTimeout = Limits.Unexpected };
+
+    private static byte[] StudioMotion(int frame)
+    {
+        byte[] packet = TestPackets.Motion(frame);
+        DataVersion.Studio.Write(packet.AsSpan(2));
+        packet[50] = (byte)RotationOrder.ZXY;
+        return packet;
+    }
+
+    // Sends packets to a reader whose connection ends after them.
+    private async Task<BvhExport> ExportAsync(byte[][] packets, BvhExportOptions? options = null, int? commandPort = null)
+    {
+        NeuronReaderOptions readerOptions = _server.Options();
+        readerOptions.CommandPort = commandPort;
+        await using var reader = new NeuronReader(readerOptions);
+        using BvhExport export = reader.ExportBvh(Target, options);
+        reader.Start();
+        using TestConnection connection = await _server.AcceptAsync();
+        foreach (byte[] packet in packets)
+            await connection.SendAsync(packet);
+
+        // A reader whose connection has ended asks nothing more.
+        if (commandPort is not null)
+            await Limits.UntilAsync(() => export.FramesWritten > 0);
+
+        connection.Close();
+        await export.Completion.Soon();
+        return export;
+    }
+
+    private byte[] ReadShared()
+    {
+        using var stream = new FileStream(Target, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
+        byte[] bytes = new byte[stream.Length];
+        stream.ReadExactly(bytes);
+        return bytes;
+    }
+}
