@@ -23,7 +23,7 @@ internal sealed class CommandLine
         "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--command-port PORT] [--once] [--frames N] "
         + "[--duration SECONDS] [--json | --quiet] [--export FILE.bvh [--export-avatar N|all] [--overwrite]]\n"
         + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]\n"
-        + "       neuron-monitor --info FILE [--json] | --convert IN OUT | --plot FILE OUT.svg [--overwrite] [--avatar N] [--order YXZ] [--rate HZ] "
+        + "       neuron-monitor --info FILE [--json] | --convert IN OUT | --plot FILE OUT.svg [--overwrite] [--avatar N] [--order YXZ] [--resample HZ] "
         + "[--from SECONDS] [--to SECONDS]";
 
     private const double LongestDuration = 1_000_000;

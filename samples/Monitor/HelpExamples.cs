@@ -32,7 +32,7 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
           neuron-monitor --connect studio --export take.bvh     keep what is shown, until q or Ctrl+C
           neuron-monitor --info take.bvh                        what a file holds, and what is odd about it; also .nmrec, .calc, .bin
           neuron-monitor --convert take.nmrec take.bvh          a recording as BVH; a file of any kind as any other
-          neuron-monitor --convert a.bvh b.bvh --from 2 --to 5  a part of a take; --rate 60, --order XYZ
+          neuron-monitor --convert a.bvh b.bvh --from 2 --to 5  a part of a take; also --resample 60, --order XYZ
           neuron-monitor --plot take.bvh take.svg               a picture of a take
           neuron-monitor --connect studio --json --frames 100   100 frames for another program
           neuron-monitor --connect studio --quiet --duration 10 does anything arrive? The exit code tells

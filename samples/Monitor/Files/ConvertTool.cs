@@ -115,7 +115,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     private void RejectForCopy(string why)
     {
         if (settings.Rate is not null)
-            throw new NeuronException($"--rate: {why}; only poses can be interpolated, for a .bvh file.");
+            throw new NeuronException($"--resample: {why}; only poses can be interpolated, for a .bvh file.");
         if (settings.RotationOrder is not null)
             throw new NeuronException($"--order: {why}.");
     }

@@ -38,11 +38,11 @@ internal sealed class FileArguments(Option<bool> overwrite)
         AllowMultipleArgumentsPerToken = true,
     };
 
-    private readonly Option<double?> _rate = new("--rate")
+    private readonly Option<double?> _rate = new("--resample")
     {
         HelpName = "HZ",
-        Description = $"With --convert: frames per second of OUT, {LowestRate} to {HighestRate}; poses in between are interpolated. Default: that of IN.",
-        CustomParser = static result => ParseNumber(result, LowestRate, HighestRate, $"a number from 0.01 to 10000"),
+        Description = $"With --convert: make this many frames per second, {LowestRate} to {HighestRate}; what lies between two frames is interpolated. Default: as many as IN has.",
+        CustomParser = static result => ParseNumber(result, LowestRate, HighestRate, "a number from 0.01 to 10000"),
         Arity = ArgumentArity.ExactlyOne,
     };
 
@@ -97,14 +97,14 @@ internal sealed class FileArguments(Option<bool> overwrite)
         foreach (Option option in ((Option[])[.. ofServer, .. foreign]).Where(option => CommandLine.IsGiven(result, option)))
             result.AddError($"{task.Name} and {option.Name} exclude each other.");
 
-        if (task == _convert && result.GetValue(_convert) is [_, var converted] && FileKinds.OfName(converted) is null)
+        if (task == _convert && OutputOf(result, _convert) is { } converted && FileKinds.OfName(converted) is null)
         {
             result.AddError(
                 $"--convert: the name '{converted}' does not say what to write. Known are .bvh, .nmrec (recording), .calc (calculation export), "
                 + ".bin and .dat (the bytes of the stream).");
         }
 
-        if (task == _plot && result.GetValue(_plot) is [_, var drawn] && !drawn.EndsWith(".svg", StringComparison.OrdinalIgnoreCase))
+        if (task == _plot && OutputOf(result, _plot) is { } drawn && !drawn.EndsWith(".svg", StringComparison.OrdinalIgnoreCase))
             result.AddError($"--plot: the name '{drawn}' does not end with .svg, the only kind of picture.");
 
         if (CommandLine.IsGiven(result, _from) && CommandLine.IsGiven(result, _to) && result.GetValue(_from) >= result.GetValue(_to))
@@ -129,6 +129,10 @@ internal sealed class FileArguments(Option<bool> overwrite)
             Json = result.GetValue(json),
         };
     }
+
+    // Null when it is missing, which the parser tells.
+    private static string? OutputOf(CommandResult result, Option option) =>
+        result.GetResult(option) is { Tokens: [_, var output] } ? output.Value : null;
 
     private static double? ParseNumber(ArgumentResult result, double least, double most, string expected)
     {

@@ -82,7 +82,7 @@ public sealed class ConvertTests : IDisposable
     public async Task Parts_rates_and_orders_of_BVH_files()
     {
         Takes.Actor(240, rate: 120).Save(_folder["take.bvh"]);
-        await ConvertAsync(_folder["take.bvh"], _folder["part.bvh"], "--from", "0.5", "--to", "1.5", "--rate", "60", "--order", "ZYX");
+        await ConvertAsync(_folder["take.bvh"], _folder["part.bvh"], "--from", "0.5", "--to", "1.5", "--resample", "60", "--order", "ZYX");
         BvhDocument part = BvhDocument.Load(_folder["part.bvh"]);
 
         Assert.Equal((60, 60.0), (part.FrameCount, part.FrameRate));
@@ -126,7 +126,7 @@ public sealed class ConvertTests : IDisposable
     {
         Takes.Actor(240, rate: 120).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
-        await ConvertAsync(_folder["take.nmrec"], _folder["half.bvh"], "--rate", "60", "--from", "1");
+        await ConvertAsync(_folder["take.nmrec"], _folder["half.bvh"], "--resample", "60", "--from", "1");
         BvhDocument half = BvhDocument.Load(_folder["half.bvh"]);
 
         Assert.Equal((60, 60.0), (half.FrameCount, half.FrameRate));
@@ -139,7 +139,7 @@ public sealed class ConvertTests : IDisposable
     {
         Takes.StraightWalk(frames: 24, rate: 24).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
-        await ConvertAsync(_folder["take.nmrec"], _folder["more.bvh"], "--rate", "60");
+        await ConvertAsync(_folder["take.nmrec"], _folder["more.bvh"], "--resample", "60");
         BvhDocument more = BvhDocument.Load(_folder["more.bvh"]);
 
         Assert.Equal(58, more.FrameCount);
@@ -147,7 +147,7 @@ public sealed class ConvertTests : IDisposable
             Assert.Equal(frame / 60f * 100, more.GetFrame(frame)[2], 0.001f);
     }
 
-    // A calculation export has bones' centres and rotations; the joints between them are found again, the fingers are not.
+    // A calculation export has bones' centres and sensors, no joints: they are found again from the motion, those of legs that walk best.
     [Fact]
     public async Task A_take_as_calculation_data_is_nearly_the_same_take()
     {
@@ -158,10 +158,10 @@ public sealed class ConvertTests : IDisposable
         Vector3[][] expected = Joints(BvhDocument.Load(_folder["take.bvh"]));
         Vector3[][] actual = Joints(BvhDocument.Load(_folder["back.bvh"]));
         Assert.Equal(expected.Length, actual.Length);
-        foreach (Bone bone in CalculationOrder.Bones[..CalculationOrder.BodyBoneCount])
+        for (Bone bone = Bone.Hips; bone <= Bone.LeftFoot; bone++)
         {
             float farthest = Enumerable.Range(0, expected.Length).Max(frame => Vector3.Distance(expected[frame][(int)bone], actual[frame][(int)bone]));
-            Assert.True(farthest < 3, $"{bone} is {farthest} cm from its place.");
+            Assert.True(farthest < 1, $"{bone} is {farthest} cm from its place.");
         }
     }
 
@@ -174,12 +174,12 @@ public sealed class ConvertTests : IDisposable
                 ["--convert", _folder["a.bvh"], _folder["a.fbx"]],
                 ["--convert", _folder["a.bvh"]],
                 ["--convert", _folder["a.bvh"], _folder["b.bvh"], "--json"],
-                ["--convert", _folder["a.bvh"], _folder["b.bvh"], "--rate", "0"],
+                ["--convert", _folder["a.bvh"], _folder["b.bvh"], "--resample", "0"],
                 ["--convert", _folder["a.bvh"], _folder["b.bvh"], "--from", "2", "--to", "1"],
                 ["--convert", _folder["a.bvh"], _folder["b.bvh"], "--connect", "studio"],
                 ["--convert", _folder["a.bvh"], _folder["b.bvh"], "--info", _folder["a.bvh"]],
                 ["--plot", _folder["a.bvh"], _folder["a.png"]],
-                ["--plot", _folder["a.bvh"], _folder["a.svg"], "--rate", "60"],
+                ["--plot", _folder["a.bvh"], _folder["a.svg"], "--resample", "60"],
                 ["--info", _folder["a.bvh"], "--overwrite"],
                 ["--info", _folder["a.bvh"], "--zero-out", "all"],
                 ["--overwrite"],
@@ -194,7 +194,7 @@ public sealed class ConvertTests : IDisposable
     }
 
     [Theory]
-    [InlineData("--rate", "60")]
+    [InlineData("--resample", "60")]
     [InlineData("--order", "XYZ")]
     [InlineData("--avatar", "0")]
     public async Task Bytes_are_copied_and_not_changed(string option, string value)

@@ -1,6 +1,5 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
-using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Server.Sources;
