@@ -98,7 +98,7 @@ public sealed class InfoTests : IDisposable
         _folder.Write("bad.bvh", Takes.TwoJoints.Replace("Frames: 3", "Frames: 9", StringComparison.Ordinal));
         JsonElement oddity = (await JsonAsync("bad.bvh")).GetProperty("oddities").EnumerateArray().First();
         Assert.Equal("repair", oddity.GetProperty("code").GetString());
-        Assert.Equal(16, oddity.GetProperty("line").GetInt32());
+        Assert.Equal(17, oddity.GetProperty("line").GetInt32());
         Assert.True(oddity.GetProperty("column").GetInt32() > 0);
     }
 
