@@ -9,6 +9,9 @@ internal sealed class InfoPage
 {
     private const int Unlimited = 100_000;
     private const int WidestText = 110;
+
+    // A terminal that does not tell its size says 0.
+    private const int NarrowestText = 40;
     private const int MostItems = 20;
 
     private readonly IAnsiConsole _console;
@@ -24,7 +27,7 @@ internal sealed class InfoPage
             Out = new AnsiConsoleOutput(new StreamWriter(streams.Output, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { AutoFlush = true }),
         });
         _console.Profile.Capabilities.ColorSystem = _isTerminal ? AnsiConsole.Profile.Capabilities.ColorSystem : ColorSystem.NoColors;
-        _console.Profile.Width = _isTerminal ? Math.Min(Screen.Width, WidestText) : Unlimited;
+        _console.Profile.Width = _isTerminal ? Math.Clamp(Screen.Width, NarrowestText, WidestText) : Unlimited;
     }
 
     public void Write(InfoReport report)
