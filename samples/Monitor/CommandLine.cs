@@ -6,6 +6,7 @@ using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Diagnosis;
 using NeuronMocap.Monitor.Export;
 using NeuronMocap.Monitor.Recordings;
+using NeuronMocap.Monitor.Files;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
@@ -23,7 +24,9 @@ internal sealed class CommandLine
         "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--command-port PORT] [--once] [--frames N] "
         + "[--duration SECONDS] [--json | --quiet] [--export FILE.bvh [--export-avatar N|all]] "
         + "[--record FILE [--record-compress] [--record-size MB] [--record-time SECONDS] [--record-files N]] [--overwrite]\n"
-        + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]";
+        + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]\n"
+        + "       neuron-monitor --info FILE [--json] | --convert IN OUT | --plot FILE OUT.svg [--overwrite] [--avatar N] [--order YXZ] [--resample HZ] "
+        + "[--from SECONDS] [--to SECONDS]";
 
     private const double LongestDuration = 1_000_000;
 
@@ -137,6 +140,7 @@ internal sealed class CommandLine
 
     private readonly CommandArguments _commands = new();
     private readonly ExportArguments _export;
+    private readonly FileArguments _files;
 
     private readonly RecordingArguments _recording = new();
 
@@ -160,6 +164,9 @@ internal sealed class CommandLine
         _export = new ExportArguments(_overwrite);
         _export.AddTo(_root);
         _recording.AddTo(_root);
+        _files = new FileArguments(_overwrite);
+        _files.AddTo(_root);
+        _root.Options.Add(_overwrite);
 
         _root.Validators.Add(RejectContradictions);
         HelpExamples.AddTo(_root);
@@ -195,6 +202,7 @@ internal sealed class CommandLine
 
     private static Task<int> RunAsync(MonitorOptions options, StandardStreams streams, CancellationToken cancellation) => options switch
     {
+        { Files: { } files } => new FileRun(files, streams).RunAsync(cancellation),
         { Commands: { } commands } => new CommandRun(options, commands, streams).RunAsync(cancellation),
         { Diagnose: true } => new DiagnosisRun(options, streams).RunAsync(cancellation),
         _ => new MonitorRun(options, streams).RunAsync(cancellation),
@@ -246,11 +254,17 @@ internal sealed class CommandLine
             result.AddError("--allow-sender needs --udp: over TCP the data comes from the server that --connect names.");
         if (IsGiven(result, _commandPort) && !IsGiven(result, _connect))
             result.AddError("--command-port needs --connect: it is a port of the server that --connect names.");
-        _commands.RejectContradictions(result, [_connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
+        _files.RejectContradictions(
+            result,
+            [_connect, _udp, _demo, _allowSender, _diagnose, _commandPort, _once, _frames, _duration, _quiet, .. _commands.Own, .. _export.Own],
+            _order,
+            _json);
+        if (!_files.IsGiven(result))
+            _commands.RejectContradictions(result, [_connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
         _export.RejectContradictions(result, [_diagnose, _commands.Main]);
         _recording.RejectContradictions(result, [_diagnose, _commands.Main]);
-        if (IsGiven(result, _overwrite) && !_export.IsGiven(result) && !IsGiven(result, _recording.Record))
-            result.AddError("--overwrite needs --export or --record: no other file is written.");
+        if (IsGiven(result, _overwrite) && !_export.IsGiven(result) && !_files.IsGiven(result) && !IsGiven(result, _recording.Record))
+            result.AddError("--overwrite needs --export, --record, --convert or --plot: there is no other file to replace.");
         if (IsGiven(result, _json) && IsGiven(result, _quiet))
             result.AddError("--json and --quiet exclude each other.");
     }
@@ -278,6 +292,7 @@ internal sealed class CommandLine
     private MonitorOptions Read(ParseResult result) => new()
     {
         Server = FindServer(result),
+        Files = _files.Read(result, _commands.Avatar, _order, _json),
         Commands = _commands.Read(result, isDemo: result.GetValue(_demo)),
         Recording = _recording.Read(result, result.GetValue(_overwrite)),
         Diagnose = result.GetResult(_diagnose) is { Implicit: false },

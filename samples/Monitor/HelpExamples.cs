@@ -16,6 +16,7 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
           1  nothing could be connected, bound or received, or not be recorded; standard error says which setting to look at
           2  wrong options
           Of --commands: 0 answered, 1 not, 2 wrong options, 130 ended by Ctrl+C or SIGTERM before it knew
+          Of --info, --convert, --plot: 0 done, 1 not read or written, 2 wrong options, 130 ended by Ctrl+C or SIGTERM, nothing written
           Of --diagnose: 0 frames arrive, 1 a fault was found, 2 wrong options, 130 ended by Ctrl+C or SIGTERM before it knew
 
         Examples:
@@ -29,6 +30,10 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
           neuron-monitor --commands 192.168.1.20                bone sizes, rotation order and BVH header; port 8013
           neuron-monitor --commands 192.168.1.20 --zero-out 0   avatar 0 faces front; all for all of them
           neuron-monitor --connect studio --export take.bvh     keep what is shown, until q or Ctrl+C
+          neuron-monitor --info take.bvh                        what a file holds, and what is odd about it; also .nmrec, .calc, .bin
+          neuron-monitor --convert take.nmrec take.bvh          a recording as BVH; a file of any kind as any other
+          neuron-monitor --convert a.bvh b.bvh --from 2 --to 5  a part of a take; also --resample 60, --order XYZ
+          neuron-monitor --plot take.bvh take.svg               a picture of a take
           neuron-monitor --connect studio --json --frames 100   100 frames for another program
           neuron-monitor --connect studio --record take.nmrec   show it and keep every byte of it
           neuron-monitor --connect studio --quiet --duration 10 does anything arrive? The exit code tells

@@ -2,6 +2,7 @@ using System.Net;
 using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Export;
 using NeuronMocap.Monitor.Recordings;
+using NeuronMocap.Monitor.Files;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
@@ -51,6 +52,9 @@ internal sealed record MonitorOptions
 
     /// <summary>What to ask of a command channel instead of showing a stream; null for a stream.</summary>
     public CommandSettings? Commands { get; init; }
+
+    /// <summary>What to do with a file instead of showing a stream; null for a stream.</summary>
+    public FileSettings? Files { get; init; }
 
     /// <summary>The BVH file to write meanwhile; null for none.</summary>
     public ExportSettings? Export { get; init; }

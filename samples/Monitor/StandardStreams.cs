@@ -10,7 +10,13 @@ internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsT
 {
     private const int StandardOutput = 1;
 
-    public static StandardStreams Open() => new(OpenOutput(), Console.Error, IsTerminal: !Console.IsOutputRedirected);
+    /// <summary>Whether a person looks at standard error.</summary>
+    public bool IsErrorTerminal { get; init; }
+
+    public static StandardStreams Open() => new(OpenOutput(), Console.Error, IsTerminal: !Console.IsOutputRedirected)
+    {
+        IsErrorTerminal = !Console.IsErrorRedirected,
+    };
 
     public void Dispose() => Output.Dispose();
 

@@ -18,6 +18,8 @@ internal sealed class HelpWithExamples : SynchronousCommandLineAction
                   Two actors for every machine of the network that connects to port 7001.
               neuron-simulator --bvh take.bvh --loop --rate 60 --udp 127.0.0.1:7002 --fragment 1024
                   A take again and again, in datagrams as Axis Neuron on macOS sends them.
+              neuron-simulator --play take.nmrec --speed 2 --loop
+                  What neuron-monitor --record wrote, byte for byte, twice as fast, again and again.
               neuron-simulator --format text --rate 1
                   Lines to look at, with nc 127.0.0.1 7001.
               neuron-simulator --commands

@@ -23,14 +23,13 @@ int Run(ParseResult parsed)
 {
     try
     {
-        SimulatorSources sources = CreateSources(parsed);
-        BroadcasterOptions options = SimulatorOptions.Create(command, parsed, sources);
+        (BroadcasterOptions options, string description) = CreateOptions(parsed);
         using var broadcaster = new Broadcaster(options);
         using CommandServer? commands = OpenCommands(parsed, broadcaster, options);
         using PosixSignalRegistration interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Stop);
         using PosixSignalRegistration terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Stop);
         broadcaster.Start();
-        new SimulatorReport(broadcaster, commands, options, sources.Description).Run();
+        new SimulatorReport(broadcaster, commands, options, description).Run();
         return Done;
 
         void Stop(PosixSignalContext context)
@@ -74,16 +73,26 @@ CommandServer? OpenCommands(ParseResult parsed, Broadcaster broadcaster, Broadca
     }
 }
 
+(BroadcasterOptions Options, string Description) CreateOptions(ParseResult parsed)
+{
+    if (command.Play.Read(parsed, parsed.GetValue(command.Rate), parsed.GetValue(command.Loop)) is { } play)
+        return (SimulatorOptions.Create(command, parsed, play), play.Description);
+
+    SimulatorSources sources = CreateSources(parsed);
+    return (SimulatorOptions.Create(command, parsed, sources), sources.Description);
+}
+
 SimulatorSources CreateSources(ParseResult parsed)
 {
     try
     {
         return SourceFactory.Create(new SourceSettings(
-            parsed.GetValue(command.Bvh), parsed.GetValue(command.Avatars) ?? 1, parsed.GetValue(command.Loop)));
+            parsed.GetValue(command.Bvh), parsed.GetValue(command.Calc), parsed.GetValue(command.Avatars) ?? 1, parsed.GetValue(command.Loop)));
     }
     catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException)
     {
-        throw new SimulatorException($"--bvh: {exception.Message}");
+        string option = parsed.GetValue(command.Calc) is null ? command.Bvh.Name : command.Calc.Name;
+        throw new SimulatorException($"{option}: {exception.Message}");
     }
 }
 

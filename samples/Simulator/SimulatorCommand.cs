@@ -5,6 +5,7 @@ using System.Net;
 using System.Numerics;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
+using NeuronMocap.Simulator.Playback;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Simulator;
@@ -38,13 +39,14 @@ internal sealed class SimulatorCommand : RootCommand
         DataCommands.CustomParser = ParseWord<OnOff>("on", "off");
         foreach (Option option in (Option[])
             [
-                Bvh, Synthetic, Bind, Port, Udp, Avatars, Rate, Frames, Loop, WaitForClient,
+                Bvh, Calc, Synthetic, Bind, Port, Udp, Avatars, Rate, Frames, Loop, WaitForClient,
                 Displacement, Reference, Order, Format, Header, Decimals, Calculation, Fragment, DataCommands, Commands,
             ])
         {
             Add(option);
         }
 
+        Play.AddTo(this);
         Validators.Add(CheckTogether);
     }
 
@@ -52,6 +54,12 @@ internal sealed class SimulatorCommand : RootCommand
     {
         HelpName = "FILE",
         Description = "Play a BVH file of the Perception Neuron skeleton.",
+    };
+
+    public Option<FileInfo?> Calc { get; } = new("--calc")
+    {
+        HelpName = "FILE",
+        Description = "Play a calculation export of Axis Neuron; with --calculation its own values go out with the poses.",
     };
 
     public Option<bool> Synthetic { get; } = new("--synthetic")
@@ -162,6 +170,8 @@ internal sealed class SimulatorCommand : RootCommand
         Arity = ArgumentArity.ZeroOrOne,
     };
 
+    public PlayArguments Play { get; } = new();
+
     /// <summary>All options in one line, for those who made a mistake.</summary>
     public string Usage => "Usage: neuron-simulator " + string.Join(' ', Options
         .Where(option => option.Name is not ("--help" or "--version"))
@@ -218,6 +228,10 @@ internal sealed class SimulatorCommand : RootCommand
     {
         if (result.GetResult(Bvh) is not null && result.GetResult(Synthetic) is not null)
             result.AddError("--bvh and --synthetic exclude each other.");
+        if (result.GetResult(Calc) is not null && (result.GetResult(Bvh) ?? result.GetResult(Synthetic)) is not null)
+            result.AddError("--calc, --bvh and --synthetic exclude each other.");
+        Play.RejectContradictions(
+            result, [Bvh, Calc, Synthetic, Avatars, Frames, Displacement, Reference, Order, Format, Header, Decimals, Calculation, DataCommands, Commands]);
         if (result.GetResult(WaitForClient) is not null && result.GetResult(Udp) is not null && result.GetResult(Port) is null)
             result.AddError("--wait-for-client waits for a TCP client: give --port as well as --udp.");
     }

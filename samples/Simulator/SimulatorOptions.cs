@@ -4,6 +4,7 @@ using System.Net.Sockets;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Server.Sources;
+using NeuronMocap.Simulator.Playback;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Simulator;
@@ -40,9 +41,33 @@ internal static class SimulatorOptions
             Format = format,
             DataVersion = result.GetValue(command.Header) == HeaderLayout.Old ? DataVersion.Old : null,
             TextDecimals = result.GetValue(command.Decimals) ?? TextEncoder.DefaultDecimals,
-            Calculation = calculation && format != BroadcastFormat.Studio ? CalculationSynthesizer.Write : null,
+            Calculation = calculation && format != BroadcastFormat.Studio ? sources.WriteCalculation : null,
+            CalculationValueCount = sources.CalculationValueCount,
             StudioCalculation = calculation && format == BroadcastFormat.Studio ? StudioCalculationSynthesizer.Write : null,
             AnswerDataCommands = result.GetValue(command.DataCommands) != OnOff.Off,
+            Fragment = result.GetValue(command.Fragment),
+        };
+    }
+
+    /// <summary>Makes the options of a recording.</summary>
+    /// <param name="command">The options of the program.</param>
+    /// <param name="result">A command line without errors.</param>
+    /// <param name="play">What to play.</param>
+    /// <exception cref="UsageException">An option has no meaning here.</exception>
+    /// <exception cref="SimulatorException">A host name leads nowhere.</exception>
+    public static BroadcasterOptions Create(SimulatorCommand command, ParseResult result, PlaySettings play)
+    {
+        string[] udp = result.GetValue(command.Udp) ?? [];
+        return new BroadcasterOptions
+        {
+            Recording = play.Path,
+            RecordingSpeed = play.Speed,
+            LoopRecording = play.Loop,
+            Rate = result.GetValue(command.Rate),
+            BindAddress = result.GetValue(command.Bind) ?? IPAddress.Loopback,
+            Port = result.GetValue(command.Port) ?? (udp.Length > 0 ? null : ProtocolConstants.DefaultPort),
+            UdpDestinations = [.. udp.Select(Resolve)],
+            WaitForClient = result.GetValue(command.WaitForClient),
             Fragment = result.GetValue(command.Fragment),
         };
     }

@@ -40,7 +40,7 @@ internal sealed class SimulatorReport(Broadcaster broadcaster, CommandServer? co
         Console.Write('\r');
     }
 
-    private string Describe() => string.Create(
+    private string Describe() => options.Recording is not null ? description : string.Create(
         CultureInfo.InvariantCulture,
         $"Broadcasting {description}: {Count(options.Sources.Count, "avatar")}, {Rate()}, {broadcaster.Layout.ValueCount} values, "
         + $"{options.RotationOrder}, {Format()}");

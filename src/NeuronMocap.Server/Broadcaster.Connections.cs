@@ -15,7 +15,7 @@ public sealed partial class Broadcaster
         try
         {
             foreach (IPEndPoint destination in _options.UdpDestinations)
-                senders.Add(new UdpSender(ConnectUdp(destination), destination, _plan, CreateFeed(), _options.Fragment, OnRecipientEnded));
+                senders.Add(new UdpSender(ConnectUdp(destination), destination, _content, CreateFeed(isSingle: _recording is not null), _options.Fragment, OnRecipientEnded));
             if (_options.Port is int port)
                 _listener = Listen(new IPEndPoint(_options.BindAddress, port));
         }
@@ -53,7 +53,7 @@ public sealed partial class Broadcaster
         }
     }
 
-    private FrameFeed CreateFeed() => _log is null ? new TakeFeed(_plan) : new LiveFeed(_log);
+    private FrameFeed CreateFeed(bool isSingle) => _log is null ? _content.CreateFeed(isSingle) : new LiveFeed(_log, isSingle);
 
     // From here on there are frames.
     private void Begin()
@@ -99,7 +99,8 @@ public sealed partial class Broadcaster
     {
         try
         {
-            var session = new TcpClientSession(socket, _plan, CreateFeed(), _options, _options.AnswerDataCommands ? _replies : null, OnRecipientEnded);
+            var session = new TcpClientSession(
+                socket, _content, CreateFeed(isSingle: false), _options, _options.AnswerDataCommands ? _replies : null, OnRecipientEnded);
             StartWorker(session.Worker);
             _recipients.Add(session);
             _accepted++;

@@ -6,7 +6,8 @@ namespace NeuronMocap.Server;
 // What the command channel does with a broadcast, and has to know of it.
 public sealed partial class Broadcaster
 {
-    internal FramePlan Plan => _plan;
+    // Null for a recording.
+    internal FramePlan? Plan => _plan;
 
     /// <summary>
     /// Turns an avatar to face front, along Z, where it stands: from the next frame on that has not been made yet, the whole performance is turned about
@@ -19,7 +20,7 @@ public sealed partial class Broadcaster
         if ((uint)avatar >= (uint)_actors.Length)
             return false;
 
-        _actors[avatar].FaceFront(_plan.FrameCount);
+        _actors[avatar].FaceFront(_plan!.FrameCount);
         return true;
     }
 
@@ -27,7 +28,7 @@ public sealed partial class Broadcaster
     public void ZeroOutAll()
     {
         foreach (TurnableSource actor in _actors)
-            actor.FaceFront(_plan.FrameCount);
+            actor.FaceFront(_plan!.FrameCount);
     }
 
     // What is computed from a frame and its neighbours sees one turn in all of them: the body is turned between two frames, which no sensor would feel.

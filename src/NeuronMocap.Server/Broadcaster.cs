@@ -24,10 +24,12 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     private readonly object _gate = new();
     private readonly BroadcasterOptions _options;
     private readonly TurnableSource[] _actors;
-    private readonly FramePlan _plan;
-    private readonly DataCommandReplies _replies;
+    private readonly FramePlan? _plan;
+    private readonly RecordingContent? _recording;
+    private readonly BroadcastContent _content;
+    private readonly DataCommandReplies? _replies;
     private readonly FrameLog? _log;
-    private readonly FramePacer? _pacer;
+    private readonly Pacer? _pacer;
     private readonly List<Recipient> _recipients = [];
     private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private ClientListener? _listener;
@@ -42,18 +44,31 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <summary>Makes a broadcaster that does nothing yet.</summary>
     /// <param name="options">The settings; copied.</param>
     /// <exception cref="ArgumentException">A setting is out of its range; the message names it.</exception>
+    /// <exception cref="NeuronException">The file of <see cref="BroadcasterOptions.Recording"/> is none that can be played.</exception>
+    /// <exception cref="IOException">The file of <see cref="BroadcasterOptions.Recording"/> cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The file of <see cref="BroadcasterOptions.Recording"/> may not be read.</exception>
     public Broadcaster(BroadcasterOptions options)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).CopyChecked();
         _actors = UseTurnableSources();
-        Rate = _options.Rate ?? _options.Sources[0].FrameRate;
-        _plan = CreatePlan(_options, Rate);
-        _replies = new DataCommandReplies(_plan, _options.DataCommandLength);
+        Rate = _options.Rate ?? (_options.Sources.Count > 0 ? _options.Sources[0].FrameRate : 0);
+        if (_options.Recording is null)
+        {
+            _content = _plan = CreatePlan(_options, Rate);
+            _replies = new DataCommandReplies(_plan, _options.DataCommandLength);
+        }
+        else
+        {
+            _content = _recording = new RecordingContent(_options);
+        }
+
         if (double.IsPositiveInfinity(Rate))
             return;
 
         _log = new FrameLog(_options.QueueLength);
-        _pacer = new FramePacer(_plan, Rate, _log, OnPacerEnded);
+        _pacer = _recording is not null
+            ? new RecordingPacer(_recording, _options, _log, OnPacerEnded)
+            : new FramePacer(_plan!, Rate, _log, OnPacerEnded);
     }
 
     // Replaced by tests, which cannot use up all threads of a system.
@@ -63,12 +78,13 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     public IPEndPoint? LocalEndPoint { get; private set; }
 
     /// <summary>
-    /// Frames per second: the setting or the first source's own; <see cref="BroadcasterOptions.MaxRate"/> when not paced.
+    /// Frames per second: the setting or the first source's own; <see cref="BroadcasterOptions.MaxRate"/> when not paced;
+    /// 0 for a recording, which has times of its own.
     /// </summary>
     public double Rate { get; }
 
-    /// <summary>Which values the motion packets carry: the settings, and the first source where they leave it to it.</summary>
-    public ChannelLayout Layout => _plan.Layout;
+    /// <summary>Which values the motion packets carry: the settings, and the first source where they leave it to it. Of a recording the default.</summary>
+    public ChannelLayout Layout => _plan?.Layout ?? default;
 
     /// <summary>
     /// Ends when the broadcast is over. At a paced rate: the last frame was made, and all clients have read it, have left, or have used up
@@ -103,7 +119,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <param name="avatar">Number of the avatar, from 0.</param>
     /// <returns>What <see cref="SetCombinationMode"/> set last; <see cref="SensorCombination.FullBody"/> at first.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such avatar.</exception>
-    public SensorCombination GetCombinationMode(int avatar) => _replies.GetMode(RequireAvatar(avatar));
+    public SensorCombination GetCombinationMode(int avatar) => GetReplies(avatar).GetMode(avatar);
 
     /// <summary>
     /// Changes which sensors an avatar is said to wear, which is what <see cref="DataCommandId.CombinationMode"/> tells clients; the frames stay as
@@ -115,7 +131,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <exception cref="ArgumentOutOfRangeException">There is no such avatar.</exception>
     public void SetCombinationMode(int avatar, SensorCombination mode)
     {
-        if (!_replies.SetMode(RequireAvatar(avatar), mode))
+        if (!GetReplies(avatar).SetMode(avatar, mode))
             return;
 
         lock (_gate)
@@ -170,9 +186,10 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <returns>Ends when all is closed.</returns>
     public ValueTask DisposeAsync() => new(Task.Run(Stop));
 
-    private int RequireAvatar(int avatar) => (uint)avatar < (uint)_plan.AvatarCount
-        ? avatar
-        : throw new ArgumentOutOfRangeException(nameof(avatar), avatar, $"The avatars are 0 to {_plan.AvatarCount - 1}.");
+    // A recording has none that could be asked for.
+    private DataCommandReplies GetReplies(int avatar) => (uint)avatar < (uint)_actors.Length
+        ? _replies!
+        : throw new ArgumentOutOfRangeException(nameof(avatar), avatar, $"The number of avatars is {_actors.Length}; the first is 0.");
 
     private static FramePlan CreatePlan(BroadcasterOptions options, double rate)
     {

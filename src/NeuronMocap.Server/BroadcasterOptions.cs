@@ -21,6 +21,20 @@ public sealed class BroadcasterOptions
     public IReadOnlyList<MotionSource> Sources { get; set; } = [];
 
     /// <summary>
+    /// A file to send instead of <see cref="Sources"/>: a recording, or a raw dump of a stream's bytes. Every byte is sent as it was received, also what is no
+    /// packet, in whole packets or lines of text, each when its last byte came. What makes packets of sources (names, format, layout, frame limit) has to be
+    /// left alone, and commands of clients are not answered. A raw dump, which has no times, is sent at <see cref="Rate"/>, or as
+    /// <see cref="Playback.PlaybackOptions.FrameRate"/> has it. Default: null.
+    /// </summary>
+    public string? Recording { get; set; }
+
+    /// <summary>How many times as fast as it was recorded <see cref="Recording"/> is sent, 0.01 to 100. Default: 1.</summary>
+    public double RecordingSpeed { get; set; } = 1;
+
+    /// <summary>Whether <see cref="Recording"/> starts again at its end. Default: false.</summary>
+    public bool LoopRecording { get; set; }
+
+    /// <summary>
     /// Names of the avatars, the first for the first source; at most 32 bytes of UTF-8 each, the rest is cut off. Avatars without one are
     /// Char00, Char01 and so on. Default: none.
     /// </summary>
@@ -52,7 +66,7 @@ public sealed class BroadcasterOptions
     /// At a number, each frame is made once, at its time, and sent to all; a client that does not read loses whole packets and delays
     /// nobody. At <see cref="MaxRate"/> every client gets the whole take from frame 0 as fast as it reads, loses nothing (but see
     /// <see cref="ClientTimeout"/>), and its connection is closed after the last frame; UDP, which cannot push back, is sent as fast as the
-    /// system takes it.
+    /// system takes it. A recording has its own times: <see cref="MaxRate"/> or null.
     /// </para>
     /// </summary>
     public double? Rate { get; set; }

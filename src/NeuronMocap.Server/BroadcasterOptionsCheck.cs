@@ -10,22 +10,12 @@ internal static class BroadcasterOptionsCheck
 
     public static void Check(BroadcasterOptions options)
     {
-        Require(
-            options.Sources.Count is >= 1 and <= MaxAvatars,
-            nameof(options.Sources),
-            "takes 1 to 256 sources, one for each avatar",
-            options.Sources.Count);
-        Require(options.Sources.All(source => source is not null), nameof(options.Sources), "takes sources that are not null", "null");
-        Require(options.AvatarNames.All(name => name is not null), nameof(options.AvatarNames), "takes names that are not null", "null");
-        Require(
-            options.AvatarNames.Count <= options.Sources.Count,
-            nameof(options.AvatarNames),
-            "takes no more names than there are sources",
-            options.AvatarNames.Count);
+        if (options.Recording is null)
+            CheckSources(options);
+        else
+            CheckRecording(options);
+
         CheckNetwork(options);
-        CheckFormat(options);
-        CheckRate(options);
-        Require(options.FrameLimit is null or >= 1, nameof(options.FrameLimit), "is at least 1 frame", options.FrameLimit);
         Require(options.QueueLength is >= 1 and <= 65_536, nameof(options.QueueLength), "is 1 to 65,536 frames", options.QueueLength);
         Require(
             options.ClientTimeout == Timeout.InfiniteTimeSpan
@@ -38,6 +28,67 @@ internal static class BroadcasterOptionsCheck
             nameof(options.CloseTimeout),
             "is 0 to 10 minutes",
             options.CloseTimeout);
+    }
+
+    public static ArgumentException Fault(string setting, string requirement, object? value) =>
+        new($"{nameof(BroadcasterOptions)}.{setting} {requirement}; it is {value}.", setting);
+
+    private static void CheckSources(BroadcasterOptions options)
+    {
+        Require(
+            options.Sources.Count is >= 1 and <= MaxAvatars,
+            nameof(options.Sources),
+            "takes 1 to 256 sources, one for each avatar",
+            options.Sources.Count);
+        Require(options.Sources.All(source => source is not null), nameof(options.Sources), "takes sources that are not null", "null");
+        Require(options.AvatarNames.All(name => name is not null), nameof(options.AvatarNames), "takes names that are not null", "null");
+        Require(
+            options.AvatarNames.Count <= options.Sources.Count,
+            nameof(options.AvatarNames),
+            "takes no more names than there are sources",
+            options.AvatarNames.Count);
+        CheckFormat(options);
+        CheckRate(options);
+        Require(options.FrameLimit is null or >= 1, nameof(options.FrameLimit), "is at least 1 frame", options.FrameLimit);
+        Require(options.RecordingSpeed == 1, nameof(options.RecordingSpeed), "needs a Recording; a source's speed is its Rate", options.RecordingSpeed);
+        Require(!options.LoopRecording, nameof(options.LoopRecording), "needs a Recording; of sources there is LoopedSource", true);
+    }
+
+    // What would change packets has no meaning for those of a recording.
+    private static void CheckRecording(BroadcasterOptions options)
+    {
+        var ordinary = new BroadcasterOptions();
+        (string Setting, object? Value, object? Ordinary)[] settings =
+        [
+            (nameof(options.Sources), options.Sources.Count, 0),
+            (nameof(options.AvatarNames), options.AvatarNames.Count, 0),
+            (nameof(options.FrameLimit), options.FrameLimit, null),
+            (nameof(options.Displacement), options.Displacement, null),
+            (nameof(options.Reference), options.Reference, ordinary.Reference),
+            (nameof(options.RotationOrder), options.RotationOrder, ordinary.RotationOrder),
+            (nameof(options.Format), options.Format, ordinary.Format),
+            (nameof(options.DataVersion), options.DataVersion, null),
+            (nameof(options.Calculation), options.Calculation, null),
+            (nameof(options.CalculationValueCount), options.CalculationValueCount, ordinary.CalculationValueCount),
+            (nameof(options.StudioCalculation), options.StudioCalculation, null),
+            (nameof(options.TextDecimals), options.TextDecimals, ordinary.TextDecimals),
+            (nameof(options.TextQuirks), options.TextQuirks, ordinary.TextQuirks),
+            (nameof(options.DataCommandLength), options.DataCommandLength, null),
+        ];
+        foreach ((string setting, object? value, object? usual) in settings)
+            Require(Equals(value, usual), setting, "has no meaning for a Recording, whose bytes are sent as they are", value);
+
+        Require(
+            options.Rate is null or (>= 0.01 and <= 100_000) or BroadcasterOptions.MaxRate,
+            nameof(options.Rate),
+            "is 0.01 to 100,000 Hz or MaxRate",
+            options.Rate);
+        Require(options.RecordingSpeed is >= 0.01 and <= 100, nameof(options.RecordingSpeed), "is 0.01 to 100", options.RecordingSpeed);
+        Require(
+            options.RecordingSpeed == 1 || options.Rate is null or < BroadcasterOptions.MaxRate,
+            nameof(options.RecordingSpeed),
+            "is 1 at the Rate MaxRate, which has no speed",
+            options.RecordingSpeed);
     }
 
     private static void CheckRate(BroadcasterOptions options)
@@ -129,6 +180,6 @@ internal static class BroadcasterOptionsCheck
     private static void Require(bool condition, string setting, string requirement, object? value)
     {
         if (!condition)
-            throw new ArgumentException($"{nameof(BroadcasterOptions)}.{setting} {requirement}; it is {value}.", setting);
+            throw Fault(setting, requirement, value);
     }
 }

@@ -30,10 +30,13 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     /// <summary>Makes a server that does nothing yet.</summary>
     /// <param name="broadcaster">Whose avatars the commands are about; not started, stopped or disposed by the server.</param>
     /// <param name="options">The settings, copied; null for the defaults.</param>
-    /// <exception cref="ArgumentException">A setting is out of its range; the message names it.</exception>
+    /// <exception cref="ArgumentException">A setting is out of its range; the message names it. Or the broadcaster plays a recording.</exception>
     public CommandServer(Broadcaster broadcaster, CommandServerOptions? options = null)
     {
         _answers = new CommandAnswers(broadcaster ?? throw new ArgumentNullException(nameof(broadcaster)));
+        if (broadcaster.Plan is null)
+            throw new ArgumentException("A recording does not say what a command channel answers.", nameof(broadcaster));
+
         _options = (options ?? new CommandServerOptions()).CopyChecked();
     }
 

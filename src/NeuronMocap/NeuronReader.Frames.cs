@@ -89,7 +89,7 @@ public sealed partial class NeuronReader
         }
 
         ConnectionStatus last = _status.Current;
-        if (last.Reason is not (ConnectionReason.Requested or ConnectionReason.ClosedByPeer))
+        if (last.Reason is not (ConnectionReason.Requested or ConnectionReason.ClosedByPeer or ConnectionReason.EndOfRecording))
             throw new NeuronConnectionException(last.Reason, last.Message);
     }
 }

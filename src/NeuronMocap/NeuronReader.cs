@@ -2,6 +2,7 @@ using System.Diagnostics;
 using NeuronMocap.Commands;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
+using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;
@@ -65,28 +66,48 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     {
     }
 
+    /// <summary>Makes a reader for what a file holds of a stream, instead of a live one.</summary>
+    /// <param name="player">Plays the file, once the reader is started; it can have one reader, which does not dispose of it.</param>
+    /// <param name="options">
+    /// How to receive; copied; null for the defaults. Whatever is about a connection has no meaning here: server, port, senders, reconnecting and command
+    /// port; the largest number of values is the player's. The rotation order and the skeleton variant count before the player's.
+    /// </param>
+    /// <exception cref="ArgumentException">An option is out of its range; the message names it.</exception>
+    /// <exception cref="InvalidOperationException">The player has a reader.</exception>
+    /// <exception cref="ObjectDisposedException">The player was disposed of.</exception>
+    public NeuronReader(RecordingPlayer player, NeuronReaderOptions? options = null)
+        : this(options ?? new NeuronReaderOptions(), createLink: null, player ?? throw new ArgumentNullException(nameof(player)))
+    {
+        player.Attach(_senders, OnCallbackFailed);
+    }
+
     internal NeuronReader(NeuronReaderOptions options, Func<Link>? createLink)
+        : this(options, createLink, player: null)
+    {
+    }
+
+    private NeuronReader(NeuronReaderOptions options, Func<Link>? createLink, RecordingPlayer? player)
     {
         ArgumentNullException.ThrowIfNull(options);
         if (options.FindFault() is { } fault)
             throw new ArgumentException(fault, nameof(options));
 
-        _options = options.Copy();
+        _options = player is null ? options.Copy() : options.CopyFor(player);
         _statusHandlers = new HandlerList<ConnectionStatus>(OnCallbackFailed);
         _status = new StatusBoard(OnStatusChanged);
         _senders = new SenderFilter(_options.AllowedSenders);
-        _format = _options.Format;
+        _format = player?.CreateFormat(_options.RotationOrder, _options.SkeletonVariant) ?? _options.Format;
         _discovery = _options.Commands is { } commands ? new FormatDiscovery(commands, _format, OnFormatLearnt) : null;
         var recognizer = new StreamRecognizer(_format);
         _activity = new LinkActivity(
-            _status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp ? _senders : null, recognizer.Describe);
+            _status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp ? _senders : null, recognizer.Describe, player is null ? null : () => player.IsPaused);
         _eventHandlers = new HandlerList<ReaderEvent>(OnCallbackFailed);
         _eventHandlers.Add(_options.CreateLog());
         _metrics = new ReaderMetrics(_options.DisplayName);
-        _supervisor = new ConnectionSupervisor(createLink ?? CreateLink, _options.Reconnect, _status, _activity, new Random().NextDouble);
+        _supervisor = new ConnectionSupervisor(createLink ?? player?.LinkFactory ?? CreateLink, _options.Reconnect, _status, _activity, new Random().NextDouble);
         _recordings = new ReaderRecordings(_options, _metrics.Name) { IsObserved = () => !_eventHandlers.IsEmpty };
         _pipeline = new ReceivePipeline(
-            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed);
+            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player?.PatienceSource);
         _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke);
     }
 

@@ -1,6 +1,7 @@
 using System.Net;
 using NeuronMocap.Commands;
 using NeuronMocap.Frames;
+using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
@@ -105,6 +106,18 @@ public sealed partial class NeuronReaderOptions
         var copy = (NeuronReaderOptions)MemberwiseClone();
         copy.Reconnect = Reconnect.Copy();
         copy.AllowedSenders = AllowedSenders?.ToArray() ?? [];
+        return copy;
+    }
+
+    // For a playback: nothing is connected to or asked, and the next connection stands when it did in the recording.
+    internal NeuronReaderOptions CopyFor(RecordingPlayer player)
+    {
+        NeuronReaderOptions copy = Copy();
+        copy.Name ??= player.Target;
+        copy.Transport = TransportKind.Tcp;
+        copy.CommandPort = null;
+        copy.AllowedSenders = [];
+        copy.Reconnect = new ReconnectPolicy { InitialDelay = TimeSpan.Zero, MaxDelay = TimeSpan.Zero };
         return copy;
     }
 

@@ -20,6 +20,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     private readonly SenderFilter _senders;
     private readonly ReaderMetrics _metrics;
     private readonly ReaderRecordings _recordings;
+    private readonly Func<bool>? _isPatient;
     private readonly StreamCounters _counters;
     private readonly PacketDispatcher _dispatcher;
     private readonly object _lock = new();
@@ -39,7 +40,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         ReaderMetrics metrics,
         DataCommands.TrySend trySend,
         ReaderRecordings recordings,
-        Action<Exception> callbackFailed)
+        Action<Exception> callbackFailed,
+        Func<bool>? isPatient = null)
     {
         _recordings = recordings;
         _format = format;
@@ -48,6 +50,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         _status = status;
         _senders = senders;
         _metrics = metrics;
+        _isPatient = isPatient is null ? null : () => !_stopped && isPatient();
         _counters = new StreamCounters(metrics.Intervals);
         _dispatcher = new PacketDispatcher(_counters);
         Callbacks = new FrameCallbacks(format, callbackFailed);
@@ -135,7 +138,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
 
     public FrameQueue OpenQueue(int capacity, string name)
     {
-        var queue = new FrameQueue(capacity, _format, closed => Close(closed, closed), name, _metrics.HandOver(name));
+        var queue = new FrameQueue(capacity, _format, closed => Close(closed, closed), name, _metrics.HandOver(name), _isPatient);
         Open(queue, queue);
         return queue;
     }
@@ -160,7 +163,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     {
         FrameStream? stream = null;
         queue = new FrameQueue(
-            FrameQueue.DefaultCapacity, _format, closed => Close(closed, stream!), StreamName, _metrics.HandOver(StreamName));
+            FrameQueue.DefaultCapacity, _format, closed => Close(closed, stream!), StreamName, _metrics.HandOver(StreamName), _isPatient);
         stream = new FrameStream(queue, kind);
         Open(queue, stream);
         return stream;

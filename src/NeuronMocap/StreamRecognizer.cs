@@ -73,21 +73,21 @@ internal sealed class StreamRecognizer(FrameFormat format)
     {
         ({ } option, _, _) => $"rotation order {option}, as the options say",
         (_, { } told, _) => $"rotation order {told}, as the stream says",
-        (_, _, { } learnt) => $"rotation order {learnt}, as the command channel says",
+        (_, _, { } learnt) => $"rotation order {learnt}, as {format.Teller} says",
         _ => $"rotation order {SkeletonFormat.Default.RotationOrder} assumed, the stream does not say",
     };
 
     // Appendix A's is what everybody expects: nothing to say about where nobody said anything.
     private string DescribeVariant(FormatFindings findings) => (format.OptionVariant, findings.Variant) switch
     {
-        (null, { } learnt) => $"; bones with {learnt}, as the command channel says",
+        (null, { } learnt) => $"; bones with {learnt}, as {format.Teller} says",
         _ => string.Empty,
     };
 
     // What is wrong with how the frames are understood, or may be.
     private (ConnectionReason Reason, string Text) FindFault(Recognized stream, FormatFindings findings)
     {
-        (RotationOrder? told, string teller) = stream.Order is { } order ? (order, "the stream") : (findings.Order, "the command channel");
+        (RotationOrder? told, string teller) = stream.Order is { } order ? (order, "the stream") : (findings.Order, format.Teller);
         if (format.OptionOrder is { } option && told is not null && told != option)
         {
             return (
@@ -99,7 +99,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
         {
             return (
                 ConnectionReason.SkeletonVariantMismatch,
-                $" The options say bones with {variant}, which is used, but the command channel says {learnt}: one of them is wrong. Leave "
+                $" The options say bones with {variant}, which is used, but {format.Teller} says {learnt}: one of them is wrong. Leave "
                 + $"SkeletonVariant out of the options to use {learnt}.");
         }
 

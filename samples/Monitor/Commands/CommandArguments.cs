@@ -21,7 +21,7 @@ internal sealed class CommandArguments
     private readonly Option<int?> _avatar = new("--avatar")
     {
         HelpName = "N",
-        Description = "With --commands: the avatar to ask about, from 0. Default 0.",
+        Description = "With --commands: the avatar to ask about, from 0. Default 0. With a recording: the avatar to take, by its index. Default: the first.",
         CustomParser = static result => ParseAvatar(result, "a number of an avatar, from 0"),
         Arity = ArgumentArity.ExactlyOne,
     };
@@ -41,6 +41,12 @@ internal sealed class CommandArguments
         Description = "With --commands: print the avatar's BVH header as the server sends it, and nothing else.",
         Arity = ArgumentArity.Zero,
     };
+
+    /// <summary>Which avatar; the tools for files ask it, too.</summary>
+    public Option<int?> Avatar => _avatar;
+
+    /// <summary>The options that only a command channel understands.</summary>
+    public Option[] Own => [_commands, _zeroOut, _header];
 
     /// <summary>The option that asks for the command channel instead of a stream.</summary>
     public Option Main => _commands;

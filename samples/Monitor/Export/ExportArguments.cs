@@ -34,6 +34,9 @@ internal sealed class ExportArguments(Option<bool> overwrite)
         Arity = ArgumentArity.ExactlyOne,
     };
 
+    /// <summary>The options that are about a stream.</summary>
+    public Option[] Own => [_export, _avatar];
+
     public void AddTo(RootCommand root)
     {
         root.Options.Add(_export);

@@ -20,6 +20,11 @@ internal abstract class FrameFeed
     /// <returns>What was written; nothing after <see cref="Wake"/>, and when there will be no more.</returns>
     public abstract FrameBatch Read(Span<byte> destination);
 
+    /// <summary>Lets go of what it reads from. Called when nobody reads any more.</summary>
+    public virtual void Close()
+    {
+    }
+
     /// <summary>Ends the wait of <see cref="Read"/>, this one or else the next. Safe on any thread.</summary>
     public virtual void Wake()
     {

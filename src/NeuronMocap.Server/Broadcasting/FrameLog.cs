@@ -66,8 +66,9 @@ internal sealed class FrameLog(int length)
     /// <summary>Waits for frames and copies as many as are there and fit.</summary>
     /// <param name="cursor">The reader's place; moved past the frames copied and missed.</param>
     /// <param name="destination">Room for at least one frame.</param>
+    /// <param name="maxFrames">Not more than these.</param>
     /// <returns>What was copied; nothing after <see cref="Wake"/>, after the end and after <see cref="Abort"/>.</returns>
-    public FrameBatch Read(FrameCursor cursor, Span<byte> destination)
+    public FrameBatch Read(FrameCursor cursor, Span<byte> destination, int maxFrames = int.MaxValue)
     {
         lock (_gate)
         {
@@ -80,7 +81,7 @@ internal sealed class FrameLog(int length)
             cursor.Position += missed;
             int written = 0;
             long first = cursor.Position;
-            while (!_isAborted && cursor.Position < _end)
+            while (!_isAborted && cursor.Position < _end && cursor.Position - first < maxFrames)
             {
                 ReadOnlySpan<byte> frame = _slots[cursor.Position % _slots.Length].Frame;
                 if (!frame.TryCopyTo(destination[written..]))

@@ -8,7 +8,7 @@ namespace NeuronMocap.Server.Broadcasting;
 /// What every frame of a broadcast consists of: for each avatar in turn a motion packet and, when asked for, a calculation packet. A line of
 /// text counts as a packet. Immutable; all threads share it.
 /// </summary>
-internal sealed class FramePlan
+internal sealed class FramePlan : BroadcastContent
 {
     private readonly BroadcastFormat _format;
 
@@ -67,14 +67,15 @@ internal sealed class FramePlan
     // 0 without calculation packets.
     public int MaxCalculationSize { get; }
 
-    public bool HasCalculation => Calculation is not null || StudioCalculation is not null;
+    public override bool HasCalculation => Calculation is not null || StudioCalculation is not null;
 
-    public int AvatarCount => Sources.Count;
+    public override int AvatarCount => Sources.Count;
 
-    public int PacketsPerFrame => AvatarCount * (HasCalculation ? 2 : 1);
+    public override int PacketsPerFrame => AvatarCount * (HasCalculation ? 2 : 1);
 
-    // Bytes of a frame of all avatars, at most.
-    public int MaxFrameSize => AvatarCount * (MaxMotionSize + MaxCalculationSize);
+    public override int MaxFrameSize => AvatarCount * (MaxMotionSize + MaxCalculationSize);
+
+    public override FrameFeed CreateFeed(bool isSingle) => new TakeFeed(this);
 
     public FrameEncoder CreateEncoder() => _format switch
     {
@@ -83,8 +84,7 @@ internal sealed class FramePlan
         _ => new BinaryFrameEncoder(this),
     };
 
-    // The length of the motion or calculation packet that whole frames begin with.
-    public int MeasurePacket(ReadOnlySpan<byte> frames, bool isMotion)
+    public override int MeasurePacket(ReadOnlySpan<byte> frames, bool isMotion)
     {
         if (_format == BroadcastFormat.Text)
             return frames.IndexOf((byte)'\n') + 1;

@@ -1,7 +1,7 @@
 namespace NeuronMocap.Server.Broadcasting;
 
 /// <summary>The paced broadcast from now on: the frames that appear in the log.</summary>
-internal sealed class LiveFeed(FrameLog log) : FrameFeed
+internal sealed class LiveFeed(FrameLog log, bool isSingle = false) : FrameFeed
 {
     private readonly FrameCursor _cursor = log.CreateCursor();
 
@@ -13,7 +13,7 @@ internal sealed class LiveFeed(FrameLog log) : FrameFeed
 
     public override long MissedFrames => log.GetMissed(_cursor);
 
-    public override FrameBatch Read(Span<byte> destination) => log.Read(_cursor, destination);
+    public override FrameBatch Read(Span<byte> destination) => log.Read(_cursor, destination, isSingle ? 1 : int.MaxValue);
 
     public override void Wake() => log.Wake(_cursor);
 }

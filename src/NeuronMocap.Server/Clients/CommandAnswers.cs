@@ -21,7 +21,7 @@ internal sealed class CommandAnswers(Broadcaster broadcaster)
                 broadcaster.ZeroOutAll();
                 return Encode(1);
             case CommandChannelId.RotationOrder:
-                return Encode((int)broadcaster.Plan.Order);
+                return Encode((int)broadcaster.Plan!.Order);
             case CommandChannelId.BoneDimensions when Find(avatar) is { } source:
                 return GetDimensions(source);
             case CommandChannelId.BvhHeader when Find(avatar) is { } source:
@@ -45,13 +45,13 @@ internal sealed class CommandAnswers(Broadcaster broadcaster)
         return bytes;
     }
 
-    private MotionSource? Find(int avatar) => (uint)avatar < (uint)broadcaster.Plan.AvatarCount ? broadcaster.Plan.Sources[avatar] : null;
+    private MotionSource? Find(int avatar) => (uint)avatar < (uint)broadcaster.Plan!.AvatarCount ? broadcaster.Plan!.Sources[avatar] : null;
 
     // Appendix B goes on to the first lines of the motion; of a live stream there are no rows.
     private string GetHeader(MotionSource source)
     {
         double rate = double.IsPositiveInfinity(broadcaster.Rate) ? source.FrameRate : broadcaster.Rate;
-        return SourceBody.GetHierarchy(source, broadcaster.Plan.Order, broadcaster.Layout)
+        return SourceBody.GetHierarchy(source, broadcaster.Plan!.Order, broadcaster.Layout)
             + FormattableString.Invariant($"MOTION\r\nFrames: 0\r\nFrame Time: {1 / rate:0.000000}\r\n");
     }
 }

@@ -21,7 +21,7 @@ internal abstract class Recipient : IDisposable
     private long _repliesSent;
 
     // Ended is called once, on the recipient's thread, with what a source threw if one did.
-    protected Recipient(Socket socket, EndPoint? remoteEndPoint, FramePlan plan, FrameFeed feed, Action<Recipient, Exception?> ended)
+    protected Recipient(Socket socket, EndPoint? remoteEndPoint, BroadcastContent plan, FrameFeed feed, Action<Recipient, Exception?> ended)
     {
         Socket = socket;
         RemoteEndPoint = remoteEndPoint;
@@ -52,7 +52,7 @@ internal abstract class Recipient : IDisposable
 
     protected Socket Socket { get; }
 
-    protected FramePlan Plan { get; }
+    protected BroadcastContent Plan { get; }
 
     protected FrameFeed Feed { get; }
 
@@ -121,6 +121,7 @@ internal abstract class Recipient : IDisposable
         }
 
         Dispose();
+        Feed.Close();
         _ended(this, error);
     }
 }

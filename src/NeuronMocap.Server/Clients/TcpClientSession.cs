@@ -37,7 +37,7 @@ internal sealed class TcpClientSession : Recipient
     // Without replies, commands are not answered.
     public TcpClientSession(
         Socket socket,
-        FramePlan plan,
+        BroadcastContent plan,
         FrameFeed feed,
         BroadcasterOptions options,
         DataCommandReplies? replies,

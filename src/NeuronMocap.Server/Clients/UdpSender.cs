@@ -18,7 +18,7 @@ internal sealed class UdpSender : Recipient
     private long _motionPackets;
 
     public UdpSender(
-        Socket socket, IPEndPoint destination, FramePlan plan, FrameFeed feed, int? fragment, Action<Recipient, Exception?> ended)
+        Socket socket, IPEndPoint destination, BroadcastContent plan, FrameFeed feed, int? fragment, Action<Recipient, Exception?> ended)
         : base(socket, destination, plan, feed, ended)
     {
         _fragment = Math.Min(fragment ?? MaxDatagram, MaxDatagram);

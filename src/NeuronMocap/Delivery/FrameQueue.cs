@@ -30,12 +30,19 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     private readonly StudioCalculationFrame _studio = new();
     private readonly Action<FrameQueue> _closed;
     private readonly IDurationRecorder? _handOver;
+    private readonly Func<bool>? _isPatient;
     private long _dropped;
     private int _pumping;
     private volatile bool _disposed;
 
+    // Patient: whether whoever puts frames in may wait for room, as a playback without pace can.
     internal FrameQueue(
-        int capacity, FrameFormat format, Action<FrameQueue> closed, string name = DefaultName, IDurationRecorder? handOver = null)
+        int capacity,
+        FrameFormat format,
+        Action<FrameQueue> closed,
+        string name = DefaultName,
+        IDurationRecorder? handOver = null,
+        Func<bool>? isPatient = null)
     {
         if (capacity is < 1 or > 1 << 20)
             throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "A queue holds 1 to 1,048,576 frames.");
@@ -44,6 +51,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
         _motion = new MotionFrame(format);
         _closed = closed;
         _handOver = handOver;
+        _isPatient = isPatient;
         Name = name;
     }
 
@@ -118,8 +126,22 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
 
     void IPacketConsumer.OnPacket(in ReceivedPacket packet)
     {
-        if (!_ring.TryEnqueue(packet))
+        if (!_ring.TryEnqueue(packet) && !(_isPatient?.Invoke() == true && TryEnqueueLater(packet)))
             Volatile.Write(ref _dropped, _dropped + 1);
+    }
+
+    // Looks now and then instead of being woken, so that a live stream's consumer has nobody to wake.
+    private bool TryEnqueueLater(in ReceivedPacket packet)
+    {
+        var wait = new SpinWait();
+        while (!_disposed && _isPatient!())
+        {
+            wait.SpinOnce();
+            if (_ring.TryEnqueue(packet))
+                return true;
+        }
+
+        return false;
     }
 
     private void Handle(

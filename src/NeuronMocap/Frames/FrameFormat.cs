@@ -13,6 +13,9 @@ internal sealed class FrameFormat(RotationOrder? order, SkeletonVariant? variant
     // Replaced as a whole, so that it is read as a whole.
     private volatile FormatFindings _findings = FormatFindings.None;
 
+    // Who is asked for what neither the options nor the frames say.
+    public string Teller { get; init; } = "the command channel";
+
     public RotationOrder? OptionOrder => order;
 
     public SkeletonVariant? OptionVariant => variant;

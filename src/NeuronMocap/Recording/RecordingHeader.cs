@@ -19,6 +19,10 @@ internal readonly record struct RecordingHeader(DateTimeOffset StartTime, Guid R
     // A byte that is no ASCII, both line ends and the end of text of old systems: a transfer as text destroys it.
     private static ReadOnlySpan<byte> Magic => [0x89, (byte)'N', (byte)'M', (byte)'R', (byte)'\r', (byte)'\n', 0x1A, (byte)'\n'];
 
+    public const int MagicSize = 8;
+
+    public static bool HasMagic(ReadOnlySpan<byte> start) => start.SequenceEqual(Magic);
+
     // Returns the checksum.
     public uint Write(Span<byte> destination)
     {

@@ -33,6 +33,11 @@ public sealed class RecordingMetadata
     /// <summary>Names of the spine's bones, as <see cref="Skeleton.SkeletonVariant"/> names them.</summary>
     public const string SkeletonVariantName = "skeleton-variant";
 
+    /// <summary>
+    /// The body of avatar 0: the HIERARCHY of a BVH file, with its OFFSETs, which a stream without displacement does not carry.
+    /// </summary>
+    public const string BvhHierarchyName = "bvh-hierarchy";
+
     /// <summary>The reader's limit of floats in a packet: with another one, a hostile stream gives other frames.</summary>
     public const string MaxValuesName = "max-values";
 

@@ -67,6 +67,12 @@ public sealed class RecordingReader : IDisposable
     /// <summary>What was found wrong with the file in the parts that were read so far: the first 100.</summary>
     public IReadOnlyList<RecordingProblem> Problems => _problems;
 
+    /// <summary>Whether a file is a recording, as its first bytes tell.</summary>
+    /// <param name="start">The first bytes of the file, eight or more.</param>
+    /// <returns>Whether it begins as one; whether it can be read, only opening tells.</returns>
+    public static bool IsRecording(ReadOnlySpan<byte> start) =>
+        start.Length >= RecordingHeader.MagicSize && RecordingHeader.HasMagic(start[..RecordingHeader.MagicSize]);
+
     /// <summary>Opens a file. It may still be written to; what is written from now on is not read.</summary>
     /// <param name="path">The file.</param>
     /// <returns>The reader, before the first entry.</returns>
@@ -85,6 +91,16 @@ public sealed class RecordingReader : IDisposable
             stream.Dispose();
             throw;
         }
+    }
+
+    // Whether it begins as one; the position is 0 afterwards.
+    internal static bool IsRecording(Stream stream)
+    {
+        Span<byte> start = stackalloc byte[RecordingHeader.MagicSize];
+        stream.Position = 0;
+        int count = stream.Read(start);
+        stream.Position = 0;
+        return RecordingHeader.HasMagic(start[..count]);
     }
 
     /// <summary>Opens a recording.</summary>

@@ -28,7 +28,7 @@ internal sealed class StatusLevels
             ConnectionState.Receiving when _lastLine != ConnectionState.Receiving || _lastFormat != status.Format => ReaderEventLevel.Information,
             ConnectionState.Connected when IsNew(status) => ReaderEventLevel.Information,
             ConnectionState.Silent or ConnectionState.Waiting when IsNew(status) => ReaderEventLevel.Warning,
-            ConnectionState.Stopped when status.Reason is ConnectionReason.Requested or ConnectionReason.ClosedByPeer => ReaderEventLevel.Information,
+            ConnectionState.Stopped when status.Reason is ConnectionReason.Requested or ConnectionReason.ClosedByPeer or ConnectionReason.EndOfRecording => ReaderEventLevel.Information,
             ConnectionState.Stopped => ReaderEventLevel.Error,
             _ => ReaderEventLevel.Debug,
         };

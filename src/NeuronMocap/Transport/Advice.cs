@@ -27,6 +27,9 @@ internal static class Advice
         $"Connected to {target}, but nothing has arrived for {silence.TotalSeconds:0.#} s. In Axis Neuron, connect the suit or play a take, "
         + "and check that broadcasting of BVH or calculation data is on, and that this is its port and not that of commands.";
 
+    public static string NoRecordedFrames(string target, TimeSpan silence) =>
+        $"The {target} has had no frame for {silence.TotalSeconds:0.#} s: nothing arrived when it was made.";
+
     public static string NoDatagrams(string target, TimeSpan silence, long refused) =>
         $"Nothing has arrived on {target} for {silence.TotalSeconds:0.#} s"
         + (refused > 0 ? $", apart from strays of senders that AllowedSenders does not list ({refused} in all). " : ". ")

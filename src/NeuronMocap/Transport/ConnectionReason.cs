@@ -27,6 +27,9 @@ public enum ConnectionReason
     /// <summary>The server closed the connection in an orderly way.</summary>
     ClosedByPeer,
 
+    /// <summary>A recording is over that was played instead of a live stream, or begins again.</summary>
+    EndOfRecording,
+
     /// <summary>Another program uses the local port.</summary>
     PortInUse,
 

@@ -25,7 +25,7 @@ internal sealed class ConnectionSupervisor(
             (LinkEnd end, bool delivered) = await RunLinkAsync(receiver, failures + 1, stop).ConfigureAwait(false);
 
             // The first reason counts: a link that ended by itself, and would not have been tried again, was not ended by a later stop.
-            if (end.Reason != ConnectionReason.Requested && !policy.Enabled)
+            if (end.Reason != ConnectionReason.Requested && (end.IsFinal || !policy.Enabled))
                 return new ConnectionStatus(ConnectionState.Stopped, end.Reason, end.Message) { Attempt = failures + 1 };
             if (stop.IsCancellationRequested)
                 return new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, LinkEnd.Requested.Message);

@@ -34,6 +34,9 @@ internal abstract class Link : IDisposable
 
 internal readonly record struct LinkEnd(ConnectionReason Reason, string Message)
 {
+    // Whether no other attempt can follow, whatever the options say.
+    public bool IsFinal { get; init; }
+
     public static LinkEnd None => new(ConnectionReason.None, string.Empty);
 
     public static LinkEnd Requested => new(ConnectionReason.Requested, "Stopped by the caller.");

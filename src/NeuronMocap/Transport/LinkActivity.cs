@@ -4,8 +4,9 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Transport;
 
 // Knows what the running link has brought, and turns it into the states Receiving and Silent. The receive loop writes, a timer reads; every
-// field stands alone and a check that sees an older value only comes to its conclusion one period later.
-internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderFilter? udpSenders, Func<StreamDescription>? describe = null)
+// field stands alone and a check that sees an older value only comes to its conclusion one period later. Held: of a playback, whether it is paused.
+internal sealed class LinkActivity(
+    StatusBoard status, TimeSpan silence, SenderFilter? udpSenders, Func<StreamDescription>? describe = null, Func<bool>? isHeld = null)
 {
     // A server that changes its format with every frame does not change the status with every frame.
     private static readonly long DescriptionPeriod = Stopwatch.Frequency;
@@ -124,8 +125,8 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
 
     // Receive loop, after the link. A server that sent something else and then closed is no mere end of the connection.
     public LinkEnd Explain(LinkEnd end) => !_hasPackets && _skippedLength > 0 && _skipReason != SkipReason.Incomplete
-        && end.Reason is ConnectionReason.ClosedByPeer or ConnectionReason.Reset
-        ? new LinkEnd(ConnectionReason.UnknownFormat, $"{Advice.UnknownFormat(_target, DescribeSkipped())} Then the connection ended.")
+        && end.Reason is ConnectionReason.ClosedByPeer or ConnectionReason.Reset or ConnectionReason.EndOfRecording
+        ? end with { Reason = ConnectionReason.UnknownFormat, Message = $"{Advice.UnknownFormat(_target, DescribeSkipped())} Then the connection ended." }
         : end;
 
     // Timer.
@@ -136,7 +137,7 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
 
         Redescribe(now);
         int frames = _frames;
-        if (_delivering || frames != _framesSeen)
+        if (_delivering || frames != _framesSeen || isHeld?.Invoke() == true)
         {
             _framesSeen = frames;
             Volatile.Write(ref _quietSince, now);
@@ -183,6 +184,7 @@ internal sealed class LinkActivity(StatusBoard status, TimeSpan silence, SenderF
     {
         (ConnectionReason.UnknownFormat, _) => Advice.UnknownFormat(_target, DescribeSkipped()),
         (ConnectionReason.SenderNotAllowed, { } senders) => Advice.SenderNotAllowed(_target, senders.RefusedSenders),
+        _ when isHeld is not null => Advice.NoRecordedFrames(_target, silence),
         _ when _hasOtherPackets => Advice.NoValues(_target),
         (_, { } senders) => Advice.NoDatagrams(_target, silence, senders.RefusedDatagrams),
         _ => Advice.NoFrames(_target, silence),

@@ -21,7 +21,9 @@ public sealed class DependencyTests
         // Text that a server sends is BVH; how to connect, and why that failed, is the same as for a stream.
         ["Commands"] = ["Bvh", "Delivery", "Protocol", "Skeleton", "Transport"],
         ["Bvh"] = ["Frames", "Skeleton", "Protocol"],
+        ["Calculation"] = ["Frames", "Skeleton", "Protocol"],
         ["Recording"] = ["Protocol", "Skeleton", "Transport"],
+        ["Playback"] = ["Delivery", "Frames", "Protocol", "Recording", "Skeleton", "Transport"],
         ["Retargeting"] = ["Skeleton"],
     });
 

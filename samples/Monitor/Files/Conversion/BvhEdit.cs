@@ -1,0 +1,25 @@
+using NeuronMocap.Bvh;
+
+namespace NeuronMocap.Monitor.Files.Conversion;
+
+/// <summary>From a BVH file to another one, of any skeleton: what is not to change is written as it was, digit by digit.</summary>
+internal static class BvhEdit
+{
+    public static void Write(FileSettings settings, TimeRange range, string output, IProgress<double> progress, CancellationToken cancelled)
+    {
+        BvhDocument document = BvhFile.Load(settings.Input, progress, cancelled);
+        if (settings.Rate is { } rate)
+            document = document.Resample(rate);
+        if (!range.IsAll)
+        {
+            (long first, long count) = range.FramesOf(document.FrameCount, document.FrameRate);
+            document = document.Trim((int)first, (int)count);
+        }
+
+        if (settings.RotationOrder is { } order)
+            document = document.WithRotationOrder(order);
+
+        cancelled.ThrowIfCancellationRequested();
+        document.Save(output);
+    }
+}

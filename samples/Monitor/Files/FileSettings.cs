@@ -1,0 +1,44 @@
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Monitor.Files;
+
+/// <summary>What to do with a file.</summary>
+internal enum FileTask
+{
+    /// <summary>Say what it holds.</summary>
+    Info,
+
+    /// <summary>Write it as another kind of file.</summary>
+    Convert,
+
+    /// <summary>Draw it.</summary>
+    Plot,
+}
+
+/// <summary>What the command line asks of the tools for files.</summary>
+/// <param name="Task">What to do.</param>
+/// <param name="Input">The file to read.</param>
+/// <param name="Output">The file to write; null for <see cref="FileTask.Info"/>.</param>
+internal sealed record FileSettings(FileTask Task, string Input, string? Output)
+{
+    /// <summary>Whether an output that is there already may be replaced.</summary>
+    public bool Overwrite { get; init; }
+
+    /// <summary>Which avatar of a recording; null for the first.</summary>
+    public int? Avatar { get; init; }
+
+    /// <summary>Of the stream in a recording, whose values do not say it; else of the output. Null for what the file says, or YXZ.</summary>
+    public RotationOrder? RotationOrder { get; init; }
+
+    /// <summary>Frames per second of the output; null for the input's.</summary>
+    public double? Rate { get; init; }
+
+    /// <summary>Seconds since the beginning of the input where the output begins; null for the beginning.</summary>
+    public double? From { get; init; }
+
+    /// <summary>Seconds since the beginning of the input where the output ends; null for the end.</summary>
+    public double? To { get; init; }
+
+    /// <summary>Whether --info is for a program.</summary>
+    public bool Json { get; init; }
+}

@@ -1,0 +1,48 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Calculation;
+using NeuronMocap.Monitor.Files.Conversion;
+using NeuronMocap.Playback;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Monitor.Files;
+
+/// <summary>The performance that a file holds, and how its values are laid out there.</summary>
+/// <param name="Motion">The poses; it ends.</param>
+/// <param name="Layout">Which values a motion packet of it has.</param>
+/// <param name="Order">Order of its rotation values.</param>
+/// <param name="AvatarName">Who performs.</param>
+internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, RotationOrder Order, string AvatarName)
+{
+    private const string UsualName = "Char00";
+
+    /// <summary>Reads a file.</summary>
+    /// <exception cref="NeuronException">There is no pose of the 59 bones in it.</exception>
+    /// <exception cref="IOException">It cannot be read.</exception>
+    public static InputTake Load(FileSettings settings, FileKind kind, IProgress<double> progress, CancellationToken cancelled) => kind switch
+    {
+        FileKind.Bvh => Of(BvhFile.Load(settings.Input, progress, cancelled)),
+        FileKind.Calculation => Of(CalculationDocument.Load(settings.Input), UsualName),
+        _ => OfStream(settings, progress, cancelled),
+    };
+
+    public static InputTake Of(BvhDocument document)
+    {
+        var source = new BvhSource(document);
+        BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out _);
+        return new InputTake(source, map!.Layout, source.RotationOrder, UsualName);
+    }
+
+    private static InputTake Of(CalculationDocument document, string avatarName) =>
+        new(new CalculationSource(document), new ChannelLayout(hasDisplacement: true, hasReference: false), RotationOrder.YXZ, avatarName);
+
+    private static InputTake OfStream(FileSettings settings, IProgress<double> progress, CancellationToken cancelled)
+    {
+        var options = new PlaybackOptions { RotationOrder = settings.RotationOrder };
+        if (CalculationCopy.TryLoadStream(settings, progress, cancelled) is { } calculation)
+            return Of(calculation.Document, calculation.AvatarName);
+
+        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, options, progress, cancelled);
+        return new InputTake(source, source.Layout, source.Format.RotationOrder, source.AvatarName);
+    }
+}

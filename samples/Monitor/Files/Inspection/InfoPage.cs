@@ -1,0 +1,79 @@
+using System.Text;
+using NeuronMocap.Monitor.Terminal;
+using Spectre.Console;
+
+namespace NeuronMocap.Monitor.Files.Inspection;
+
+/// <summary>A report for a person: with headings in bold and wrapped on a terminal, plain and unwrapped elsewhere.</summary>
+internal sealed class InfoPage
+{
+    private const int Unlimited = 100_000;
+    private const int WidestText = 110;
+
+    // A terminal that does not tell its size says 0.
+    private const int NarrowestText = 40;
+    private const int MostItems = 20;
+
+    private readonly IAnsiConsole _console;
+    private readonly bool _isTerminal;
+
+    public InfoPage(StandardStreams streams)
+    {
+        _isTerminal = streams.IsTerminal;
+        _console = AnsiConsole.Create(new AnsiConsoleSettings
+        {
+            Ansi = _isTerminal && Screen.IsSupported ? AnsiSupport.Yes : AnsiSupport.No,
+            Interactive = InteractionSupport.No,
+            Out = new AnsiConsoleOutput(new StreamWriter(streams.Output, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { AutoFlush = true }),
+        });
+        _console.Profile.Capabilities.ColorSystem = _isTerminal ? AnsiConsole.Profile.Capabilities.ColorSystem : ColorSystem.NoColors;
+        _console.Profile.Width = _isTerminal ? Math.Clamp(Screen.Width, NarrowestText, WidestText) : Unlimited;
+    }
+
+    public void Write(InfoReport report)
+    {
+        int width = report.Sections.SelectMany(static section => section.Facts).Max(static fact => fact.Label.Length);
+        WriteLine(new Text(TerminalText.Clean(report.File), Palette.StrongStyle));
+        WriteLine(new Text(TerminalText.Clean(report.Summary)));
+        foreach (InfoSection section in report.Sections.Where(static section => !section.IsEmpty))
+        {
+            _console.WriteLine();
+            WriteLine(new Text(section.Title, Palette.StrongStyle));
+            foreach (InfoFact fact in section.Facts)
+            {
+                if (fact.Text is { } text)
+                    WriteRow(fact.Label, width, text);
+            }
+
+            foreach (InfoItem item in section.Items.Take(MostItems))
+                WriteRow(string.Empty, 0, item.Text);
+
+            if (section.Items.Count > MostItems)
+                WriteRow(string.Empty, 0, $"and {section.Items.Count - MostItems} more; --json lists them");
+        }
+    }
+
+    private void WriteLine(Text text)
+    {
+        _console.Write(text);
+        _console.WriteLine();
+    }
+
+    private void WriteRow(string label, int width, string text)
+    {
+        string clean = TerminalText.Clean(text);
+        if (!_isTerminal)
+        {
+            // A grid pads its lines to their full width.
+            _console.WriteLine(width == 0 ? $"  {clean}" : $"  {label.PadRight(width)}  {clean}");
+            return;
+        }
+
+        var grid = new Grid();
+        if (width > 0)
+            grid.AddColumn(new GridColumn { Width = width, Padding = new Padding(2, 0, 2, 0), NoWrap = true });
+
+        grid.AddColumn(new GridColumn { Padding = new Padding(width > 0 ? 0 : 2, 0, 0, 0) });
+        _console.Write(width > 0 ? grid.AddRow(new Text(label, Palette.DimStyle), new Text(clean)) : grid.AddRow(new Text(clean)));
+    }
+}

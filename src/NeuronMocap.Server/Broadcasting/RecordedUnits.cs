@@ -1,0 +1,65 @@
+using NeuronMocap.Playback;
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Server.Broadcasting;
+
+/// <summary>
+/// Every byte of a recording, in the order of its arrival, in units that a client cannot lose half of: a packet or a line of text, with the bytes before
+/// it that are neither, and what stands behind a line. A unit is there when its last byte was received. For one thread.
+/// </summary>
+internal sealed class RecordedUnits : IDisposable
+{
+    private readonly ArrivalSource _source;
+    private readonly UnitCollector _collector = new();
+    private readonly ArrivalParser _parser;
+    private bool _isOver;
+
+    public RecordedUnits(ArrivalSource source)
+    {
+        _source = source;
+        _parser = new ArrivalParser(source.MaxValues, new SenderFilter([]), _collector);
+    }
+
+    public TimeSpan Duration => _source.Duration;
+
+    /// <summary>The most bytes that a unit has.</summary>
+    public static int LongestUnit(int maxValues) => UnitCollector.MostNoise
+        + ProtocolConstants.HeaderSize + Math.Max(maxValues * sizeof(float), ProtocolConstants.MaxCommandPayload) + UnitCollector.MostNoise;
+
+    /// <summary>Reads the next unit.</summary>
+    /// <param name="unit">Its bytes; valid until the next call.</param>
+    /// <param name="time">When it was there, since the start.</param>
+    /// <returns>False at the end.</returns>
+    public bool TryRead(out ReadOnlySpan<byte> unit, out TimeSpan time)
+    {
+        while (!_collector.TryTake(out unit, out time))
+        {
+            if (_isOver)
+                return false;
+
+            Arrival arrival = _source.Read();
+            _isOver = arrival.Kind == ArrivalKind.End;
+            bool ends = _isOver || (arrival.Kind is ArrivalKind.Opened or ArrivalKind.Bytes && !_parser.Continues(arrival));
+            _collector.Time = arrival.Time;
+            if (ends)
+                _parser.Close();
+            else
+                ends = arrival.Kind == ArrivalKind.Closed;
+
+            _parser.Follow(arrival, timestamp: 0);
+            _collector.EndPiece(ends);
+        }
+
+        return true;
+    }
+
+    /// <summary>Goes back to the start.</summary>
+    public void Rewind()
+    {
+        _source.Seek(TimeSpan.Zero);
+        _isOver = false;
+    }
+
+    public void Dispose() => _source.Dispose();
+}

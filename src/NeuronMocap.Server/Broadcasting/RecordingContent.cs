@@ -1,0 +1,49 @@
+using NeuronMocap.Playback;
+
+namespace NeuronMocap.Server.Broadcasting;
+
+/// <summary>A recording as it was received. What counts as a frame is a unit: a packet or a line, or bytes that are neither.</summary>
+internal sealed class RecordingContent : BroadcastContent
+{
+    private readonly string _path;
+    private readonly bool _isLooped;
+    private readonly PlaybackOptions _options;
+
+    /// <summary>Opens the recording once, to see whether it can be played.</summary>
+    public RecordingContent(BroadcasterOptions options)
+    {
+        _path = options.Recording!;
+        _isLooped = options.LoopRecording;
+        _options = new PlaybackOptions { FrameRate = options.Rate is { } rate && !double.IsPositiveInfinity(rate) ? rate : null };
+        using ArrivalSource source = Open();
+        MaxFrameSize = RecordedUnits.LongestUnit(source.MaxValues);
+    }
+
+    public override int AvatarCount => 1;
+
+    public override int PacketsPerFrame => 1;
+
+    public override bool HasCalculation => false;
+
+    public override int MaxFrameSize { get; }
+
+    // A single frame is what there is.
+    public override int MeasurePacket(ReadOnlySpan<byte> frames, bool isMotion) => frames.Length;
+
+    public override FrameFeed CreateFeed(bool isSingle) => new RecordingFeed(OpenUnits(), MaxFrameSize, _isLooped, isSingle);
+
+    public RecordedUnits OpenUnits() => new(Open());
+
+    private ArrivalSource Open()
+    {
+        try
+        {
+            return ArrivalSource.Open(_path, _options);
+        }
+        catch (ArgumentException) when (_options.FrameRate is not null)
+        {
+            throw BroadcasterOptionsCheck.Fault(
+                nameof(BroadcasterOptions.Rate), "is null or MaxRate for a recording, which has times of its own (see RecordingSpeed)", _options.FrameRate);
+        }
+    }
+}

@@ -1,0 +1,55 @@
+using NeuronMocap.Playback;
+
+namespace NeuronMocap.Server.Broadcasting;
+
+/// <summary>Publishes the units of a recording when they arrived.</summary>
+/// <param name="content">The recording.</param>
+/// <param name="options">Speed and loop.</param>
+/// <param name="log">Where to publish.</param>
+/// <param name="ended">As the base has it.</param>
+/// <param name="time">The time; null for the real one.</param>
+internal sealed class RecordingPacer(
+    RecordingContent content, BroadcasterOptions options, FrameLog log, Action<Exception?> ended, PlaybackTime? time = null) : Pacer(ended)
+{
+    private readonly PlaybackTime _time = time ?? PlaybackTime.Real;
+    private readonly PlaybackClock _clock = new();
+
+    protected override void PublishAll()
+    {
+        using TimerResolution resolution = TimerResolution.Raise();
+        using RecordedUnits units = content.OpenUnits();
+        _clock.SetSpeed(options.RecordingSpeed, _time.Now);
+        _clock.Run(_time.Now);
+        while (PublishPass(units) && options.LoopRecording && WaitFor(units.Duration))
+        {
+            units.Rewind();
+            _clock.MoveTo(TimeSpan.Zero, _clock.DueAt(units.Duration));
+        }
+    }
+
+    // False when the broadcast is stopped first.
+    private bool PublishPass(RecordedUnits units)
+    {
+        while (units.TryRead(out ReadOnlySpan<byte> unit, out TimeSpan due))
+        {
+            if (!WaitFor(due))
+                return false;
+
+            log.Publish(unit);
+        }
+
+        return true;
+    }
+
+    private bool WaitFor(TimeSpan due)
+    {
+        lock (Gate)
+        {
+            while (!IsStopping && _clock.DueAt(due) is var instant && instant > _time.Now)
+                _time.Wait(Gate, instant);
+
+            _clock.Reach(due, _time.Now);
+            return !IsStopping;
+        }
+    }
+}

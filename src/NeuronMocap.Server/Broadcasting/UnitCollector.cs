@@ -1,0 +1,126 @@
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Server.Broadcasting;
+
+/// <summary>Cuts what an assembler finds into the units of a broadcast, without a byte more or less. Allocates nothing once it is warm.</summary>
+internal sealed class UnitCollector : IPacketReceiver
+{
+    // Bytes that are no packet do not wait for one when there are so many.
+    public const int MostNoise = 16 * 1024;
+
+    private readonly List<(int End, TimeSpan Time)> _units = [];
+    private byte[] _bytes = new byte[64 * 1024];
+    private int _length;
+    private int _textStart;
+    private bool _isText;
+    private int _next;
+
+    // Of what comes now.
+    public TimeSpan Time { get; set; }
+
+    private int Start => _units.Count > 0 ? _units[^1].End : 0;
+
+    public void OnLinkOpened()
+    {
+    }
+
+    public void OnLinkClosed()
+    {
+    }
+
+    // The bytes of a line were told before it.
+    public void OnPacket(in ReceivedPacket packet)
+    {
+        if (packet.IsText)
+        {
+            _isText = false;
+        }
+        else
+        {
+            EndBlanks();
+            Append(packet.Bytes);
+        }
+
+        Cut();
+    }
+
+    public void OnText(ReadOnlySpan<byte> bytes)
+    {
+        EndBlanks();
+        _isText = true;
+        _textStart = _length;
+        Append(bytes);
+    }
+
+    public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
+    {
+        EndBlanks();
+        while (bytes.Length > 0)
+        {
+            int count = Math.Min(bytes.Length, MostNoise - (_length - Start));
+            Append(bytes[..count]);
+            bytes = bytes[count..];
+            if (_length - Start == MostNoise)
+                Cut();
+        }
+    }
+
+    // Nothing more came with the piece. At the end of a connection nothing is waited for.
+    public void EndPiece(bool isLast)
+    {
+        EndBlanks();
+        if (isLast && _length > Start)
+            Cut();
+    }
+
+    // Valid until the next piece.
+    public bool TryTake(out ReadOnlySpan<byte> unit, out TimeSpan time)
+    {
+        if (_next == _units.Count)
+        {
+            KeepRest();
+            unit = default;
+            time = default;
+            return false;
+        }
+
+        int start = _next == 0 ? 0 : _units[_next - 1].End;
+        (int end, time) = _units[_next++];
+        unit = _bytes.AsSpan(start, end - start);
+        return true;
+    }
+
+    // Text that no frame followed: it stands behind a line, whose reader may wait for it.
+    private void EndBlanks()
+    {
+        if (!_isText)
+            return;
+
+        _isText = false;
+        bool isBehindLine = _textStart == Start && _units.Count > 0 && _length - _textStart <= MostNoise;
+        if (isBehindLine)
+            _units[^1] = (_length, _units[^1].Time);
+        else
+            Cut();
+    }
+
+    private void Cut() => _units.Add((_length, Time));
+
+    private void KeepRest()
+    {
+        int start = Start;
+        _bytes.AsSpan(start, _length - start).CopyTo(_bytes);
+        _length -= start;
+        _units.Clear();
+        _next = 0;
+    }
+
+    private void Append(ReadOnlySpan<byte> bytes)
+    {
+        if (_bytes.Length - _length < bytes.Length)
+            Array.Resize(ref _bytes, Math.Max(_length + bytes.Length, 2 * _bytes.Length));
+
+        bytes.CopyTo(_bytes.AsSpan(_length));
+        _length += bytes.Length;
+    }
+}

@@ -1,0 +1,117 @@
+using NeuronMocap.Frames;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Server.Sources;
+
+/// <summary>Gathers the frames of one avatar, in the order in which the server counted them.</summary>
+internal sealed class RecordedTakeBuilder
+{
+    // As a reader does: a larger step back is a server that counts anew.
+    private const int LargestDisorder = 63;
+
+    private readonly SortedDictionary<int, string> _others = [];
+    private uint? _contactsIndex;
+    private FootContacts _contacts;
+
+    public RecordedTakeBuilder(int? avatarIndex) => AvatarIndex = avatarIndex;
+
+    public List<RecordedTakeRow> Rows { get; } = [];
+
+    public int? AvatarIndex { get; private set; }
+
+    public string AvatarName { get; private set; } = "";
+
+    public ChannelLayout Layout { get; private set; }
+
+    public SkeletonFormat Format { get; private set; }
+
+    /// <summary>Avatars with poses that were not asked for.</summary>
+    public IReadOnlyDictionary<int, string> Others => _others;
+
+    public bool HasContacts { get; private set; }
+
+    public void Add(AvatarFrame frame, TimeSpan time, int connection)
+    {
+        switch (frame)
+        {
+            case MotionFrame { HasSkeleton: true } motion:
+                AddMotion(motion, time, connection);
+                break;
+            case CalculationFrame { BoneCount: > 0 } calculation when AvatarIndex is null || calculation.AvatarIndex == AvatarIndex:
+                AddContacts(calculation);
+                break;
+            default:
+                break;
+        }
+    }
+
+    private void AddMotion(MotionFrame frame, TimeSpan time, int connection)
+    {
+        AvatarIndex ??= frame.AvatarIndex;
+        if (frame.AvatarIndex != AvatarIndex)
+        {
+            _others[frame.AvatarIndex] = frame.AvatarName;
+            return;
+        }
+
+        if (Rows.Count == 0)
+            (AvatarName, Layout, Format) = (frame.AvatarName, frame.Layout, frame.Format);
+
+        int place = FindPlace(frame.FrameIndex, connection);
+        if (place < 0)
+            return;
+
+        float[] values = frame.Layout == Layout && frame.Format.RotationOrder == Format.RotationOrder ? frame.Values.ToArray() : Rewrite(frame);
+        var row = new RecordedTakeRow(values, frame.FrameIndex, time, connection);
+        if (_contactsIndex == frame.FrameIndex)
+            row.Contacts = _contacts;
+
+        Rows.Insert(place, row);
+    }
+
+    // Of the same frame of the server, whichever of the two packets comes first.
+    private void AddContacts(CalculationFrame frame)
+    {
+        HasContacts = true;
+        (_contactsIndex, _contacts) = (frame.FrameIndex, frame.FootContacts);
+        if (Rows.Count > 0 && Rows[^1].Index == frame.FrameIndex)
+            Rows[^1].Contacts = _contacts;
+    }
+
+    // Datagrams overtake each other; -1 for one that came twice.
+    private int FindPlace(uint? index, int connection)
+    {
+        int place = Rows.Count;
+        while (index is { } number && place > 0 && Rows[place - 1] is { Index: { } before } row && row.Connection == connection)
+        {
+            int step = (int)(number - before);
+            if (step == 0)
+                return -1;
+            if (step is > 0 or < -LargestDisorder)
+                return step > 0 ? place : Rows.Count;
+
+            place--;
+        }
+
+        return place;
+    }
+
+    // The server was set differently in the middle of the recording.
+    private float[] Rewrite(MotionFrame frame)
+    {
+        float[] values = new float[Layout.ValueCount];
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            BoneTransform transform = frame[bone];
+            if (bone == Bone.Hips && !Layout.HasReference)
+                transform = frame.GetReference().Apply(transform);
+
+            PoseValues.Write(values, Layout, Format.RotationOrder, bone, transform);
+        }
+
+        if (Layout.HasReference)
+            PoseValues.WriteReference(values, Format.RotationOrder, frame.GetReference());
+
+        return values;
+    }
+}

@@ -1,0 +1,154 @@
+using System.Numerics;
+using NeuronMocap.Kinematics;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Server.Sources;
+
+/// <summary>
+/// Puts received frames into even time: the server's index says how many are missing between two of them, and those are interpolated where the
+/// gap is short. Arrival times, which jitter, only say how long a frame takes on the whole.
+/// </summary>
+internal sealed class RecordedTimeline
+{
+    private const double LongestFilledGap = 1; // s
+    private const double RateTolerance = 0.01;
+    private const double DefaultRate = 120; // Hz: that of a suit with fewer than 18 sensors (manual section 1.3)
+    private const int LargestReduction = 60;
+
+    // Rates that servers are set to; a measured one near to them is one of them.
+    private static readonly short[] UsualRates = [24, 25, 30, 48, 50, 60, 72, 80, 90, 96, 100, 120, 240];
+
+    private readonly List<RecordedTakeRow> _rows = [];
+    private readonly List<RecordedGap> _gaps = [];
+    private readonly ChannelLayout _layout;
+    private readonly RotationOrder _order;
+    private readonly int _reduction;
+
+    public RecordedTimeline(IReadOnlyList<RecordedTakeRow> received, ChannelLayout layout, RotationOrder order)
+    {
+        _layout = layout;
+        _order = order;
+        _reduction = FindReduction(received);
+        MeasuredRate = Measure(received);
+        FrameRate = MeasuredRate is { } rate ? ChooseRate(rate) : DefaultRate;
+        foreach (RecordedTakeRow row in received)
+            Add(row);
+    }
+
+    public IReadOnlyList<RecordedTakeRow> Rows => _rows;
+
+    public IReadOnlyList<RecordedGap> Gaps => _gaps;
+
+    public long InterpolatedFrames { get; private set; }
+
+    public double FrameRate { get; }
+
+    /// <summary>From the arrival times; null where there are none to tell.</summary>
+    public double? MeasuredRate { get; }
+
+    // Frames from one to the next, 1 for neighbours; null when the index does not tell.
+    private long? StepBetween(RecordedTakeRow before, RecordedTakeRow row)
+    {
+        if (before.Index is not { } first || row.Index is not { } second)
+            return before.Connection == row.Connection ? 1 : null;
+
+        int step = (int)(second - first);
+        return step > 0 && step % _reduction == 0 ? step / _reduction : null;
+    }
+
+    private void Add(RecordedTakeRow row)
+    {
+        if (_rows.Count > 0 && StepBetween(_rows[^1], row) is var step && step != 1)
+        {
+            bool isFilled = step is { } frames && frames <= LongestFilledGap * FrameRate;
+            if (isFilled)
+                Fill(_rows[^1], row, (int)step!);
+
+            _gaps.Add(new RecordedGap(_rows.Count, row.Time, step - 1, isFilled));
+        }
+
+        _rows.Add(row);
+    }
+
+    private void Fill(RecordedTakeRow before, RecordedTakeRow after, int step)
+    {
+        for (int i = 1; i < step; i++)
+        {
+            float part = (float)i / step;
+            var row = new RecordedTakeRow(
+                Interpolate(before.Values, after.Values, part),
+                before.Index + (uint)(i * _reduction),
+                before.Time + ((after.Time - before.Time) * part),
+                before.Connection)
+            {
+                Contacts = part < 0.5f ? before.Contacts : after.Contacts,
+            };
+            _rows.Add(row);
+            InterpolatedFrames++;
+        }
+    }
+
+    private float[] Interpolate(float[] before, float[] after, float part)
+    {
+        float[] values = new float[before.Length];
+        BoneTransform[] from = Read(before);
+        BoneTransform[] to = Read(after);
+        PoseInterpolation.Linear(from, to, part, from);
+        foreach (Bone bone in BoneHierarchy.Bones)
+            PoseValues.Write(values, _layout, _order, bone, from[(int)bone]);
+
+        if (_layout.HasReference)
+            PoseValues.WriteReference(values, _order, from[BoneHierarchy.BoneCount]);
+
+        return values;
+    }
+
+    // The Reference node comes last.
+    private BoneTransform[] Read(float[] values)
+    {
+        BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount + 1];
+        Span<Vector3> unused = stackalloc Vector3[BoneHierarchy.BoneCount];
+        foreach (Bone bone in BoneHierarchy.Bones)
+            pose[(int)bone] = PoseValues.Read(values, _layout, _order, bone, unused);
+
+        pose[^1] = PoseValues.ReadReference(values, _layout, _order);
+        return pose;
+    }
+
+    // The step of the index that is by far the most common: a server may send every second or third frame only.
+    private static int FindReduction(IReadOnlyList<RecordedTakeRow> rows)
+    {
+        int[] counts = new int[LargestReduction + 1];
+        for (int i = 1; i < rows.Count; i++)
+        {
+            if (rows[i - 1].Index is { } before && rows[i].Index is { } now && now - before is > 0 and <= LargestReduction and var step)
+                counts[(int)step]++;
+        }
+
+        int most = counts.Max();
+        return most == 0 ? 1 : Array.IndexOf(counts, most);
+    }
+
+    // Over all stretches in which the index tells how many frames passed.
+    private double? Measure(IReadOnlyList<RecordedTakeRow> rows)
+    {
+        long frames = 0;
+        TimeSpan time = TimeSpan.Zero;
+        for (int i = 1; i < rows.Count; i++)
+        {
+            if (StepBetween(rows[i - 1], rows[i]) is not { } step || rows[i].Time < rows[i - 1].Time || rows[i - 1].Connection != rows[i].Connection)
+                continue;
+
+            frames += step;
+            time += rows[i].Time - rows[i - 1].Time;
+        }
+
+        return time > TimeSpan.Zero ? frames / time.TotalSeconds : null;
+    }
+
+    public static double ChooseRate(double measured)
+    {
+        double nearest = UsualRates.MinBy(rate => Math.Abs(rate - measured));
+        return Math.Abs(nearest - measured) <= nearest * RateTolerance ? nearest : measured;
+    }
+}

@@ -1,0 +1,175 @@
+using System.Numerics;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Calculation;
+
+/// <summary>
+/// The body behind a take, and how the sensors sit on it: three passes over its frames. Centres and sensors are recorded; joints, lengths and the
+/// bones' own rotations are not. See docs/calculation.md.
+/// </summary>
+internal sealed class BodyMeasurement
+{
+    private const int Bones = BoneHierarchy.BoneCount;
+
+    private static readonly Bone[] SpineBones = [Bone.Spine, Bone.Spine1, Bone.Spine2, Bone.Neck, Bone.Neck1, Bone.Head];
+
+    private static readonly Bone[][] LimbBones =
+    [
+        [Bone.RightUpLeg, Bone.RightLeg, Bone.RightFoot],
+        [Bone.LeftUpLeg, Bone.LeftLeg, Bone.LeftFoot],
+        [Bone.RightShoulder, Bone.RightArm, Bone.RightForeArm, Bone.RightHand],
+        [Bone.LeftShoulder, Bone.LeftArm, Bone.LeftForeArm, Bone.LeftHand],
+    ];
+
+    private readonly TrunkMeasurement _trunk = new();
+    private readonly LimbMeasurement[] _limbs = [.. LimbBones.Select((bones, limb) => new LimbMeasurement(bones, limb < 2, limb % 2 == 1))];
+    private readonly DirectionSum[] _spine = new DirectionSum[SpineBones.Length];
+    private readonly DirectionSum[] _shoulders = new DirectionSum[2];
+    private DirectionSum _head;
+
+    public BodyMeasurement() => Mountings.AsSpan().Fill(Quaternion.Identity);
+
+    /// <summary>From each bone's joint to its centre, in the bone's axes; by bone.</summary>
+    public Vector3[] Halves { get; } = new Vector3[Bones];
+
+    /// <summary>Each bone's axes in those of its sensor; by bone.</summary>
+    public Quaternion[] Mountings { get; } = new Quaternion[Bones];
+
+    public SkeletonVariant Variant => _trunk.Variant;
+
+    public static BodyMeasurement Of(CalculationDocument take, CalculationAxes axes, int step)
+    {
+        var body = new BodyMeasurement();
+        for (int i = 0; i < take.FrameCount; i += step)
+            body._trunk.Add(new SensorFrame(take.GetValues(i), axes));
+
+        body.SolveTrunk();
+        for (int i = 0; i < take.FrameCount; i += step)
+            body.AddLimbs(new SensorFrame(take.GetValues(i), axes));
+
+        body.SolveLimbs();
+        for (int i = 0; i < take.FrameCount; i += step)
+            body.AddShoulders(new SensorFrame(take.GetValues(i), axes));
+
+        return body;
+    }
+
+    /// <summary>
+    /// What stands in for the sensor of a bone: its own; for the spine, which bends evenly between hips and chest, what lies between the two.
+    /// </summary>
+    public Quaternion GetSensor(in SensorFrame frame, Bone bone)
+    {
+        float share = bone switch
+        {
+            Bone.Spine => 0.25f,
+            Bone.Spine1 => 0.5f,
+            Bone.Spine2 => Variant == SkeletonVariant.Spine3 ? 0.75f : 1,
+            Bone.Neck => 1,
+            _ => -1,
+        };
+        if (share < 0)
+            return frame.GetRotation(bone);
+
+        Quaternion chest = frame.GetRotation(Bone.Spine2) * _trunk.Chest;
+        return share == 1 ? chest : Quaternion.Slerp(frame.GetRotation(Bone.Hips) * _trunk.Hips, chest, share);
+    }
+
+    /// <summary>Places of the bones relative to their parents at rest, save for the hips' own; by bone.</summary>
+    public Vector3[] CreateOffsets()
+    {
+        var offsets = new Vector3[Bones];
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            if (BoneHierarchy.GetParent(bone, Variant) is { } parent)
+                offsets[(int)bone] = CalculationOrder.IndexOf(bone) < CalculationOrder.BodyBoneCount ? 2 * Halves[(int)parent] : ScaleFinger(bone, DefaultOffsets.Get(bone));
+        }
+
+        Quaternion hips = Quaternion.Conjugate(_trunk.Hips);
+        offsets[(int)Bone.RightUpLeg] = Vector3.Transform(_trunk.HipJoints[0], hips);
+        offsets[(int)Bone.LeftUpLeg] = Vector3.Transform(_trunk.HipJoints[1], hips);
+        offsets[(int)Bone.Spine] = Vector3.Transform(_trunk.SpineJoint, hips);
+        offsets[(int)Bone.RightShoulder] = _shoulders[0].Mean;
+        offsets[(int)Bone.LeftShoulder] = _shoulders[1].Mean;
+        return offsets;
+    }
+
+    /// <summary>Where the bones without children end; by bone.</summary>
+    public Vector3[] CreateEndSites()
+    {
+        var ends = new Vector3[Bones];
+        foreach (Bone bone in JointPositions.EndSiteBones)
+        {
+            DefaultOffsets.TryGetEndSite(bone, out Vector3 end);
+            ends[(int)bone] = CalculationOrder.IndexOf(bone) < CalculationOrder.BodyBoneCount ? 2 * Halves[(int)bone] : ScaleFinger(bone, end);
+        }
+
+        return ends;
+    }
+
+    // Nothing is recorded of fingers without gloves: they get the default hand's, as large as the actor's.
+    private Vector3 ScaleFinger(Bone bone, Vector3 offset)
+    {
+        const float DefaultHand = 3.285f + 5.026f + 3.837f + 2.405f + 1.918f;
+        Bone hand = bone < Bone.LeftShoulder ? Bone.RightHand : Bone.LeftHand;
+        float length = 2 * Halves[(int)hand].Length();
+        return length > 0 ? offset * (length / DefaultHand) : offset;
+    }
+
+    private void SolveTrunk()
+    {
+        _trunk.Solve();
+        Mountings[(int)Bone.Hips] = _trunk.Hips;
+    }
+
+    private void AddLimbs(in SensorFrame frame)
+    {
+        Vector3 hips = frame.GetCentre(Bone.Hips);
+        Quaternion hipsSensor = frame.GetRotation(Bone.Hips);
+        Quaternion chestSensor = frame.GetRotation(Bone.Spine2);
+        for (int side = 0; side < 2; side++)
+        {
+            _limbs[side].Add(frame, hips + Vector3.Transform(_trunk.HipJoints[side], hipsSensor), hipsSensor * _trunk.Hips);
+            Vector3 shoulder = frame.GetCentre(Bone.Neck) + Vector3.Transform(_trunk.ShoulderJoints[side], chestSensor);
+            _limbs[2 + side].Add(frame, shoulder, chestSensor * _trunk.Chest);
+        }
+
+        Vector3 joint = hips + Vector3.Transform(_trunk.SpineJoint, hipsSensor);
+        for (int i = 0; i < SpineBones.Length; i++)
+        {
+            Vector3 centre = frame.GetCentre(SpineBones[i]);
+            Quaternion sensor = GetSensor(frame, SpineBones[i]);
+            _spine[i].Add(sensor, centre - joint);
+            joint = i < SpineBones.Length - 2 ? (centre + frame.GetCentre(SpineBones[i + 1])) / 2 : (2 * centre) - joint;
+        }
+
+        _head.Add(frame.GetRotation(Bone.Head), Vector3.Transform(Vector3.UnitX, chestSensor * _trunk.Chest));
+    }
+
+    private void SolveLimbs()
+    {
+        foreach (LimbMeasurement limb in _limbs)
+            limb.Solve(Halves, Mountings);
+
+        for (int i = 0; i < SpineBones.Length; i++)
+        {
+            // Stand-ins for sensors have the axes of bones already; head and neck share a sensor.
+            int bone = (int)SpineBones[i];
+            Vector3 half = _spine[i].Mean;
+            Mountings[bone] = AxisPair.FromY(half, SpineBones[i] is Bone.Neck1 or Bone.Head ? _head.Sum : Vector3.UnitX);
+            Halves[bone] = Vector3.Transform(half, Quaternion.Conjugate(Mountings[bone]));
+        }
+    }
+
+    private void AddShoulders(in SensorFrame frame)
+    {
+        Bone bone = _trunk.ChestBone;
+        Vector3 centre = frame.GetCentre(bone);
+        Quaternion rotation = GetSensor(frame, bone) * Mountings[(int)bone];
+        Vector3 joint = centre - Vector3.Transform(Halves[(int)bone], rotation);
+        for (int side = 0; side < 2; side++)
+        {
+            Vector3 shoulder = frame.GetCentre(Bone.Neck) + Vector3.Transform(_trunk.ShoulderJoints[side], frame.GetRotation(Bone.Spine2));
+            _shoulders[side].Add(rotation, shoulder - joint);
+        }
+    }
+}

@@ -1,0 +1,23 @@
+namespace NeuronMocap.Calculation;
+
+// A file can be wrong on every line; what is told about it stays short. Where reading is strict, the first thing that is wrong ends it.
+internal sealed class CalculationRepairLog(bool isStrict)
+{
+    private readonly List<CalculationRepair> _listed = [];
+
+    public IReadOnlyList<CalculationRepair> Listed => _listed;
+
+    public int Count { get; private set; }
+
+    private bool IsFull => _listed.Count == CalculationDocument.MaxListedRepairs;
+
+    public void Add(int line, int column, string found, string made)
+    {
+        if (isStrict)
+            throw new CalculationFormatException(found, line, column);
+
+        Count++;
+        if (!IsFull)
+            _listed.Add(new CalculationRepair(line, column, $"{found} {made}"));
+    }
+}

@@ -1,0 +1,267 @@
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Playback;
+
+// The playback thread's side of a player: carries arrivals from the file to the parsers, and finds places.
+internal sealed class PlaybackRun
+{
+    // Silently read before a place, so that parsers know where packets begin when they come to it.
+    private static readonly TimeSpan LeadIn = TimeSpan.FromSeconds(1);
+
+    private static readonly TimeSpan BeforeAll = TimeSpan.FromTicks(-1);
+
+    private readonly RecordingPlayer _player;
+    private readonly ArrivalSource _source;
+    private readonly PlaybackReceiver _receiver = new();
+    private readonly ArrivalParser _parser;
+    private Arrival _arrival;
+    private bool _hasArrival;
+
+    // Bytes of the present arrival that were handed out: steps go frame by frame.
+    private int _taken;
+
+    public PlaybackRun(RecordingPlayer player, SenderFilter filter, int maxValues)
+    {
+        _player = player;
+        _source = player.Source;
+        _parser = new ArrivalParser(maxValues, filter, _receiver);
+    }
+
+    // Waits until a connection stands.
+    public LinkEnd Open(PlaybackLink link)
+    {
+        while (!_parser.IsOpen)
+        {
+            Arrival arrival = Peek();
+            switch (_player.WaitFor(arrival.Time, link, out _))
+            {
+                case PlaybackTurn.Stop:
+                    return LinkEnd.Requested;
+                case PlaybackTurn.Seek:
+                    GoTo(_player.TakeSeek());
+                    continue;
+                case PlaybackTurn.StepBack:
+                    GoBack(_player.TakeStepsBack());
+                    continue;
+                case PlaybackTurn.Step when arrival.Kind == ArrivalKind.End:
+                    _player.EndStep();
+                    continue;
+            }
+
+            if (arrival.Kind == ArrivalKind.End)
+            {
+                if (EndPass() is { } end)
+                    return end;
+            }
+            else if (arrival.Kind == ArrivalKind.Bytes)
+            {
+                _parser.Open(arrival);
+            }
+            else
+            {
+                if (arrival.Kind == ArrivalKind.Opened)
+                    _parser.Open(arrival);
+
+                Advance();
+            }
+        }
+
+        return LinkEnd.None;
+    }
+
+    // Plays until the connection ends.
+    public LinkEnd Receive(PlaybackLink link, IPacketReceiver receiver)
+    {
+        _receiver.Target = receiver;
+        while (true)
+        {
+            Arrival arrival = Peek();
+            PlaybackTurn turn = _player.WaitFor(arrival.Time, link, out long timestamp);
+            if (turn == PlaybackTurn.Stop)
+                return LinkEnd.Requested;
+
+            if (turn is PlaybackTurn.Seek or PlaybackTurn.StepBack)
+            {
+                if (turn == PlaybackTurn.Seek)
+                    GoTo(_player.TakeSeek());
+                else
+                    GoBack(_player.TakeStepsBack());
+
+                if (!_parser.IsOpen)
+                    return Ended("The playback has gone to another place.");
+
+                receiver.OnLinkOpened();
+                continue;
+            }
+
+            if (turn == PlaybackTurn.Step)
+            {
+                if (arrival.Kind == ArrivalKind.End || Step(arrival))
+                {
+                    _player.EndStep();
+                    continue;
+                }
+            }
+
+            if (Play(arrival, timestamp) is { } end)
+                return end;
+        }
+    }
+
+    private static LinkEnd Ended(string? reason) =>
+        new(ConnectionReason.ClosedByPeer, string.IsNullOrEmpty(reason) ? "The recorded connection ended." : reason);
+
+    // Null unless the connection ends.
+    private LinkEnd? Play(in Arrival arrival, long timestamp)
+    {
+        if (arrival.Kind == ArrivalKind.End)
+        {
+            _parser.Close();
+            return EndPass() ?? new LinkEnd(ConnectionReason.EndOfRecording, $"The {_player.Target} begins again.");
+        }
+
+        // Another connection, of which the next link is: this one's end was not recorded.
+        if (arrival.Kind is ArrivalKind.Opened or ArrivalKind.Bytes && !_parser.Continues(arrival))
+        {
+            _parser.Close();
+            return Ended(reason: null);
+        }
+
+        Follow(arrival, timestamp);
+        string? reason = arrival.Reason;
+        Advance();
+        if (_parser.IsOpen)
+            return null;
+
+        // The last connection's end is that of the recording.
+        return Peek().Kind == ArrivalKind.End && EndPass() is { } last ? last : Ended(reason);
+    }
+
+    // Null when another pass follows.
+    private LinkEnd? EndPass()
+    {
+        if (!_player.BeginPass())
+            return _player.Complete();
+
+        Rewind(TimeSpan.Zero);
+        return null;
+    }
+
+    // Whether a frame came out of the arrival.
+    private bool Step(in Arrival arrival) =>
+        arrival.Kind == ArrivalKind.Bytes && _parser.Continues(arrival) && PushToFrame(arrival, _player.StepTo(arrival.Time));
+
+    // Any splitting of a connection's bytes gives the same frames, a datagram is whole.
+    private bool PushToFrame(in Arrival arrival, long timestamp)
+    {
+        long frames = _receiver.Frames;
+        if (arrival.Transport == TransportKind.Udp)
+        {
+            Follow(arrival, timestamp);
+            Advance();
+            return _receiver.Frames > frames;
+        }
+
+        _receiver.Time = arrival.Time;
+        while (_taken < arrival.Bytes.Count)
+        {
+            _parser.Follow(arrival with { Bytes = arrival.Bytes.Slice(_taken++, 1) }, timestamp);
+            if (_receiver.Frames > frames)
+                return true;
+        }
+
+        Advance();
+        return false;
+    }
+
+    private void GoTo(TimeSpan place)
+    {
+        Rewind(place - LeadIn);
+        ReadSilently(place);
+        _receiver.Place(place);
+    }
+
+    // To before the frame that was shown so many frames before the one that was shown last.
+    private void GoBack(int count)
+    {
+        (TimeSpan shown, int ofTime) = (_receiver.FrameTime, _receiver.FramesOfTime);
+        int further = count + (ofTime > 0 ? 1 : 0) - ofTime;
+        for (TimeSpan leadIn = LeadIn; ; leadIn *= 2)
+        {
+            bool isStart = Rewind(shown - leadIn);
+            long before = _receiver.Frames;
+            ReadSilently(shown);
+            long skipped = _receiver.Frames - before - further;
+            if (skipped < 0 && !isStart)
+                continue;
+
+            Rewind(shown - leadIn);
+            _receiver.Place(BeforeAll);
+            SkipSilently(Math.Max(0, skipped));
+            return;
+        }
+    }
+
+    // True where nothing precedes the place.
+    private bool Rewind(TimeSpan place)
+    {
+        _receiver.IsMuted = true;
+        _parser.Close();
+        _receiver.IsMuted = false;
+        _hasArrival = false;
+        return _source.Seek(place > TimeSpan.Zero ? place : TimeSpan.Zero);
+    }
+
+    private void ReadSilently(TimeSpan until)
+    {
+        _receiver.IsMuted = true;
+        while (Peek() is { Kind: not ArrivalKind.End } arrival && arrival.Time < until)
+        {
+            Follow(arrival, timestamp: 0);
+            Advance();
+        }
+
+        _receiver.IsMuted = false;
+    }
+
+    private void SkipSilently(long frames)
+    {
+        _receiver.IsMuted = true;
+        long end = _receiver.Frames + frames;
+        while (_receiver.Frames < end && Peek() is { Kind: not ArrivalKind.End } arrival)
+        {
+            if (arrival.Kind == ArrivalKind.Bytes)
+            {
+                _ = PushToFrame(arrival, timestamp: 0);
+                continue;
+            }
+
+            Follow(arrival, timestamp: 0);
+            Advance();
+        }
+
+        _receiver.IsMuted = false;
+    }
+
+    // What steps have left of it.
+    private void Follow(in Arrival arrival, long timestamp)
+    {
+        _receiver.Time = arrival.Time;
+        _parser.Follow(_taken == 0 ? arrival : arrival with { Bytes = arrival.Bytes.Slice(_taken) }, timestamp);
+    }
+
+    private Arrival Peek()
+    {
+        if (!_hasArrival)
+        {
+            _arrival = _source.Read();
+            _hasArrival = true;
+            _taken = 0;
+        }
+
+        return _arrival;
+    }
+
+    private void Advance() => _hasArrival = false;
+}

@@ -1,0 +1,162 @@
+using FsCheck;
+using FsCheck.Fluent;
+using NeuronMocap.Calculation;
+
+namespace NeuronMocap.Tests.Calculation;
+
+public sealed class CalculationFileTests
+{
+    private static readonly string[] Spaces = [" ", "\t", "  ", "\t ", "\v"];
+
+    [Fact]
+    public void Any_rows_written_in_any_format_are_read_as_the_same_bits()
+    {
+        Gen<uint> bits = Gen.Choose(int.MinValue, int.MaxValue).Select(number => (uint)number);
+        Gen<Sample> samples =
+            from rows in Gen.Choose(1, 3)
+            from columns in Gen.Elements(338, 946)
+            from pattern in bits.ArrayOf(16)
+            from separator in Gen.Elements(Spaces)
+            from decimals in Gen.Choose(0, 16)
+            from end in Gen.Elements("\n", "\r\n", "\r", "\t\r\n", " \n\n")
+            from last in Gen.Elements(null, "", "\t", "\n")
+            select new Sample(rows, columns, pattern, separator, decimals, end, last);
+
+        Properties.Hold(samples, static _ => [], 60, static sample =>
+        {
+            using var stream = new MemoryStream();
+            using (var writer = new CalculationFileWriter(stream, sample.Columns, sample.Format, leaveOpen: true))
+            {
+                for (int row = 0; row < sample.Rows; row++)
+                    writer.WriteFrame(sample.Row(row));
+            }
+
+            var document = CalculationDocument.Parse(stream.ToArray());
+            Assert.Equal(sample.Rows, document.FrameCount);
+            for (int row = 0; row < sample.Rows; row++)
+            {
+                int[] expected = [.. sample.Row(row).Select(Bits)];
+                Assert.Equal(expected, document.GetValues(row).ToArray().Select(Bits));
+            }
+        });
+    }
+
+    [Fact]
+    public void A_reader_in_small_pieces_reads_the_same()
+    {
+        byte[] text = CalculationText.Utf8("Header 1\r\n" + CalculationText.Rows(7, 338) + "x\r\r\n" + CalculationText.Rows(2, 338, end: "\r"));
+        foreach (int piece in (int[])[1, 2, 3, 1000, 65_536])
+        {
+            using var reader = new CalculationFileReader(new PiecewiseStream(text, piece));
+            float[] values = new float[reader.ValueCount];
+            int rows = 0;
+            for (; reader.TryRead(values); rows++)
+                Assert.Equal(CalculationText.Values(rows < 7 ? rows : rows - 7, 338), values);
+
+            Assert.Equal((9, 9, 1), (rows, reader.FrameCount, reader.RepairCount));
+            Assert.Equal(text.Length, reader.Position);
+            Assert.Equal(9, reader.Repairs[0].Line);
+        }
+    }
+
+    [Fact]
+    public void Reading_and_writing_rows_allocates_nothing()
+    {
+        byte[] text = CalculationText.Utf8(CalculationText.Rows(200));
+        using var reader = new CalculationFileReader(new MemoryStream(text));
+        using var writer = new CalculationFileWriter(new MemoryStream(new byte[2 * text.Length]), reader.ValueCount);
+        float[] values = new float[reader.ValueCount];
+        for (int i = 0; i < 50; i++)
+            Copy();
+
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        for (int i = 0; i < 150; i++)
+            Copy();
+
+        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+
+        void Copy()
+        {
+            Assert.True(reader.TryRead(values));
+            writer.WriteFrame(values);
+        }
+    }
+
+    [Fact]
+    public void Progress_goes_from_nothing_to_the_length_of_the_file()
+    {
+        byte[] text = CalculationText.Utf8(CalculationText.Rows(20));
+        using var reader = new CalculationFileReader(new MemoryStream(text));
+        float[] values = new float[reader.ValueCount];
+        Assert.Equal(text.Length, reader.Length);
+        long position = 0;
+        while (reader.TryRead(values))
+        {
+            Assert.InRange(reader.Position, position + 1, text.Length);
+            position = reader.Position;
+        }
+
+        Assert.Equal(text.Length, reader.Position);
+    }
+
+    [Fact]
+    public void What_a_row_needs_is_asked_for()
+    {
+        Assert.Throws<ArgumentException>(() => new CalculationFileWriter(new MemoryStream(), 339));
+        Assert.Throws<ArgumentException>(() => new CalculationTextFormat { Separator = "" });
+        Assert.Throws<ArgumentException>(() => new CalculationTextFormat { Separator = ";" });
+        Assert.Throws<ArgumentException>(() => new CalculationTextFormat { RowEnd = "\t" });
+        Assert.Throws<ArgumentException>(() => new CalculationTextFormat { LastRowEnd = "." });
+        Assert.Throws<ArgumentOutOfRangeException>(() => new CalculationTextFormat { Decimals = 17 });
+        using var reader = new CalculationFileReader(new MemoryStream(CalculationText.Utf8(CalculationText.Rows(1))));
+        Assert.Throws<ArgumentException>(() => reader.TryRead(new float[945]));
+        var writer = new CalculationFileWriter(new MemoryStream(), 338);
+        Assert.Throws<ArgumentException>(() => writer.WriteFrame(new float[339]));
+        writer.Dispose();
+        writer.Dispose();
+        Assert.Throws<ObjectDisposedException>(() => writer.WriteFrame(new float[338]));
+    }
+
+    [Fact]
+    public void Files_are_opened_and_made_by_their_path()
+    {
+        string path = Path.Combine(Path.GetTempPath(), $"neuronmocap-{Guid.NewGuid():N}.calc");
+        try
+        {
+            using (CalculationFileWriter writer = CalculationFileWriter.Create(path, 946))
+                writer.WriteFrame(CalculationText.Values(4));
+
+            CalculationDocument document = CalculationDocument.Load(path);
+            Assert.Equal(CalculationText.Values(4), document.GetValues(0));
+            document.Save(path);
+            Assert.Equal(CalculationText.Utf8(CalculationText.Row(4) + "\t\r\n"), File.ReadAllBytes(path));
+            File.WriteAllText(path, "nothing");
+            Assert.Throws<CalculationFormatException>(() => CalculationFileReader.Open(path));
+        }
+        finally
+        {
+            File.Delete(path);
+        }
+
+        Assert.Throws<FileNotFoundException>(() => CalculationDocument.Load(path));
+    }
+
+    private static int Bits(float value) => float.IsNaN(value) ? BitConverter.SingleToInt32Bits(float.NaN) : BitConverter.SingleToInt32Bits(value);
+
+    private sealed record Sample(int Rows, int Columns, uint[] Pattern, string Separator, int Decimals, string End, string? Last)
+    {
+        public CalculationTextFormat Format => new() { Separator = Separator, Decimals = Decimals, RowEnd = End, LastRowEnd = Last };
+
+        public float[] Row(int row) =>
+        [
+            .. Enumerable.Range(0, Columns).Select(column =>
+                BitConverter.Int32BitsToSingle((int)(Pattern[column % Pattern.Length] + ((uint)(column + row) * 2_654_435_761u)))),
+        ];
+    }
+
+    // Gives a few bytes at a time.
+    private sealed class PiecewiseStream(byte[] bytes, int piece) : MemoryStream(bytes)
+    {
+        public override int Read(byte[] buffer, int offset, int count) => base.Read(buffer, offset, Math.Min(count, piece));
+    }
+}

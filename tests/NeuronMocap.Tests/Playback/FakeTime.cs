@@ -1,0 +1,29 @@
+using System.Diagnostics;
+using NeuronMocap.Playback;
+
+namespace NeuronMocap.Tests.Playback;
+
+/// <summary>A clock that is moved on by whoever waits for it: what is due later is due at once.</summary>
+internal sealed class FakeTime : PlaybackTime
+{
+    public const long Start = 1_000_000_000_000;
+
+    private long _now = Start;
+
+    public override long Now => Volatile.Read(ref _now);
+
+    /// <summary>Waits that were asked for, in milliseconds since the start.</summary>
+    public List<double> Waits { get; } = [];
+
+    /// <summary>Called in the middle of each wait, under the player's lock.</summary>
+    public Action<double>? Waiting { get; set; }
+
+    public static double MillisecondsOf(long instant) => (instant - Start) * 1000.0 / Stopwatch.Frequency;
+
+    public override void Wait(object gate, long instant)
+    {
+        Waits.Add(MillisecondsOf(instant));
+        Waiting?.Invoke(MillisecondsOf(instant));
+        Volatile.Write(ref _now, instant);
+    }
+}

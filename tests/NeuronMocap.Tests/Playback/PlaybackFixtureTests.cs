@@ -1,0 +1,91 @@
+using System.Net.Sockets;
+using NeuronMocap.Delivery;
+using NeuronMocap.Playback;
+using NeuronMocap.Recording;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Reader;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Playback;
+
+// What a live reader received, its recording gives again: frames, figures and states.
+public sealed class PlaybackFixtureTests
+{
+    [Theory]
+    [MemberData(nameof(FixtureReaderTests.Names), MemberType = typeof(FixtureReaderTests))]
+    public async Task Over_tcp(string name)
+    {
+        byte[] bytes = StreamFixture.Load(name).Bytes;
+        using var server = new TestServer();
+        await using var live = new NeuronReader(server.Options());
+        using var log = new FrameLog(live);
+        var statuses = new StatusLog(live);
+        live.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        byte[][] pieces = [.. Splits.Random(bytes, new Random(name.Length)).Select(static piece => piece.ToArray())];
+        foreach (byte[] piece in pieces)
+            await connection.SendAsync(piece);
+
+        connection.Close();
+        await live.Completion.Soon();
+
+        using TemporaryFile file = Recordings.OfTcp([.. pieces.Select(static (piece, i) => (i / 10.0, piece))]);
+        await AssertSameAsync(live, log, statuses, file);
+    }
+
+    [Theory]
+    [MemberData(nameof(FixtureReaderTests.Names), MemberType = typeof(FixtureReaderTests))]
+    public async Task Over_udp(string name)
+    {
+        byte[][] datagrams = [.. StreamFixture.Load(name).Bytes.Chunk(1024)];
+        await using UdpEnd end = await UdpEnd.StartAsync(static options => options.SilenceTimeout = TimeSpan.FromSeconds(60));
+        using var log = new FrameLog(end.Reader);
+        var statuses = new StatusLog(end.Reader);
+        Socket sender = end.CreateSender();
+        foreach (byte[] datagram in datagrams)
+            await end.SendAsync(sender, datagram);
+
+        await end.DrainedAsync();
+        using TemporaryFile file = Recordings.Write(writer =>
+        {
+            writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Udp, string.Empty, string.Empty));
+            writer.AddSender(TimeSpan.Zero, 0, 0, sender.LocalEndPoint!.ToString()!);
+            for (int i = 0; i < datagrams.Length; i++)
+                writer.WriteBytes(Recordings.At(i / 10.0), 0, datagrams[i], sender: 0);
+        });
+        ReaderStatistics expected = default;
+        using RecordedFrameReader frames = RecordedFrameReader.Open(file.Path);
+        RecordedFrameReaderTests.ReadAll(frames);
+        expected = frames.Statistics;
+        await Limits.UntilAsync(() => Figures(end.Reader.GetStatistics()) == Figures(expected));
+        await AssertSameAsync(end.Reader, log, statuses, file);
+    }
+
+    private static async Task AssertSameAsync(NeuronReader live, FrameLog liveFrames, StatusLog liveStatuses, TemporaryFile file)
+    {
+        using RecordingPlayer player = RecordingPlayer.Open(file.Path);
+        await using var reader = new NeuronReader(player);
+        using var frames = new FrameLog(reader);
+        var statuses = new StatusLog(reader);
+        reader.Start();
+        await reader.Completion.Soon();
+
+        Assert.Equal(liveFrames.Lines, frames.Lines);
+        Assert.Equal(Figures(live.GetStatistics()), Figures(reader.GetStatistics()));
+        Assert.Equal(
+            live.GetAvatarStatistics().Select(static avatar => avatar with { LastTimestamp = 0, Jitter = default, Rate = 0 }),
+            reader.GetAvatarStatistics().Select(static avatar => avatar with { LastTimestamp = 0, Jitter = default, Rate = 0 }));
+
+        // Over UDP the live reader's port was bound before the log looked on.
+        ConnectionState[] states = [.. statuses.All.Select(static status => status.State).Distinct()];
+        Assert.Equal([ConnectionState.Connecting, ConnectionState.Connected, ConnectionState.Receiving, ConnectionState.Stopped], states);
+        Assert.Subset(states.ToHashSet(), liveStatuses.All.Select(static status => status.State).ToHashSet());
+        Assert.Equal((ConnectionReason.EndOfRecording, $"The recording {player.FileName} is over."), (reader.Status.Reason, reader.Status.Message));
+        Assert.Equal(
+            liveStatuses.All.Last(static status => status.State == ConnectionState.Receiving).Format,
+            statuses.All.Last(static status => status.State == ConnectionState.Receiving).Format);
+    }
+
+    // What does not hang on the moment.
+    private static ReaderStatistics Figures(ReaderStatistics statistics) => statistics with { FirstFrameTimestamp = 0, LastFrameTimestamp = 0 };
+}

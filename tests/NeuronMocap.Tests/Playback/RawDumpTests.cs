@@ -1,0 +1,88 @@
+using NeuronMocap.Playback;
+using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Tests.Playback;
+
+public sealed class RawDumpTests
+{
+    [Fact]
+    public void All_frames_of_an_instant_have_one_time()
+    {
+        using var file = new TemporaryFile(
+            [.. Enumerable.Range(0, 4).SelectMany(static frame => TestPackets.Join(TestPackets.Motion(frame), TestPackets.Motion(frame, avatar: 1), TestPackets.Calculation(frame)))]);
+        using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path, new PlaybackOptions { FrameRate = 50 });
+        double[] times = [.. RecordedFrameReaderTests.ReadAll(reader).Select(static read => read.Time.TotalMilliseconds)];
+        Assert.Equal([0, 0, 0, 20, 20, 20, 40, 40, 40, 60, 60, 60], times);
+        Assert.Equal(Recordings.At(80), reader.Duration);
+    }
+
+    [Fact]
+    public void Without_a_rate_and_timecodes_it_is_120_hz()
+    {
+        using var file = new TemporaryFile(TestPackets.Motions(0, 121));
+        using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
+        Assert.Equal(1.0, RecordedFrameReaderTests.ReadAll(reader)[^1].Time.TotalSeconds, 6);
+    }
+
+    [Theory]
+    [InlineData(24)]
+    [InlineData(50)]
+    [InlineData(60)]
+    public void Timecodes_tell_the_rate(int rate)
+    {
+        using var file = new TemporaryFile(TestPackets.Join(Enumerable.Range(rate / 3, 4 * rate).Select(frame => Studio(frame, rate))));
+        using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
+        Assert.Equal(4.0, reader.Duration.TotalSeconds, 6);
+    }
+
+    [Fact]
+    public void A_source_gives_whole_packets_with_the_noise_before_them_and_can_be_moved()
+    {
+        byte[] bytes = [1, 2, 3, .. TestPackets.Motion(0), .. TestPackets.Motion(1), 4, 5, .. TestPackets.Motion(2), 6];
+        using var file = new TemporaryFile(bytes);
+        using ArrivalSource source = ArrivalSource.Open(file.Path, new PlaybackOptions { FrameRate = 100 });
+        int packet = TestPackets.Motion(0).Length;
+
+        Assert.Equal(["Opened 0 0", $"Bytes 0 {packet + 3}", $"Bytes 10 {packet}", $"Bytes 20 {packet + 2}", "Bytes 20 1", "End 30 0"], ReadAll(source));
+        Assert.False(source.Seek(Recordings.At(19.9)));
+        Assert.Equal($"Bytes 10 {packet}", ReadAll(source)[0]);
+        Assert.False(source.Seek(Recordings.At(1000)));
+        Assert.Equal(["End 30 0"], ReadAll(source));
+        Assert.True(source.Seek(TimeSpan.Zero));
+        Assert.Equal("Opened 0 0", ReadAll(source)[0]);
+    }
+
+    private static List<string> ReadAll(ArrivalSource source)
+    {
+        List<string> lines = [];
+        Arrival arrival;
+        do
+        {
+            arrival = source.Read();
+            lines.Add($"{arrival.Kind} {arrival.Time.TotalMilliseconds} {arrival.Bytes.Count}");
+        }
+        while (arrival.Kind != ArrivalKind.End);
+
+        return lines;
+    }
+
+    // From a second before midnight on: the clock starts again.
+    private static byte[] Studio(int frame, int rate)
+    {
+        int second = (86_399 + (frame / rate)) % 86_400;
+        byte[] packet = new byte[64 + (4 * 354)];
+        PacketEncoder.WriteMotion(
+            packet,
+            new MotionHeader
+            {
+                Version = DataVersion.Studio,
+                HasDisplacement = true,
+                FrameIndex = (uint)frame,
+                Reserved1 = (uint)((second / 3600 << 16) | (second / 60 % 60 << 8) | (second % 60)),
+                Reserved2 = (uint)(frame % rate),
+            },
+            new float[354]);
+        return packet;
+    }
+}

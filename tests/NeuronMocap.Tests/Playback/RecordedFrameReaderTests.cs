@@ -1,0 +1,202 @@
+using NeuronMocap.Frames;
+using NeuronMocap.Playback;
+using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Reader;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Playback;
+
+public sealed class RecordedFrameReaderTests
+{
+    private static readonly RecordedConnection Tcp = new(0, TransportKind.Tcp, string.Empty, "10.0.0.1:7001");
+
+    [Fact]
+    public void Frames_of_a_recording_come_with_their_times()
+    {
+        byte[] second = TestPackets.Motion(1);
+        using TemporaryFile file = Recordings.OfTcp(
+            (5, TestPackets.Motion(0)), (20, second[..100]), (30, [.. second[100..], .. TestPackets.Calculation(7), .. TestPackets.Studio(8)]));
+        using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
+        Assert.Equal(Recordings.At(30), reader.Duration);
+
+        (string, uint?, double)[] found = [.. ReadAll(reader).Select(static read => (read.Frame.GetType().Name, read.Frame.FrameIndex, read.Time.TotalMilliseconds))];
+
+        Assert.Equal(
+            [(nameof(MotionFrame), 0u, 5), (nameof(MotionFrame), 1u, 30), (nameof(CalculationFrame), 7u, 30), (nameof(StudioCalculationFrame), 8u, 30)],
+            found);
+        Assert.Throws<InvalidOperationException>(() => reader.Frame);
+        Assert.False(reader.Read());
+        Assert.Equal((2, 1, 1), ((int)reader.Statistics.MotionFrames, (int)reader.Statistics.CalculationFrames, (int)reader.Statistics.StudioCalculationFrames));
+    }
+
+    [Fact]
+    public void What_is_no_packet_is_counted_by_reason_at_the_end_of_a_connection_too()
+    {
+        using TemporaryFile file = Recordings.OfTcp((0, [1, 2, 3, .. TestPackets.Motion(0)]), (1, TestPackets.Motion(1)[..200]));
+        using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
+        Assert.Single(ReadAll(reader));
+        Assert.Equal((3, 200), (reader.GetSkipped(SkipReason.NoTokens), reader.GetSkipped(SkipReason.Incomplete)));
+        Assert.Equal(203 + TestPackets.Motion(0).Length, reader.Statistics.BytesReceived);
+    }
+
+    [Fact]
+    public void Connections_do_not_continue_each_other()
+    {
+        byte[] packet = TestPackets.Motion(9);
+        using TemporaryFile file = Recordings.Write(writer =>
+        {
+            writer.OpenConnection(TimeSpan.Zero, Tcp);
+            writer.WriteBytes(TimeSpan.Zero, 0, packet.AsSpan(0, 300));
+            writer.CloseConnection(Recordings.At(10), 0, string.Empty);
+            writer.OpenConnection(Recordings.At(20), Tcp with { Number = 1 });
+            writer.WriteBytes(Recordings.At(21), 1, packet.AsSpan(300));
+            writer.WriteBytes(Recordings.At(22), 1, packet);
+        });
+        using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
+        Assert.True(reader.Read());
+        Assert.Equal((1, 22.0, 9u), (reader.Connection, reader.Time.TotalMilliseconds, reader.Frame.FrameIndex));
+        Assert.False(reader.Read());
+        Assert.Equal((300, 1), (reader.GetSkipped(SkipReason.Incomplete), reader.Statistics.Reconnects));
+    }
+
+    [Fact]
+    public void Lost_bytes_are_not_joined_over()
+    {
+        byte[] packet = TestPackets.Motion(0);
+        using TemporaryFile file = Recordings.Write(writer =>
+        {
+            writer.OpenConnection(TimeSpan.Zero, Tcp);
+            writer.WriteBytes(Recordings.At(1), 0, packet.AsSpan(0, 300));
+            writer.WriteLoss(Recordings.At(2), 0, pieces: 1, bytes: packet.Length);
+            writer.WriteBytes(Recordings.At(3), 0, packet.AsSpan(300));
+            writer.WriteBytes(Recordings.At(4), 0, TestPackets.Motion(3));
+        });
+        using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
+        Assert.Equal([3u], ReadAll(reader).Select(static read => read.Frame.FrameIndex));
+    }
+
+    [Fact]
+    public void Over_udp_each_sender_has_its_own_frames()
+    {
+        (byte[] first, byte[] second) = (TestPackets.Motion(1), TestPackets.Motion(2));
+        using TemporaryFile file = Recordings.Write(writer =>
+        {
+            writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Udp, "0.0.0.0:7012", string.Empty));
+            writer.AddSender(TimeSpan.Zero, 0, 0, "10.0.0.1:5000");
+            writer.WriteBytes(Recordings.At(1), 0, first.AsSpan(0, 1024), sender: 0);
+            writer.AddSender(TimeSpan.Zero, 0, 1, "10.0.0.2:5000");
+            writer.WriteBytes(Recordings.At(2), 0, second.AsSpan(0, 1024), sender: 1);
+            writer.WriteBytes(Recordings.At(3), 0, first.AsSpan(1024), sender: 0);
+            writer.WriteBytes(Recordings.At(4), 0, second.AsSpan(1024), sender: 1);
+        });
+        using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
+        Assert.Equal([(1u, 0), (2u, 1)], ReadAll(reader).Select(static read => ((uint)read.Frame.FrameIndex!, read.Frame.Source)));
+        Assert.Equal(0, reader.Statistics.SkippedBytes);
+    }
+
+    [Theory]
+    [InlineData(null, null, RotationOrder.YXZ, SkeletonVariant.Neck1)]
+    [InlineData("ZXY", null, RotationOrder.ZXY, SkeletonVariant.Spine3)]
+    [InlineData("ZXY", RotationOrder.XYZ, RotationOrder.XYZ, SkeletonVariant.Spine3)]
+    public void The_format_is_that_of_the_options_or_of_the_recording(
+        string? recorded, RotationOrder? option, RotationOrder expected, SkeletonVariant variant)
+    {
+        RecordingMetadata metadata = recorded is null
+            ? RecordingMetadata.Empty
+            : new RecordingMetadata().With(RecordingMetadata.RotationOrderName, recorded).With(RecordingMetadata.SkeletonVariantName, "Spine3");
+        using TemporaryFile file = Recordings.Write(
+            writer =>
+            {
+                writer.OpenConnection(TimeSpan.Zero, Tcp);
+                writer.WriteBytes(TimeSpan.Zero, 0, TestPackets.Motion(0));
+            },
+            metadata);
+        using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path, new PlaybackOptions { RotationOrder = option });
+        Assert.True(reader.Read());
+        Assert.Equal(new SkeletonFormat(expected, variant), ((MotionFrame)reader.Frame).Format);
+    }
+
+    [Fact]
+    public void A_packet_is_too_large_where_it_was_for_the_recording_reader()
+    {
+        RecordingMetadata metadata = new RecordingMetadata().With(RecordingMetadata.MaxValues, "300");
+        using TemporaryFile file = Recordings.Write(
+            writer =>
+            {
+                writer.OpenConnection(TimeSpan.Zero, Tcp);
+                writer.WriteBytes(TimeSpan.Zero, 0, [.. TestPackets.Motion(0, count: 354), .. TestPackets.Motion(1, count: 180)]);
+            },
+            metadata);
+        using (RecordedFrameReader reader = RecordedFrameReader.Open(file.Path))
+        {
+            Assert.Equal([1u], ReadAll(reader).Select(static read => read.Frame.FrameIndex));
+            Assert.Equal(1, reader.Statistics.OversizedPackets);
+        }
+
+        using RecordedFrameReader wider = RecordedFrameReader.Open(file.Path, new PlaybackOptions { MaxValues = 354 });
+        Assert.Equal(2, ReadAll(wider).Count);
+    }
+
+    [Theory]
+    [MemberData(nameof(FixtureReaderTests.Names), MemberType = typeof(FixtureReaderTests))]
+    public void Fixtures_give_their_frames_from_a_dump_and_from_a_recording(string name)
+    {
+        StreamFixture fixture = StreamFixture.Load(name);
+        using var dump = new TemporaryFile(fixture.Bytes, ".bin");
+        using TemporaryFile recording = Recordings.OfTcp([.. Splits.Random(fixture.Bytes, new Random(7)).Select(static (piece, i) => ((double)i, piece.ToArray()))]);
+        using RecordedFrameReader ofDump = RecordedFrameReader.Open(dump.Path);
+        using RecordedFrameReader ofRecording = RecordedFrameReader.Open(recording.Path);
+        string[] frames = [.. ReadAll(ofDump).Select(static read => Recordings.Describe(read.Frame))];
+
+        Assert.Equal(fixture.Expected.Count, frames.Length);
+        Assert.Equal(frames, ReadAll(ofRecording).Select(static read => Recordings.Describe(read.Frame)));
+        Assert.Equal(fixture.Expected.Select(static expected => expected.Index), ofDumpIndices());
+        Assert.Equal(fixture.Bytes.Length, ofDump.Statistics.BytesReceived);
+        Assert.Equal(ofDump.Statistics.SkippedBytes, ofRecording.Statistics.SkippedBytes);
+
+        IEnumerable<uint?> ofDumpIndices()
+        {
+            using RecordedFrameReader again = RecordedFrameReader.Open(dump.Path);
+            return [.. ReadAll(again).Select(static read => read.Frame.FrameIndex)];
+        }
+    }
+
+    [Theory]
+    [InlineData("", "is empty")]
+    [InlineData("HIERARCHY\nROOT Hips", "BVH")]
+    [InlineData("nothing to see", "neither a recording nor a dump")]
+    public void Another_file_is_refused_with_what_it_is(string content, string expected)
+    {
+        using var file = new TemporaryFile(System.Text.Encoding.ASCII.GetBytes(content), ".nmrec");
+        PlaybackException exception = Assert.Throws<PlaybackException>(() => RecordedFrameReader.Open(file.Path));
+        Assert.Contains(expected, exception.Message, StringComparison.Ordinal);
+        Assert.Contains(file.Path, exception.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_rate_is_for_dumps_alone()
+    {
+        using TemporaryFile file = Recordings.OfTcp((0, TestPackets.Motion(0)));
+        Assert.Throws<ArgumentException>(() => RecordedFrameReader.Open(file.Path, new PlaybackOptions { FrameRate = 60 }));
+        Assert.Throws<ArgumentException>(() => RecordedFrameReader.Open(file.Path, new PlaybackOptions { FrameRate = 0 }));
+    }
+
+    internal static List<(AvatarFrame Frame, TimeSpan Time)> ReadAll(RecordedFrameReader reader)
+    {
+        List<(AvatarFrame, TimeSpan)> frames = [];
+        while (reader.Read())
+            frames.Add((Clone(reader.Frame), reader.Time));
+
+        return frames;
+    }
+
+    private static AvatarFrame Clone(AvatarFrame frame) => frame switch
+    {
+        MotionFrame motion => motion.Clone(),
+        CalculationFrame calculation => calculation.Clone(),
+        _ => ((StudioCalculationFrame)frame).Clone(),
+    };
+}

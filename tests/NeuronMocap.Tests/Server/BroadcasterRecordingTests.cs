@@ -1,0 +1,146 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Playback;
+using NeuronMocap.Protocol;
+using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Playback;
+using NeuronMocap.Tests.Reader;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Server;
+
+// A recording sent to programs that speak the protocol.
+public sealed class BroadcasterRecordingTests
+{
+    [Theory]
+    [MemberData(nameof(FixtureReaderTests.Names), MemberType = typeof(FixtureReaderTests))]
+    public async Task A_reader_gets_the_frames_and_the_noise_that_were_recorded(string name)
+    {
+        byte[] bytes = StreamFixture.Load(name).Bytes;
+        using TemporaryFile file = Recordings.OfTcp([.. Splits.Random(bytes, new Random(3)).Select(static (piece, i) => (i / 10.0, piece.ToArray()))]);
+        await AssertSameAsync(file, new BroadcasterOptions { Recording = file.Path, Port = 0, WaitForClient = true });
+        await AssertSameAsync(file, new BroadcasterOptions { Recording = file.Path, Port = 0, Rate = BroadcasterOptions.MaxRate, Fragment = 333 });
+    }
+
+    [Fact]
+    public async Task A_raw_dump_goes_out_at_a_rate()
+    {
+        using var dump = new TemporaryFile(TestPackets.Motions(0, 20), ".bin");
+        await AssertSameAsync(dump, new BroadcasterOptions { Recording = dump.Path, Port = 0, WaitForClient = true, Rate = 1000 });
+    }
+
+    [Fact]
+    public async Task At_the_highest_rate_every_client_gets_all()
+    {
+        using TemporaryFile file = Recordings.OfTcp([.. Enumerable.Range(0, 50).Select(static i => (i * 100.0, TestPackets.Motion(i)))]);
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions { Recording = file.Path, Port = 0, Rate = BroadcasterOptions.MaxRate });
+        broadcaster.Start();
+        using TestClient first = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        using TestClient second = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        foreach (TestClient client in (TestClient[])[first, second])
+            Assert.Equal(Enumerable.Range(0, 50).Select(static frame => (uint)frame), (await client.ReadToEndAsync().Soon()).Select(Expect.FrameIndex));
+
+        Assert.Equal(100, broadcaster.Statistics.FramesSent);
+    }
+
+    [Fact]
+    public async Task A_loop_goes_on_and_whoever_comes_late_begins_with_a_packet()
+    {
+        using TemporaryFile file = Recordings.OfTcp((0, TestPackets.Motion(0)), (5, TestPackets.Motion(1)), (10, TestPackets.Motion(2)));
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions { Recording = file.Path, Port = 0, LoopRecording = true, RecordingSpeed = 5 });
+        broadcaster.Start();
+        for (int i = 0; i < 3; i++)
+        {
+            using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
+            uint before = Expect.FrameIndex((await client.ReadAsync().Soon())!);
+            for (int frame = 0; frame < 7; frame++)
+            {
+                uint next = Expect.FrameIndex((await client.ReadAsync().Soon())!);
+                Assert.Equal((before + 1) % 3, next);
+                before = next;
+            }
+        }
+    }
+
+    [Fact]
+    public async Task Over_udp_a_packet_is_a_datagram()
+    {
+        using TemporaryFile file = Recordings.OfTcp((0, [.. TestPackets.Motion(0), .. TestPackets.Calculation(1)]), (1, TestPackets.Line(2)));
+        using var receiver = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        receiver.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+        foreach (double? rate in (double?[])[null, BroadcasterOptions.MaxRate])
+        {
+            await using var broadcaster = new Broadcaster(new BroadcasterOptions
+            {
+                Recording = file.Path, Port = null, UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!], Rate = rate,
+            });
+            broadcaster.Start();
+            byte[] buffer = new byte[65_536];
+            foreach (byte[] expected in (byte[][])[TestPackets.Motion(0), TestPackets.Calculation(1), TestPackets.Line(2)])
+            {
+                int count = await receiver.ReceiveAsync(buffer.AsMemory(), SocketFlags.None, TestContext.Current.CancellationToken).Soon();
+                Assert.Equal(expected, buffer[..count]);
+            }
+
+            await broadcaster.Completion.Soon();
+        }
+    }
+
+    [Fact]
+    public void Settings_that_have_no_meaning_are_refused_by_name()
+    {
+        using TemporaryFile file = Recordings.OfTcp((0, TestPackets.Motion(0)));
+        AssertRefused(nameof(BroadcasterOptions.Sources), options => options.Sources = [new TestSource(0, 1)]);
+        AssertRefused(nameof(BroadcasterOptions.AvatarNames), options => options.AvatarNames = ["a"]);
+        AssertRefused(nameof(BroadcasterOptions.FrameLimit), options => options.FrameLimit = 1);
+        AssertRefused(nameof(BroadcasterOptions.Displacement), options => options.Displacement = true);
+        AssertRefused(nameof(BroadcasterOptions.Reference), options => options.Reference = true);
+        AssertRefused(nameof(BroadcasterOptions.RotationOrder), options => options.RotationOrder = RotationOrder.XYZ);
+        AssertRefused(nameof(BroadcasterOptions.Format), options => options.Format = BroadcastFormat.Text);
+        AssertRefused(nameof(BroadcasterOptions.DataVersion), options => options.DataVersion = DataVersion.Old);
+        AssertRefused(nameof(BroadcasterOptions.Calculation), options => options.Calculation = static (_, _, _) => { });
+        AssertRefused(nameof(BroadcasterOptions.Rate), options => options.Rate = 60);
+        AssertRefused(nameof(BroadcasterOptions.RecordingSpeed), options => options.RecordingSpeed = 0);
+        AssertRefused(nameof(BroadcasterOptions.RecordingSpeed), options => (options.RecordingSpeed, options.Rate) = (2, BroadcasterOptions.MaxRate));
+        AssertRefused(nameof(BroadcasterOptions.LoopRecording), options => (options.Sources, options.Recording, options.LoopRecording) = ([new TestSource(0, 1)], null, true));
+        using var broadcaster = new Broadcaster(new BroadcasterOptions { Recording = file.Path, Port = 0 });
+        Assert.Throws<ArgumentOutOfRangeException>(() => broadcaster.GetCombinationMode(0));
+        Assert.False(broadcaster.ZeroOut(0));
+        Assert.Throws<ArgumentException>(() => new CommandServer(broadcaster));
+
+        void AssertRefused(string setting, Action<BroadcasterOptions> set)
+        {
+            var options = new BroadcasterOptions { Recording = file.Path, Port = 0 };
+            set(options);
+            Assert.Contains($"BroadcasterOptions.{setting} ", Assert.Throws<ArgumentException>(() => new Broadcaster(options)).Message, StringComparison.Ordinal);
+        }
+    }
+
+    [Fact]
+    public void A_file_that_cannot_be_played_is_found_out_at_once()
+    {
+        using var file = new TemporaryFile("nothing"u8.ToArray());
+        Assert.Throws<PlaybackException>(() => new Broadcaster(new BroadcasterOptions { Recording = file.Path }));
+        Assert.Throws<FileNotFoundException>(() => new Broadcaster(new BroadcasterOptions { Recording = file.Path + "x" }));
+    }
+
+    private static async Task AssertSameAsync(TemporaryFile file, BroadcasterOptions options)
+    {
+        using RecordedFrameReader original = RecordedFrameReader.Open(file.Path);
+        string[] expected = [.. RecordedFrameReaderTests.ReadAll(original).Select(static read => Recordings.Describe(read.Frame))];
+        await using var broadcaster = new Broadcaster(options);
+        broadcaster.Start();
+        await using var reader = new NeuronReader(new NeuronReaderOptions { Port = broadcaster.LocalEndPoint!.Port, Reconnect = { Enabled = false } });
+        using var frames = new FrameLog(reader);
+        reader.Start();
+        await reader.Completion.Soon();
+        await broadcaster.Completion.Soon();
+
+        Assert.Equal(expected, frames.Lines);
+        Assert.Equal(original.Statistics.SkippedBytes, reader.GetStatistics().SkippedBytes);
+        Assert.Equal(original.Statistics.BytesReceived, reader.GetStatistics().BytesReceived);
+        Assert.Equal(ConnectionReason.ClosedByPeer, reader.Status.Reason);
+    }
+}

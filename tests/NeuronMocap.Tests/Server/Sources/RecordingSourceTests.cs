@@ -1,0 +1,218 @@
+using System.Numerics;
+using NeuronMocap.Bvh;
+using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Bvh;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Playback;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Server.Sources;
+
+public sealed class RecordingSourceTests
+{
+    private static readonly ChannelLayout Displaced = new(hasDisplacement: true, hasReference: false);
+
+    [Fact]
+    public void Frames_keep_their_values_at_the_rate_that_their_times_tell()
+    {
+        // As of a real stream: a few milliseconds early or late.
+        using TemporaryFile file = Record(Enumerable.Range(0, 200), static frame => (frame / 60.0 * 1000) + (frame % 7));
+        RecordingSource source = RecordingSource.Load(file.Path);
+
+        Assert.Equal((0, "Char00", 200L, 0L), (source.AvatarIndex, source.AvatarName, source.FrameCount, source.InterpolatedFrames));
+        Assert.Equal(60, source.FrameRate);
+        Assert.InRange(source.MeasuredRate!.Value, 59.8, 60.2);
+        Assert.Empty(source.Gaps);
+        float[] values = new float[354];
+        for (int frame = 0; frame < 200; frame++)
+        {
+            source.WriteValues(frame, Displaced, RotationOrder.YXZ, values);
+            BvhSamples.AssertBits(Values(frame), values);
+        }
+    }
+
+    [Fact]
+    public void Lost_frames_are_interpolated_so_that_the_take_keeps_its_time()
+    {
+        using TemporaryFile file = Record(Enumerable.Range(0, 120).Where(static frame => frame is < 50 or > 52), static frame => frame / 60.0 * 1000);
+        RecordingSource source = RecordingSource.Load(file.Path);
+
+        Assert.Equal((120L, 117L, 3L), (source.FrameCount, source.ReceivedFrames, source.InterpolatedFrames));
+        RecordedGap gap = Assert.Single(source.Gaps);
+        Assert.Equal((53L, 3L, true), (gap.Frame, gap.Missing, gap.IsFilled));
+        BoneTransform[] before = Pose(source, 49);
+        BoneTransform[] filled = Pose(source, 51);
+        BoneTransform[] after = Pose(source, 53);
+        for (int bone = 0; bone < filled.Length; bone++)
+        {
+            Assert.InRange(Vector3.Distance((before[bone].Position + after[bone].Position) / 2, filled[bone].Position), 0, 1e-4f);
+            Quaternion middle = Quaternion.Slerp(before[bone].Rotation, after[bone].Rotation, 0.5f);
+            Assert.InRange(MathF.Abs(Quaternion.Dot(middle, filled[bone].Rotation)), 0.99999f, 1.00001f);
+        }
+    }
+
+    [Fact]
+    public void Behind_a_long_gap_the_take_goes_on_at_once()
+    {
+        using TemporaryFile file = Record(Enumerable.Range(0, 200).Where(static frame => frame is < 50 or > 150), static frame => frame / 60.0 * 1000);
+        RecordingSource source = RecordingSource.Load(file.Path);
+
+        Assert.Equal((99L, 0L), (source.FrameCount, source.InterpolatedFrames));
+        RecordedGap gap = Assert.Single(source.Gaps);
+        Assert.Equal((50L, 101L, false), (gap.Frame, gap.Missing, gap.IsFilled));
+        Assert.Equal(60, source.FrameRate);
+    }
+
+    [Fact]
+    public void A_server_that_sends_every_second_frame_has_half_the_rate_and_no_gaps()
+    {
+        using TemporaryFile file = Record(Enumerable.Range(0, 60).Select(static frame => frame * 2), static frame => frame / 120.0 * 1000);
+        RecordingSource source = RecordingSource.Load(file.Path);
+        Assert.Equal((60L, 60.0, 0), (source.FrameCount, source.FrameRate, source.Gaps.Count));
+    }
+
+    [Fact]
+    public void Datagrams_that_came_twice_or_late_stand_once_and_in_their_place()
+    {
+        int[] frames = [0, 1, 3, 2, 4, 4, 6, 7, 5, 8, 9];
+        using TemporaryFile file = Recordings.Write(writer =>
+        {
+            writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Udp, "0.0.0.0:7002", ""));
+            writer.AddSender(TimeSpan.Zero, 0, 0, "10.0.0.1:7001");
+            for (int i = 0; i < frames.Length; i++)
+                writer.WriteBytes(Recordings.At(i * 10), 0, Packet(frames[i]));
+        });
+        RecordingSource source = RecordingSource.Load(file.Path);
+
+        Assert.Equal((10L, 0L), (source.FrameCount, source.InterpolatedFrames));
+        for (int frame = 0; frame < 10; frame++)
+            BvhSamples.AssertBits(Values(frame), source.GetValues(frame));
+    }
+
+    [Fact]
+    public void A_server_that_counts_anew_goes_on_at_once()
+    {
+        using TemporaryFile file = Recordings.OfTcp(
+            [.. Enumerable.Range(1000, 30).Select(static frame => ((frame - 1000) * 10.0, Packet(frame))), .. Enumerable.Range(0, 30).Select(static frame => (400 + (frame * 10.0), Packet(frame)))]);
+        RecordingSource source = RecordingSource.Load(file.Path);
+
+        Assert.Equal(60, source.FrameCount);
+        Assert.Equal((30L, null, false), (source.Gaps[0].Frame, source.Gaps[0].Missing, source.Gaps[0].IsFilled));
+        Assert.Equal(100, source.FrameRate);
+    }
+
+    [Fact]
+    public void Contacts_are_those_of_calculation_frames()
+    {
+        using TemporaryFile file = Recordings.OfTcp([.. Enumerable.Range(0, 20).SelectMany(static frame => ((double, byte[])[])
+        [
+            (frame * 10, Packet(frame)),
+            (frame * 10, Contacts(frame, left: frame % 2 == 0, right: frame % 3 == 0)),
+        ])]);
+        RecordingSource source = RecordingSource.Load(file.Path);
+
+        Assert.True(source.HasMeasuredContacts);
+        for (int frame = 0; frame < 20; frame++)
+            Assert.Equal((frame % 2 == 0, frame % 3 == 0), source.GetFootContacts(frame));
+    }
+
+    [Fact]
+    public void Each_avatar_can_be_chosen_and_those_that_are_there_are_named()
+    {
+        using TemporaryFile file = Recordings.OfTcp(
+            [.. Enumerable.Range(0, 10).SelectMany(static frame => ((double, byte[])[])[(frame * 10, Packet(frame)), (frame * 10, Packet(frame, avatar: 2))])]);
+
+        Assert.Equal(0, RecordingSource.Load(file.Path).AvatarIndex);
+        RecordingSource second = RecordingSource.Load(file.Path, avatarIndex: 2);
+        Assert.Equal((2, 10L), (second.AvatarIndex, second.FrameCount));
+        NeuronException exception = Assert.Throws<NeuronException>(() => RecordingSource.Load(file.Path, avatarIndex: 1));
+        Assert.Contains("there are 0 (Char00), 2 (Char00)", exception.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Another_setting_of_the_server_is_rewritten_to_the_first()
+    {
+        using TemporaryFile file = Recordings.OfTcp((0, Packet(0)), (10, TestPackets.Motion(1, count: 180)), (20, Packet(2)));
+        RecordingSource source = RecordingSource.Load(file.Path);
+
+        Assert.Equal((3L, 354), (source.FrameCount, source.Layout.ValueCount));
+        BoneTransform[] pose = Pose(source, 1);
+        Assert.Equal(DefaultOffsets.Get(Bone.LeftForeArm), pose[(int)Bone.LeftForeArm].Position);
+        Assert.Equal(TestPackets.Value(1, 0, 0), pose[0].Position.X);
+    }
+
+    [Fact]
+    public void The_body_is_the_one_that_the_metadata_tell()
+    {
+        Vector3[] offsets = [.. BoneHierarchy.Bones.ToArray().Select(static bone => DefaultOffsets.Get(bone) * 1.25f)];
+        string hierarchy = BvhHierarchyText.Create(offsets, new Vector3[BoneHierarchy.BoneCount], SkeletonFormat.Default, new ChannelLayout(false, false));
+        using TemporaryFile file = Recordings.Write(
+            static writer =>
+            {
+                writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, "", ""));
+                writer.WriteBytes(TimeSpan.Zero, 0, TestPackets.Motion(0, count: 180));
+            },
+            RecordingMetadata.Empty.With(RecordingMetadata.BvhHierarchyName, hierarchy));
+        RecordingSource source = RecordingSource.Load(file.Path);
+
+        Assert.True(source.HasOwnBody);
+        Assert.Equal(offsets[(int)Bone.LeftForeArm].X, Pose(source, 0)[(int)Bone.LeftForeArm].Position.X, 1e-4f);
+        using TemporaryFile without = Recordings.OfTcp((0, TestPackets.Motion(0, count: 180)));
+        Assert.False(RecordingSource.Load(without.Path).HasOwnBody);
+    }
+
+    [Fact]
+    public void Without_poses_there_is_no_source()
+    {
+        using TemporaryFile file = Recordings.OfTcp((0, Contacts(0, left: true, right: true)));
+        Assert.Contains("no pose", Assert.Throws<NeuronException>(() => RecordingSource.Load(file.Path)).Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(59.5, 60)]
+    [InlineData(95.9, 96)]
+    [InlineData(119.1, 120)]
+    [InlineData(110, 110)]
+    public void Rates_near_a_usual_one_are_that(double measured, double chosen) => Assert.Equal(chosen, RecordingSource.ChooseRate(measured));
+
+    private static TemporaryFile Record(IEnumerable<int> frames, Func<int, double> milliseconds) =>
+        Recordings.OfTcp([.. frames.Select(frame => (milliseconds(frame), Packet(frame)))]);
+
+    // Bones that move and turn a little from frame to frame.
+    private static float[] Values(int frame) => [.. Enumerable.Range(0, 354).Select(index => (frame / 8f) + (index / 1024f))];
+
+    private static byte[] Packet(int frame) => Packet(frame, avatar: 0);
+
+    private static byte[] Packet(int frame, int avatar)
+    {
+        byte[] packet = new byte[64 + (354 * 4)];
+        var header = new MotionHeader
+        {
+            HasDisplacement = true,
+            AvatarIndex = (uint)avatar,
+            AvatarName = new AvatarName("Char00"),
+            FrameIndex = (uint)frame,
+        };
+        PacketEncoder.WriteMotion(packet, header, Values(frame));
+        return packet;
+    }
+
+    private static byte[] Contacts(int frame, bool left, bool right)
+    {
+        float[] values = new float[946];
+        (values[336], values[337]) = (left ? 1 : 0, right ? 1 : 0);
+        byte[] packet = new byte[64 + (946 * 4)];
+        PacketEncoder.WriteCalculation(packet, new CalculationHeader { AvatarName = new AvatarName("Char00"), FrameIndex = (uint)frame }, values);
+        return packet;
+    }
+
+    private static BoneTransform[] Pose(RecordingSource source, long frame)
+    {
+        BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
+        source.GetPose(frame, pose);
+        return pose;
+    }
+}
