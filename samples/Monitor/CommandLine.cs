@@ -4,6 +4,7 @@ using System.Globalization;
 using System.Net;
 using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Diagnosis;
+using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
@@ -18,7 +19,7 @@ internal sealed class CommandLine
     public const int Interrupted = 130;
 
     private const string Usage =
-        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--command-port PORT] [--once] [--frames N] "
+        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo | --play FILE [--speed N|max] [--rate HZ] [--loop]] [--diagnose [HOST[:PORT]]] [--order YXZ] [--command-port PORT] [--once] [--frames N] "
         + "[--duration SECONDS] [--json | --quiet]\n"
         + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]";
 
@@ -128,6 +129,7 @@ internal sealed class CommandLine
     };
 
     private readonly CommandArguments _commands = new();
+    private readonly PlayArguments _play = new();
 
     private readonly RootCommand _root = new(
         "Shows what a Perception Neuron server (Axis Neuron, Axis Studio or a simulator) sends: on a terminal live, with the skeleton, "
@@ -146,6 +148,7 @@ internal sealed class CommandLine
         }
 
         _commands.AddTo(_root);
+        _play.AddTo(_root);
 
         _root.Validators.Add(RejectContradictions);
         HelpExamples.AddTo(_root);
@@ -232,7 +235,8 @@ internal sealed class CommandLine
             result.AddError("--allow-sender needs --udp: over TCP the data comes from the server that --connect names.");
         if (IsGiven(result, _commandPort) && !IsGiven(result, _connect))
             result.AddError("--command-port needs --connect: it is a port of the server that --connect names.");
-        _commands.RejectContradictions(result, [_connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
+        _play.RejectContradictions(result, _connect, _udp, _demo, _diagnose, _once);
+        _commands.RejectContradictions(result, [_play.File, _connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
         if (IsGiven(result, _json) && IsGiven(result, _quiet))
             result.AddError("--json and --quiet exclude each other.");
     }
@@ -265,6 +269,7 @@ internal sealed class CommandLine
         UdpPort = result.GetValue(_udp),
         AllowedSenders = result.GetValue(_allowSender) ?? [],
         RotationOrder = result.GetValue(_order),
+        Play = _play.Read(result),
         CommandPort = result.GetValue(_commandPort),
         Once = result.GetValue(_once),
         Frames = result.GetValue(_frames),

@@ -10,10 +10,11 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
     private const string Text = """
         Keys of the live view:
           q quit   space pause   r reset counters   tab next avatar   b next bones   ? help
+          with --play, too: . , frame by frame   left, right 5 s back, forward   + - 0 speed
 
         Exit codes:
           0  done as asked, or ended by q, Ctrl+C or SIGTERM
-          1  nothing could be connected, bound or received; standard error says which setting to look at
+          1  nothing could be connected, bound, opened or received; standard error says which setting to look at
           2  wrong options
           Of --commands: 0 answered, 1 not, 2 wrong options, 130 ended by Ctrl+C or SIGTERM before it knew
           Of --diagnose: 0 frames arrive, 1 a fault was found, 2 wrong options, 130 ended by Ctrl+C or SIGTERM before it knew
@@ -28,6 +29,8 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
           neuron-monitor --diagnose --udp 7012                  the same for UDP; with --demo it shows a healthy stream
           neuron-monitor --commands 192.168.1.20                bone sizes, rotation order and BVH header; port 8013
           neuron-monitor --commands 192.168.1.20 --zero-out 0   avatar 0 faces front; all for all of them
+          neuron-monitor --play take.nmrec --speed 0.5          a recording, half as fast
+          neuron-monitor --play dump.bin --rate 60 --json       frames of bytes that somebody wrote to a file
           neuron-monitor --connect studio --json --frames 100   100 frames for another program
           neuron-monitor --connect studio --quiet --duration 10 does anything arrive? The exit code tells
 

@@ -1,6 +1,8 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Monitor.Output;
+using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Monitor.Terminal;
+using NeuronMocap.Playback;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
@@ -18,19 +20,21 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
     {
         try
         {
+            using RecordingPlayer? player = options.Play?.Open(options.RotationOrder);
             using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder ?? RotationOrder.YXZ) : null;
-            return await RunAsync(demo?.Address ?? options.Server, cancelled);
+            return await RunAsync(demo?.Address ?? options.Server, player, cancelled);
         }
-        catch (BroadcasterException exception)
+        catch (Exception exception) when (exception is BroadcasterException or PlayException)
         {
             return await FailAsync(exception.Message);
         }
     }
 
-    private async Task<int> RunAsync(ServerAddress? server, CancellationToken cancelled)
+    private async Task<int> RunAsync(ServerAddress? server, RecordingPlayer? player, CancellationToken cancelled)
     {
-        await using var reader = new NeuronReader(options.ToReaderOptions(server));
-        MonitorOutput output = CreateOutput(reader);
+        NeuronReaderOptions readerOptions = options.ToReaderOptions(server);
+        await using NeuronReader reader = player is null ? new NeuronReader(readerOptions) : new NeuronReader(player, readerOptions);
+        MonitorOutput output = CreateOutput(reader, player);
         Connect(reader, output);
 
         using var duration = new CancellationTokenSource(options.Duration ?? Timeout.InfiniteTimeSpan);
@@ -62,11 +66,11 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         return CommandLine.NothingReceived;
     }
 
-    private MonitorOutput CreateOutput(NeuronReader reader) => options.Output switch
+    private MonitorOutput CreateOutput(NeuronReader reader, RecordingPlayer? player) => options.Output switch
     {
         OutputKind.Json => new JsonOutput(streams.Output),
         OutputKind.Quiet => new QuietOutput(streams.Output),
-        _ when streams.IsTerminal && Screen.IsSupported => new LiveOutput(reader, options, streams.Output),
+        _ when streams.IsTerminal && Screen.IsSupported => new LiveOutput(reader, player, options, streams.Output),
         _ => new LineOutput(reader, streams.Output),
     };
 

@@ -43,6 +43,8 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly SenderFilter _senders;
     private readonly ConnectionSupervisor _supervisor;
     private readonly FormatDiscovery? _discovery;
+    private readonly ReaderRecordings _recordings;
+    private readonly bool _isPlayback;
     private Timer? _watchdog;
     private int _started;
     private int _disposed;
@@ -91,6 +93,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         if (options.FindFault() is { } fault)
             throw new ArgumentException(fault, nameof(options));
 
+        _isPlayback = player is not null;
         _options = player is null ? options.Copy() : options.CopyFor(player);
         _statusHandlers = new HandlerList<ConnectionStatus>(OnCallbackFailed);
         _status = new StatusBoard(OnStatusChanged);
@@ -104,7 +107,9 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _eventHandlers.Add(_options.CreateLog());
         _metrics = new ReaderMetrics(_options.DisplayName);
         _supervisor = new ConnectionSupervisor(createLink ?? player?.LinkFactory ?? CreateLink, _options.Reconnect, _status, _activity, new Random().NextDouble);
-        _pipeline = new ReceivePipeline(_format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, OnCallbackFailed, player?.PatienceSource);
+        _recordings = new ReaderRecordings(_options, _metrics.Name) { IsObserved = () => !_eventHandlers.IsEmpty };
+        _pipeline = new ReceivePipeline(
+            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player?.PatienceSource);
         _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke);
     }
 
@@ -126,7 +131,8 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 
     /// <summary>
     /// Called with what deserves a line in a log: every change of the connection's state, on the thread that tells it, and lost and dropped
-    /// frames, skipped bytes and failed handlers: the first of each kind within half a second, what follows in one event every 10 s, on a pool thread.
+    /// frames, skipped bytes and failed handlers: the first of each kind within half a second, what follows in one event every 10 s, on a pool thread,
+    /// as are the beginning, the losses and the end of recordings.
     /// Both threads may call at the same time; each for itself calls once at a time. On .NET the same goes to <c>NeuronReaderOptions.LoggerFactory</c>.
     /// </summary>
     public event Action<ReaderEvent>? EventReported
@@ -260,6 +266,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         {
             _watchdog?.Dispose();
             _discovery?.Dispose();
+            await _recordings.StopAsync().ConfigureAwait(false);
             await _reporter.EndAsync(Stopwatch.GetTimestamp()).ConfigureAwait(false);
         }
         finally
@@ -293,8 +300,12 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         if (status.IsConnected)
             _connected.TrySetResult(true);
         if (status.State == ConnectionState.Connected)
+        {
             _discovery?.Begin();
+            _recordings.Ask();
+        }
 
+        _recordings.Learn(status.Format);
         _tellingThread = Environment.CurrentManagedThreadId;
         _reporter.OnStatus(status);
         _statusHandlers.Invoke(status);
@@ -303,7 +314,11 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
             End(status);
     }
 
-    private void OnFormatLearnt() => _activity.Redescribe(Stopwatch.GetTimestamp(), isDue: true);
+    private void OnFormatLearnt()
+    {
+        _activity.Redescribe(Stopwatch.GetTimestamp(), isDue: true);
+        _recordings.Learn(_format.Findings.Order, _format.Findings.Variant);
+    }
 
     private void OnCallbackFailed(Exception exception)
     {

@@ -2,6 +2,7 @@ using NeuronMocap.Commands;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;
 
@@ -18,6 +19,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     private readonly StatusBoard _status;
     private readonly SenderFilter _senders;
     private readonly ReaderMetrics _metrics;
+    private readonly ReaderRecordings _recordings;
     private readonly Func<bool>? _isPatient;
     private readonly StreamCounters _counters;
     private readonly PacketDispatcher _dispatcher;
@@ -37,9 +39,11 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         SenderFilter senders,
         ReaderMetrics metrics,
         DataCommands.TrySend trySend,
+        ReaderRecordings recordings,
         Action<Exception> callbackFailed,
         Func<bool>? isPatient = null)
     {
+        _recordings = recordings;
         _format = format;
         _recognizer = recognizer;
         _activity = activity;
@@ -58,6 +62,10 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     public ConnectionState State => _status.State;
 
     public long UnsettledLoss => _counters.Trackers.Sum(static tracker => tracker.Index.Unsettled);
+
+    public StreamTap? Tap => _recordings.Tap;
+
+    public IReadOnlyList<StreamRecorder> Recorders => _recordings.All;
 
     public FrameCallbacks Callbacks { get; }
 
@@ -182,6 +190,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
             ];
         }
     }
+
+    public void Forget(StreamRecorder recorder) => _recordings.Forget(recorder);
 
     public long GetSkipped(SkipReason reason) => _counters.GetSkipped(reason);
 

@@ -40,6 +40,10 @@ var counts = new Option<int[]>("--counts") { Description = "Numbers of connectio
 var streams = new Command("streams", "Cost of many connections in one process.") { counts, seconds, runs, json };
 streams.SetAction((result, _) => Streams.RunAsync(result.GetValue(counts)!, result.GetValue(seconds), result.GetValue(runs), Open(result)));
 
+var speeds = new Option<double[]>("--speeds") { Description = "Speeds.", DefaultValueFactory = _ => [1, 4], AllowMultipleArgumentsPerToken = true };
+var playback = new Command("playback", "How exactly a recording is played, and what it costs.") { speeds, seconds, json };
+playback.SetAction((result, _) => Playback.RunAsync(result.GetValue(speeds)!, result.GetValue(seconds), Open(result)));
+
 var micro = new Command("micro", "The steps of the receive path one by one, by BenchmarkDotNet.");
 micro.SetAction(_ => { BenchmarkRunner.Run<ReceivePathBenchmarks>(ReceivePathBenchmarks.Config); });
 
@@ -67,7 +71,7 @@ sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(conne
 
 return await new RootCommand("Measures the receive path as ratios to a floor that is measured in the same run.")
     {
-        throughput, latency, streams, avatars, consumers, broadcast, decode, micro, flood, pace, sinks,
+        throughput, latency, streams, avatars, consumers, broadcast, decode, playback, micro, flood, pace, sinks,
     }
     .Parse(args)
     .InvokeAsync();

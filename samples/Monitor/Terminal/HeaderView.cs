@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Transport;
 using Spectre.Console;
@@ -41,6 +42,8 @@ internal static class HeaderView
 
     private static string DescribeSource(LiveState state)
     {
+        if (state.Player is { } player)
+            return $"{TerminalText.Clean(player.FileName)}  {PlaybackKeys.Describe(player)}";
         if (state.Options.UdpPort is { } port)
             return $"UDP port {port}";
 

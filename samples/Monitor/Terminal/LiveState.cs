@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
+using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Transport;
 
@@ -17,6 +18,9 @@ internal sealed class LiveState(MonitorOptions options)
     private int _collectionsAtReset;
 
     public MonitorOptions Options => options;
+
+    /// <summary>What is played instead of a live stream; null for one.</summary>
+    public RecordingPlayer? Player { get; init; }
 
     public EventLog Events { get; } = new();
 

@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using NeuronMocap.Playback;
-using NeuronMocap.Server;
 
 namespace NeuronMocap.Simulator.Playback;
 

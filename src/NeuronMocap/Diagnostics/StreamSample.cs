@@ -19,6 +19,8 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
     private readonly Dictionary<(PacketKind Kind, int Source, uint Avatar), AvatarSample> _avatars = [];
     private readonly Dictionary<SkipReason, (long Bytes, List<byte> Start)> _skipped = [];
 
+    public StreamTap? Tap => null;
+
     // The first bytes have come; those that may begin a packet count when the rest of it is there.
     public Task Started => _started.Task;
 

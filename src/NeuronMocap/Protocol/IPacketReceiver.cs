@@ -3,6 +3,9 @@ namespace NeuronMocap.Protocol;
 // Where the receive path delivers what it found, on the receive thread, in the order of arrival.
 internal interface IPacketReceiver
 {
+    // Where every piece of bytes is shown before it is looked at; null where nobody can record it. Always the same one.
+    StreamTap? Tap { get; }
+
     // A new connection stands; what comes over it does not continue what came before.
     void OnLinkOpened();
 

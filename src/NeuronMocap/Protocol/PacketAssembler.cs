@@ -2,11 +2,14 @@ namespace NeuronMocap.Protocol;
 
 // Joins the pieces in which one sender's bytes arrive. Packets and lines that lie whole in a piece are read in place; only the unfinished tail
 // of a piece is copied, and grows by no more than the scanner asked for until it is a packet or is known to be none. Not thread-safe.
-internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver receiver, int source = 0)
+// The sender's address, as the system writes it, goes to whoever records the bytes.
+internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver receiver, int source = 0, byte[]? sender = null)
 {
     private const int InitialCapacity = 4096;
 
     private readonly StreamScanner _scanner = new(scanner);
+    private readonly StreamTap? _tap = receiver.Tap;
+    private readonly byte[] _sender = sender ?? [];
     private byte[] _tail = [];
     private int _tailLength;
     private int _needed;
@@ -18,6 +21,7 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
 
     public void Push(ArraySegment<byte> piece, long timestamp)
     {
+        _tap?.OnBytes(source, _sender, piece, timestamp);
         while (_tailLength > 0 && piece.Count > 0)
         {
             int taken = _scanner.Wanted(piece, _tailLength, _needed);

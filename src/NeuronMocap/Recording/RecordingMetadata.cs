@@ -1,5 +1,8 @@
 using System.Diagnostics.CodeAnalysis;
+using System.Globalization;
+using System.Runtime.InteropServices;
 using System.Text;
+using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Recording;
 
@@ -31,7 +34,10 @@ public sealed class RecordingMetadata
     public const string SkeletonVariantName = "skeleton-variant";
 
     /// <summary>The reader's limit of floats in a packet: with another one, a hostile stream gives other frames.</summary>
-    public const string MaxValues = "max-values";
+    public const string MaxValuesName = "max-values";
+
+    /// <summary>Sizes of the body of avatar 0, in metres: twelve numbers with blanks between them, as <see cref="BoneDimensions"/> lists them.</summary>
+    public const string BoneDimensionsName = "bone-dimensions";
 
     /// <summary>Most names.</summary>
     public const int MaxCount = 256;
@@ -70,6 +76,21 @@ public sealed class RecordingMetadata
     /// <param name="key">The name.</param>
     public string? this[string key] => _values.TryGetValue(key, out string? value) ? value : null;
 
+    /// <summary>Order of the rotation values; null when it is not known.</summary>
+    public RotationOrder? RotationOrder => Enum.TryParse(this[RotationOrderName], out RotationOrder order) && Enum.IsDefined(typeof(RotationOrder), order)
+        ? order
+        : null;
+
+    /// <summary>Names of the spine's bones; null when they are not known.</summary>
+    public SkeletonVariant? SkeletonVariant =>
+        Enum.TryParse(this[SkeletonVariantName], out SkeletonVariant variant) && Enum.IsDefined(typeof(SkeletonVariant), variant) ? variant : null;
+
+    /// <summary>The reader's limit of floats in a packet; null when it is not known.</summary>
+    public int? MaxValues => int.TryParse(this[MaxValuesName], NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count > 0 ? count : null;
+
+    /// <summary>Sizes of the body of avatar 0; null when they are not known.</summary>
+    public BoneDimensions? BoneDimensions => ParseDimensions(this[BoneDimensionsName]);
+
     /// <summary>Makes metadata that have this value besides, or instead of one of the same name.</summary>
     /// <param name="key">The name, not empty.</param>
     /// <param name="value">The value.</param>
@@ -80,6 +101,33 @@ public sealed class RecordingMetadata
         ArgumentNullException.ThrowIfNull(key);
         ArgumentNullException.ThrowIfNull(value);
         return TryWith(key, value, out RecordingMetadata? metadata, out string? fault) ? metadata : throw new ArgumentException(fault, nameof(value));
+    }
+
+    // Nine digits give the same float again.
+    internal static string ToText(BoneDimensions dimensions)
+    {
+        byte[] bytes = new byte[Skeleton.BoneDimensions.Size];
+        dimensions.Write(bytes);
+        return string.Join(" ", MemoryMarshal.Cast<byte, float>(bytes).ToArray().Select(size => ((double)size).ToString("G9", CultureInfo.InvariantCulture)));
+    }
+
+    private static BoneDimensions? ParseDimensions(string? text)
+    {
+        byte[] bytes = new byte[Skeleton.BoneDimensions.Size];
+        Span<float> sizes = MemoryMarshal.Cast<byte, float>(bytes.AsSpan());
+        string[] parts = text?.Split(' ') ?? [];
+        if (parts.Length != sizes.Length)
+            return null;
+
+        for (int i = 0; i < parts.Length; i++)
+        {
+            if (!double.TryParse(parts[i], NumberStyles.Float, CultureInfo.InvariantCulture, out double size))
+                return null;
+
+            sizes[i] = (float)size;
+        }
+
+        return Skeleton.BoneDimensions.TryRead(bytes, out BoneDimensions dimensions) ? dimensions : null;
     }
 
     // Of a file, which may hold anything.

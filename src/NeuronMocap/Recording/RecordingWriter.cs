@@ -17,6 +17,10 @@ public sealed class RecordingWriter : IDisposable
     private const long CheckpointAllowance = 16 * 1024;
     private const int CheckpointShare = 1000;
 
+    // Behind the last entry, beside the index: its header, the end, the header of the last block and what stands in front of a piece.
+    private const int ClosingBytes = 4096;
+    private const int IndexPlaceBytes = 18;
+
     private readonly Stream _stream;
     private readonly bool _compress;
     private readonly bool _leaveOpen;
@@ -32,6 +36,7 @@ public sealed class RecordingWriter : IDisposable
     private long _time;
     private long _lastCheckpoint;
     private long _checkpointBytes;
+    private long _checkpointLength;
     private bool _isStateNew;
     private bool _hasFailed;
     private bool _isDisposed;
@@ -81,6 +86,10 @@ public sealed class RecordingWriter : IDisposable
 
     /// <summary>Bytes of the file so far, those included that are not yet written.</summary>
     public long Length => WrittenLength + (_entries.IsEmpty ? 0 : _entries.Block.Length);
+
+    // No less than the file would have, closed behind one more piece.
+    internal long LengthWith(int piece) =>
+        Length + piece + ClosingBytes + (2 * _checkpointLength) + (IndexPlaceBytes * (long)(_index.Count + 1));
 
     /// <summary>Bytes that were handed to the stream.</summary>
     public long WrittenLength { get; private set; }
@@ -300,7 +309,8 @@ public sealed class RecordingWriter : IDisposable
         long before = WrittenLength;
         _state.Write(_checkpoint, _time);
         WriteBlock(BlockKind.Checkpoint, _checkpoint);
-        _checkpointBytes += WrittenLength - before;
+        _checkpointLength = WrittenLength - before;
+        _checkpointBytes += _checkpointLength;
         _lastCheckpoint = WrittenLength;
         _isStateNew = false;
     }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Telemetry;
@@ -26,6 +27,7 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
     private readonly StatusLevels _levels = new();
     private readonly Dictionary<(ReaderEventId Id, string? Subject), ThrottledCount> _counts = [];
     private readonly TaskCompletionSource<bool> _over = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly HashSet<StreamRecorder> _recorders = [];
     private long _droppedTold;
     private volatile Exception? _failure;
     private volatile bool _ended;
@@ -108,6 +110,8 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
 
             ReportSkipped(now, force);
             ReportFailures(statistics, now, force);
+            foreach (StreamRecorder recorder in figures.Recorders)
+                ReportRecording(recorder, now, force);
         }
         catch (Exception)
         {
@@ -161,6 +165,40 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
             Exception = failure,
             Message = Text($"Handlers threw {Number(failed.Count, "exception")}, {failed.Total} in all; the newest: {failure?.Message}"),
         });
+    }
+
+    private void ReportRecording(StreamRecorder recorder, long now, bool force)
+    {
+        if (_ended && !force)
+            return;
+
+        bool hasEnded = recorder.Completion.IsCompleted;
+        var news = new ReaderEvent(ReaderEventId.RecordingStarted, ReaderEventLevel.Information, name, $"Recording to {recorder.Path}.") { Subject = recorder.Path };
+        if (_recorders.Add(recorder))
+            report(news);
+
+        RecordingStatistics statistics = recorder.GetStatistics();
+        if (Take(ReaderEventId.RecordingIncomplete, recorder.Path, statistics.LostPieces, now, force || hasEnded) is { Count: > 0 } lost)
+            report(lost with { Message = Text($"The recording lacks {Number(lost.Count, "piece")} that arrived faster than {recorder.Path} could be written; {lost.Total} in all, {Number(statistics.LostBytes, "byte")}.") });
+        if (!hasEnded)
+            return;
+
+        _counts.Remove((ReaderEventId.RecordingIncomplete, recorder.Path));
+        _recorders.Remove(recorder);
+        figures.Forget(recorder);
+        report(recorder.Failure is { } failure
+            ? news with
+            {
+                Id = ReaderEventId.RecordingFailed,
+                Level = ReaderEventLevel.Error,
+                Exception = failure,
+                Message = $"The recording to {recorder.CurrentPath} ended: {failure.Message}",
+            }
+            : news with
+            {
+                Id = ReaderEventId.RecordingStopped,
+                Message = Text($"Recorded {Number(statistics.Bytes, "byte")} in {statistics.Duration.TotalSeconds:0.0} s to {recorder.CurrentPath}."),
+            });
     }
 
     // Nothing once the end has come: the last report tells the rest.

@@ -1,5 +1,6 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Telemetry;
@@ -17,4 +18,9 @@ internal interface IReaderFigures
     IReadOnlyList<ConsumerStatistics> GetConsumers();
 
     long GetSkipped(SkipReason reason);
+
+    // Those that have ended included, until Forget.
+    IReadOnlyList<StreamRecorder> Recorders { get; }
+
+    void Forget(StreamRecorder recorder);
 }

@@ -35,6 +35,18 @@ public enum ReaderEventId
 
     /// <summary>A handler of the application threw.</summary>
     HandlerFailed = 13,
+
+    /// <summary>A recording began.</summary>
+    RecordingStarted = 20,
+
+    /// <summary>A recording has ended, as it was told to.</summary>
+    RecordingStopped = 21,
+
+    /// <summary>A recording was not written fast enough and lacks what arrived meanwhile.</summary>
+    RecordingIncomplete = 22,
+
+    /// <summary>A recording ended because it could not be written any more.</summary>
+    RecordingFailed = 23,
 }
 
 /// <summary>How much an event matters; as the levels of the same names in Microsoft.Extensions.Logging.</summary>
@@ -63,16 +75,19 @@ public readonly record struct ReaderEvent(ReaderEventId Id, ReaderEventLevel Lev
     /// <summary>The new state of the connection, for a change of it.</summary>
     public ConnectionStatus? Status { get; init; }
 
-    /// <summary>How many frames, bytes or exceptions came since the last event of this kind; 0 for a change of the state.</summary>
+    /// <summary>How many frames, bytes, pieces or exceptions came since the last event of this kind; 0 for a change of the state.</summary>
     public long Count { get; init; }
 
     /// <summary>How many came since the reader was made; 0 for a change of the state.</summary>
     public long Total { get; init; }
 
-    /// <summary>The queue that dropped frames (<see cref="FrameQueue.Name"/>), or the <see cref="Protocol.SkipReason"/> of bytes; otherwise null.</summary>
+    /// <summary>
+    /// The queue that dropped frames (<see cref="FrameQueue.Name"/>), the <see cref="Protocol.SkipReason"/> of bytes, or the file of a recording;
+    /// otherwise null.
+    /// </summary>
     public string? Subject { get; init; }
 
-    /// <summary>The newest exception of a handler; otherwise null.</summary>
+    /// <summary>The newest exception of a handler, or what ended a recording; otherwise null.</summary>
     public Exception? Exception { get; init; }
 
     /// <summary>Level, reader and message.</summary>

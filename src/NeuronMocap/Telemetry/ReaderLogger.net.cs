@@ -27,6 +27,18 @@ internal sealed partial class ReaderLogger(ILoggerFactory factory)
             case ReaderEventId.HandlerFailed:
                 HandlerFailed(reported.Exception, reported.Reader, reported.Message, reported.Count, reported.Total);
                 break;
+            case ReaderEventId.RecordingStarted:
+                RecordingStarted(reported.Reader, reported.Message, reported.Subject);
+                break;
+            case ReaderEventId.RecordingStopped:
+                RecordingStopped(reported.Reader, reported.Message, reported.Subject);
+                break;
+            case ReaderEventId.RecordingIncomplete:
+                RecordingIncomplete(reported.Reader, reported.Message, reported.Subject, reported.Count, reported.Total);
+                break;
+            case ReaderEventId.RecordingFailed:
+                RecordingFailed(reported.Exception, reported.Reader, reported.Message, reported.Subject);
+                break;
             default:
                 WriteState(level, reported);
                 break;
@@ -99,4 +111,16 @@ internal sealed partial class ReaderLogger(ILoggerFactory factory)
 
     [LoggerMessage(EventId = 13, Level = LogLevel.Error, Message = "{Reader}: {Message} ({Count} of {Total})")]
     private partial void HandlerFailed(Exception? exception, string reader, string message, long count, long total);
+
+    [LoggerMessage(EventId = 20, Level = LogLevel.Information, Message = "{Reader}: {Message} ({Path})")]
+    private partial void RecordingStarted(string reader, string message, string? path);
+
+    [LoggerMessage(EventId = 21, Level = LogLevel.Information, Message = "{Reader}: {Message} ({Path})")]
+    private partial void RecordingStopped(string reader, string message, string? path);
+
+    [LoggerMessage(EventId = 22, Level = LogLevel.Warning, Message = "{Reader}: {Message} ({Path}: {Count} of {Total})")]
+    private partial void RecordingIncomplete(string reader, string message, string? path, long count, long total);
+
+    [LoggerMessage(EventId = 23, Level = LogLevel.Error, Message = "{Reader}: {Message} ({Path})")]
+    private partial void RecordingFailed(Exception? exception, string reader, string message, string? path);
 }

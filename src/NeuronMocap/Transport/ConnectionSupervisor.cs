@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
@@ -38,12 +39,15 @@ internal sealed class ConnectionSupervisor(
     private async Task<(LinkEnd End, bool Delivered)> RunLinkAsync(IPacketReceiver receiver, int attempt, CancellationToken stop)
     {
         Link? link = null;
+        ConnectionReason reason = ConnectionReason.NetworkError;
         try
         {
             link = createLink();
             using CancellationTokenRegistration closing = stop.Register(link.Close);
             status.Set(new ConnectionStatus(ConnectionState.Connecting, ConnectionReason.None, $"Connecting to {link.Target}.") { Attempt = attempt });
-            return await ReceiveAsync(link, receiver, attempt, stop).ConfigureAwait(false);
+            (LinkEnd End, bool Delivered) result = await ReceiveAsync(link, receiver, attempt, stop).ConfigureAwait(false);
+            reason = result.End.Reason;
+            return result;
         }
         catch (Exception exception)
         {
@@ -53,6 +57,7 @@ internal sealed class ConnectionSupervisor(
         finally
         {
             _standing = null;
+            receiver.Tap?.Close(reason.ToString(), Stopwatch.GetTimestamp());
             receiver.OnLinkClosed();
             link?.Dispose();
         }
@@ -67,6 +72,7 @@ internal sealed class ConnectionSupervisor(
         _standing = link;
         activity.Begin(link.Target);
         receiver.OnLinkOpened();
+        receiver.Tap?.Open(link.IsDatagrams, link.LocalEndPoint, link.RemoteEndPoint, Stopwatch.GetTimestamp());
         status.Set(new ConnectionStatus(ConnectionState.Connected, ConnectionReason.None, $"Connected to {link.Target}; waiting for frames.")
         {
             Attempt = attempt,

@@ -10,6 +10,9 @@ internal abstract class Link : IDisposable
 
     public EndPoint? RemoteEndPoint { get; protected set; }
 
+    // Whether the bytes come in datagrams, each with its sender.
+    public virtual bool IsDatagrams => false;
+
     // What the status messages call the other side.
     public abstract string Target { get; }
 

@@ -11,6 +11,8 @@ internal sealed class UdpLink(LinkOptions options, SenderFilter filter) : Link
     private Socket? _socket;
     private bool _closed;
 
+    public override bool IsDatagrams => true;
+
     public override string Target => $"UDP port {(LocalEndPoint as IPEndPoint)?.Port ?? options.Port}";
 
     public override Task<LinkEnd> OpenAsync(CancellationToken stop) => Task.FromResult(Bind());

@@ -49,8 +49,9 @@ internal sealed class UdpSenders(PacketScanner scanner, IPacketReceiver receiver
         if (_senders.Count >= Limit)
             RemoveOldest();
 
-        var sender = new Sender(new PacketAssembler(scanner, receiver, _nextSource++));
-        _senders.Add(Copy(address), sender);
+        (SocketAddress copy, byte[] bytes) = Copy(address);
+        var sender = new Sender(new PacketAssembler(scanner, receiver, _nextSource++, bytes));
+        _senders.Add(copy, sender);
         return sender;
     }
 
@@ -72,13 +73,14 @@ internal sealed class UdpSenders(PacketScanner scanner, IPacketReceiver receiver
     }
 
     // The receive loop uses its address object again for the next datagram.
-    private static SocketAddress Copy(SocketAddress address)
+    private static (SocketAddress Copy, byte[] Bytes) Copy(SocketAddress address)
     {
         var copy = new SocketAddress(address.Family, address.Size);
+        byte[] bytes = new byte[address.Size];
         for (int i = 0; i < address.Size; i++)
-            copy[i] = address[i];
+            copy[i] = bytes[i] = address[i];
 
-        return copy;
+        return (copy, bytes);
     }
 
     private sealed class Sender(PacketAssembler assembler)

@@ -12,6 +12,8 @@ internal sealed class StreamReading : IPacketReceiver
     private ArraySegment<byte> _stream;
     private Digest _digest;
 
+    public StreamTap? Tap => null;
+
     /// <summary>Bytes that were delivered or skipped.</summary>
     public int Position { get; private set; }
 

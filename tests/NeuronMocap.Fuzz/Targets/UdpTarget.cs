@@ -48,6 +48,8 @@ internal sealed class UdpTarget
     {
         private Digest _digest;
 
+        public StreamTap? Tap => null;
+
         public long Bytes { get; private set; }
 
         public int Packets { get; private set; }

@@ -16,7 +16,7 @@ public sealed class DependencyTests
         ["Transport"] = ["Protocol"],
         ["Delivery"] = ["Frames", "Protocol", "Skeleton"],
         ["Diagnostics"] = ["Delivery", "Protocol", "Transport"],
-        ["Telemetry"] = ["Delivery", "Transport", "Protocol"],
+        ["Telemetry"] = ["Delivery", "Recording", "Transport", "Protocol"],
         // Text that a server sends is BVH; how to connect, and why that failed, is the same as for a stream.
         ["Commands"] = ["Bvh", "Delivery", "Protocol", "Skeleton", "Transport"],
         ["Bvh"] = ["Frames", "Skeleton", "Protocol"],

@@ -12,6 +12,8 @@ internal sealed class StreamTrace(byte[] stream) : IPacketReceiver
     private int _position;
     private int _textAt;
 
+    public StreamTap? Tap => null;
+
     public List<string> Lines { get; } = [];
 
     /// <summary>Pushes pieces through an assembler, each in memory that is not the next one's and is overwritten afterwards.</summary>

@@ -5,6 +5,8 @@ namespace NeuronMocap.Tests.Network;
 // Receives packets as the receive path does, and keeps copies.
 internal sealed class PacketLog : IPacketReceiver
 {
+    public StreamTap? Tap => null;
+
     public List<(PacketKind Kind, byte[] Bytes, int Source)> Packets { get; } = [];
 
     public int Skipped { get; private set; }

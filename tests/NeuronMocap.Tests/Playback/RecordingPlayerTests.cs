@@ -214,7 +214,7 @@ public sealed class RecordingPlayerTests
         {
             writer.OpenConnection(Recordings.At(100), Tcp);
             writer.WriteBytes(Recordings.At(200), 0, TestPackets.Motion(0).AsSpan(0, 777));
-            writer.CloseConnection(Recordings.At(300), 0, "127.0.0.1:7001 closed the connection.");
+            writer.CloseConnection(Recordings.At(300), 0, nameof(ConnectionReason.Reset));
             writer.OpenConnection(Recordings.At(5000), Tcp with { Number = 1 });
             writer.WriteBytes(Recordings.At(6000), 1, TestPackets.Motion(1));
         });
@@ -229,7 +229,7 @@ public sealed class RecordingPlayerTests
         Assert.Equal([100.0, 200, 300, 5000, 6000], time.Waits.Distinct());
         Assert.Equal([6000.0], frames.Milliseconds);
         Assert.Equal(777, reader.GetStatistics().SkippedBytes);
-        Assert.Contains(statuses.All, static status => status is { State: ConnectionState.Waiting, Reason: ConnectionReason.ClosedByPeer, Message: "127.0.0.1:7001 closed the connection." });
+        Assert.Contains(statuses.All, static status => status is { State: ConnectionState.Waiting, Reason: ConnectionReason.Reset, Message: "The recorded connection ended: Reset." });
         Assert.Equal(2, statuses.All.Count(static status => status.State == ConnectionState.Connected));
     }
 

@@ -167,6 +167,8 @@ public sealed class TextStreamTests
 
     private sealed class Counts : IPacketReceiver
     {
+        public StreamTap? Tap => null;
+
         public int Packets { get; private set; }
 
         public void OnLinkOpened()

@@ -1,6 +1,5 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Frames;
 using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
@@ -55,10 +54,10 @@ public sealed class BroadcasterRecordingTests
         for (int i = 0; i < 3; i++)
         {
             using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
-            uint before = Expect.FrameIndex(Assert.NotNull(await client.ReadAsync().Soon()));
+            uint before = Expect.FrameIndex((await client.ReadAsync().Soon())!);
             for (int frame = 0; frame < 7; frame++)
             {
-                uint next = Expect.FrameIndex(Assert.NotNull(await client.ReadAsync().Soon()));
+                uint next = Expect.FrameIndex((await client.ReadAsync().Soon())!);
                 Assert.Equal((before + 1) % 3, next);
                 before = next;
             }

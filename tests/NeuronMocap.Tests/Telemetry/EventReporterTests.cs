@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;
 
@@ -220,5 +221,11 @@ public sealed class EventReporterTests
         }
 
         public long GetSkipped(SkipReason reason) => Skipped.GetValueOrDefault(reason);
+
+        public IReadOnlyList<StreamRecorder> Recorders => [];
+
+        public void Forget(StreamRecorder recorder)
+        {
+        }
     }
 }

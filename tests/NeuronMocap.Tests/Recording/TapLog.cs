@@ -1,0 +1,57 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
+
+namespace NeuronMocap.Tests.Recording;
+
+// Listens beside a recorder: what it should have written.
+internal sealed class TapLog : IStreamListener
+{
+    public List<StreamConnection> Opened { get; } = [];
+
+    public List<(int Connection, int Source, string Bytes, long Timestamp)> Pieces { get; } = [];
+
+    public List<(int Source, string Address)> Senders { get; } = [];
+
+    public List<string> Closed { get; } = [];
+
+    public byte[] Bytes => Convert.FromHexString(string.Concat(Pieces.Select(piece => piece.Bytes)));
+
+    public void OnOpened(StreamConnection connection, bool wasOpen, long timestamp) => Opened.Add(connection);
+
+    public void OnBytes(int source, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
+    {
+        Pieces.Add((Opened[^1].Number, source, Convert.ToHexString(bytes), timestamp));
+        if (sender.Length > 0 && !Senders.Exists(known => known.Source == source))
+            Senders.Add((source, Describe(sender)));
+    }
+
+    public void OnClosed(string reason, long timestamp) => Closed.Add(reason);
+
+    // Same pieces, to the byte and, the beginning being the same, to 100 ns.
+    public void AssertRecorded(IReadOnlyList<RecordedEntry> entries)
+    {
+        RecordedEntry[] pieces = [.. entries.Where(entry => entry.Kind == RecordingEntryKind.Bytes)];
+        Assert.Equal(Pieces.Select(piece => (piece.Connection, piece.Source, piece.Bytes)), pieces.Select(piece => (piece.Connection, piece.Sender, piece.Bytes)));
+        for (int i = 1; i < pieces.Length; i++)
+        {
+            long expected = RecordingClock.Between(Pieces[0].Timestamp, Pieces[i].Timestamp).Ticks;
+            Assert.InRange(pieces[i].Time - pieces[0].Time, expected - 1, expected + 1);
+        }
+
+        Assert.Equal(
+            Senders,
+            entries.Where(entry => entry.Kind == RecordingEntryKind.SenderAdded).Select(entry => (entry.Sender, entry.Text!)));
+        Assert.Equal(Closed, entries.Where(entry => entry.Kind == RecordingEntryKind.ConnectionClosed).Select(entry => entry.Text!));
+    }
+
+    private static string Describe(byte[] sender)
+    {
+        var address = new SocketAddress(AddressFamily.InterNetwork, sender.Length);
+        for (int i = 0; i < sender.Length; i++)
+            address[i] = sender[i];
+
+        return new IPEndPoint(IPAddress.Any, 0).Create(address).ToString()!;
+    }
+}
