@@ -79,7 +79,6 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     public NeuronReader(RecordingPlayer player, NeuronReaderOptions? options = null)
         : this(options ?? new NeuronReaderOptions(), createLink: null, player ?? throw new ArgumentNullException(nameof(player)))
     {
-        player.Attach(_senders, OnCallbackFailed);
     }
 
     internal NeuronReader(NeuronReaderOptions options, Func<Link>? createLink)
@@ -98,6 +97,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _statusHandlers = new HandlerList<ConnectionStatus>(OnCallbackFailed);
         _status = new StatusBoard(OnStatusChanged);
         _senders = new SenderFilter(_options.AllowedSenders);
+        player?.Attach(_senders, OnCallbackFailed);
         _format = player?.CreateFormat(_options.RotationOrder, _options.SkeletonVariant) ?? _options.Format;
         _discovery = _options.Commands is { } commands ? new FormatDiscovery(commands, _format, OnFormatLearnt) : null;
         var recognizer = new StreamRecognizer(_format);

@@ -137,8 +137,8 @@ internal sealed class PlaybackRun
         if (_parser.IsOpen)
             return null;
 
-        // The last connection's end is that of the recording.
-        return Peek().Kind == ArrivalKind.End && EndPass() is { } last ? last : Ended(reason);
+        // The last connection's end is that of the recording, which comes next.
+        return Peek().Kind == ArrivalKind.End ? null : Ended(reason);
     }
 
     // Null when another pass follows.

@@ -1,7 +1,6 @@
 using System.Text.Json;
 using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Playback;
-using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Samples.Tests.Infrastructure;
 using NeuronMocap.Transport;
@@ -132,7 +131,7 @@ public sealed class PlayTests : IDisposable
         Assert.False(Press(player, 'q'));
         player.Speed = RecordingPlayer.MaxSpeed;
         Assert.True(Press(player, '+') && Press(player, '-'));
-        Assert.Equal(100, player.Speed);
+        Assert.Equal(50, player.Speed);
         Assert.True(Press(player, '0'));
         Assert.Equal(1, player.Speed);
     }
