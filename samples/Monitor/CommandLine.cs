@@ -7,6 +7,7 @@ using NeuronMocap.Monitor.Diagnosis;
 using NeuronMocap.Monitor.Export;
 using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Monitor.Files;
+using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
@@ -21,7 +22,7 @@ internal sealed class CommandLine
     public const int Interrupted = 130;
 
     private const string Usage =
-        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo] [--diagnose [HOST[:PORT]]] [--order YXZ] [--command-port PORT] [--once] [--frames N] "
+        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo | --play FILE [--speed N|max] [--rate HZ] [--loop]] [--diagnose [HOST[:PORT]]] [--order YXZ] [--command-port PORT] [--once] [--frames N] "
         + "[--duration SECONDS] [--json | --quiet] [--export FILE.bvh [--export-avatar N|all]] "
         + "[--record FILE [--record-compress] [--record-size MB] [--record-time SECONDS] [--record-files N]] [--overwrite]\n"
         + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]\n"
@@ -143,6 +144,7 @@ internal sealed class CommandLine
     private readonly FileArguments _files;
 
     private readonly RecordingArguments _recording = new();
+    private readonly PlayArguments _play = new();
 
     private readonly RootCommand _root = new(
         "Shows what a Perception Neuron server (Axis Neuron, Axis Studio or a simulator) sends: on a terminal live, with the skeleton, "
@@ -161,12 +163,12 @@ internal sealed class CommandLine
         }
 
         _commands.AddTo(_root);
+        _play.AddTo(_root);
         _export = new ExportArguments(_overwrite);
         _export.AddTo(_root);
         _recording.AddTo(_root);
         _files = new FileArguments(_overwrite);
         _files.AddTo(_root);
-        _root.Options.Add(_overwrite);
 
         _root.Validators.Add(RejectContradictions);
         HelpExamples.AddTo(_root);
@@ -254,13 +256,14 @@ internal sealed class CommandLine
             result.AddError("--allow-sender needs --udp: over TCP the data comes from the server that --connect names.");
         if (IsGiven(result, _commandPort) && !IsGiven(result, _connect))
             result.AddError("--command-port needs --connect: it is a port of the server that --connect names.");
+        _play.RejectContradictions(result, _connect, _udp, _demo, _diagnose, _once);
         _files.RejectContradictions(
             result,
-            [_connect, _udp, _demo, _allowSender, _diagnose, _commandPort, _once, _frames, _duration, _quiet, .. _commands.Own, .. _export.Own],
+            [.. _play.Own, _connect, _udp, _demo, _allowSender, _diagnose, _commandPort, _once, _frames, _duration, _quiet, .. _commands.Own, .. _export.Own, .. _recording.Own],
             _order,
             _json);
         if (!_files.IsGiven(result))
-            _commands.RejectContradictions(result, [_connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
+            _commands.RejectContradictions(result, [_play.File, _connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
         _export.RejectContradictions(result, [_diagnose, _commands.Main]);
         _recording.RejectContradictions(result, [_diagnose, _commands.Main]);
         if (IsGiven(result, _overwrite) && !_export.IsGiven(result) && !_files.IsGiven(result) && !IsGiven(result, _recording.Record))
@@ -299,6 +302,7 @@ internal sealed class CommandLine
         UdpPort = result.GetValue(_udp),
         AllowedSenders = result.GetValue(_allowSender) ?? [],
         RotationOrder = result.GetValue(_order),
+        Play = _play.Read(result),
         CommandPort = result.GetValue(_commandPort),
         Export = _export.Read(result),
         Once = result.GetValue(_once),

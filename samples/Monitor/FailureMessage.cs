@@ -28,6 +28,9 @@ internal sealed class FailureMessage
         lock (_lock)
             problem = _problem;
 
+        if (problem.Reason == ConnectionReason.EndOfRecording)
+            return $"{TerminalText.Clean(problem.Message)} No frame is in it.";
+
         // The run ended before the silence check of the reader could say what the bytes were.
         if (statistics.SkippedBytes > 0 && problem.Reason == ConnectionReason.None)
         {

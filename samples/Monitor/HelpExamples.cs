@@ -10,10 +10,11 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
     private const string Text = """
         Keys of the live view:
           q quit   space pause   r reset counters   tab next avatar   b next bones   ? help
+          with --play, too: . , frame by frame   left, right 5 s back, forward   + - 0 speed
 
         Exit codes:
           0  done as asked, or ended by q, Ctrl+C or SIGTERM
-          1  nothing could be connected, bound or received, or not be recorded; standard error says which setting to look at
+          1  nothing could be connected, bound, opened or received, or not be recorded; standard error says which setting to look at
           2  wrong options
           Of --commands: 0 answered, 1 not, 2 wrong options, 130 ended by Ctrl+C or SIGTERM before it knew
           Of --info, --convert, --plot: 0 done, 1 not read or written, 2 wrong options, 130 ended by Ctrl+C or SIGTERM, nothing written
@@ -29,6 +30,8 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
           neuron-monitor --diagnose --udp 7012                  the same for UDP; with --demo it shows a healthy stream
           neuron-monitor --commands 192.168.1.20                bone sizes, rotation order and BVH header; port 8013
           neuron-monitor --commands 192.168.1.20 --zero-out 0   avatar 0 faces front; all for all of them
+          neuron-monitor --play take.nmrec --speed 0.5          a recording, half as fast
+          neuron-monitor --play dump.bin --rate 60 --json       frames of bytes that somebody wrote to a file
           neuron-monitor --connect studio --export take.bvh     keep what is shown, until q or Ctrl+C
           neuron-monitor --info take.bvh                        what a file holds, and what is odd about it; also .nmrec, .calc, .bin
           neuron-monitor --convert take.nmrec take.bvh          a recording as BVH; a file of any kind as any other

@@ -3,6 +3,7 @@ using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Export;
 using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Monitor.Files;
+using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
@@ -37,13 +38,16 @@ internal sealed record MonitorOptions
     public IReadOnlyList<IPAddress> AllowedSenders { get; init; } = [];
 
     /// <summary>Whether a simulator inside this process is the server.</summary>
-    public bool IsDemo => Server is null && UdpPort is null;
+    public bool IsDemo => Server is null && UdpPort is null && Play is null;
 
     /// <summary>Null to find it out; the demo then has YXZ.</summary>
     public RotationOrder? RotationOrder { get; init; }
 
     /// <summary>Where to ask for what the stream does not say; null for nowhere.</summary>
     public int? CommandPort { get; init; }
+
+    /// <summary>The file to show; null for a server's stream.</summary>
+    public PlaySettings? Play { get; init; }
 
     public bool Once { get; init; }
 

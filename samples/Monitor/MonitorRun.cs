@@ -4,6 +4,8 @@ using NeuronMocap.Monitor.Output;
 using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Monitor.Terminal;
 using NeuronMocap.Recording;
+using NeuronMocap.Monitor.Playback;
+using NeuronMocap.Playback;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
@@ -21,25 +23,27 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
     {
         try
         {
+            using RecordingPlayer? player = options.Play?.Open(options.RotationOrder);
             using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder ?? RotationOrder.YXZ) : null;
-            return await RunAsync(demo?.Address ?? options.Server, cancelled);
+            return await RunAsync(demo?.Address ?? options.Server, player, cancelled);
         }
-        catch (Exception exception) when (exception is BroadcasterException or ExportException)
+        catch (Exception exception) when (exception is BroadcasterException or ExportException or PlayException)
         {
             return await FailAsync(exception.Message);
         }
     }
 
-    private async Task<int> RunAsync(ServerAddress? server, CancellationToken cancelled)
+    private async Task<int> RunAsync(ServerAddress? server, RecordingPlayer? player, CancellationToken cancelled)
     {
         string? error = null;
-        await using var reader = new NeuronReader(options.ToReaderOptions(server));
+        NeuronReaderOptions readerOptions = options.ToReaderOptions(server);
+        await using NeuronReader reader = player is null ? new NeuronReader(readerOptions) : new NeuronReader(player, readerOptions);
         using ExportRun export = ExportRun.Begin(reader, options.Export, options.Frames);
         StreamRecorder? recorder = options.Recording?.TryStart(reader, out error);
         if (error is not null)
             return await FailAsync(error);
 
-        MonitorOutput output = CreateOutput(reader, recorder);
+        MonitorOutput output = CreateOutput(reader, player, recorder);
         Connect(reader, output);
 
         using var duration = new CancellationTokenSource(options.Duration ?? Timeout.InfiniteTimeSpan);
@@ -76,11 +80,11 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         return CommandLine.NothingReceived;
     }
 
-    private MonitorOutput CreateOutput(NeuronReader reader, StreamRecorder? recorder) => options.Output switch
+    private MonitorOutput CreateOutput(NeuronReader reader, RecordingPlayer? player, StreamRecorder? recorder) => options.Output switch
     {
         OutputKind.Json => new JsonOutput(streams.Output),
         OutputKind.Quiet => new QuietOutput(streams.Output),
-        _ when streams.IsTerminal && Screen.IsSupported => new LiveOutput(reader, recorder, options, streams.Output),
+        _ when streams.IsTerminal && Screen.IsSupported => new LiveOutput(reader, player, recorder, options, streams.Output),
         _ => new LineOutput(reader, streams.Output),
     };
 

@@ -106,9 +106,9 @@ public sealed partial class Broadcaster
             _accepted++;
             return true;
         }
-        catch (Exception exception) when (exception is SocketException or OutOfMemoryException)
+        catch (Exception exception) when (exception is SocketException or OutOfMemoryException or IOException or UnauthorizedAccessException or NeuronException)
         {
-            // It was reset before it was greeted, or the system has no thread left for it.
+            // It was reset before it was greeted, or the system has no thread left for it, or the recording's file is gone.
             _refused++;
             socket.Dispose();
             return false;

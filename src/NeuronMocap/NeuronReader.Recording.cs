@@ -21,6 +21,7 @@ public sealed partial class NeuronReader
     /// <exception cref="ArgumentException">The path is empty, or an option out of its range; the message names it.</exception>
     /// <exception cref="IOException">The file exists, and <see cref="RecordingOptions.Overwrite"/> is off, or it cannot be made.</exception>
     /// <exception cref="UnauthorizedAccessException">The file may not be made.</exception>
+    /// <exception cref="InvalidOperationException">The reader plays a file.</exception>
     /// <exception cref="ObjectDisposedException">The reader was disposed of, or has stopped.</exception>
     public StreamRecorder StartRecording(string path, RecordingOptions? options = null)
     {
@@ -30,6 +31,9 @@ public sealed partial class NeuronReader
             throw new ArgumentException("The path is empty.", nameof(path));
         if (how.FindFault() is { } fault)
             throw new ArgumentException(fault, nameof(options));
+
+        if (_isPlayback)
+            throw new InvalidOperationException("What is played is a file already, and is not recorded again.");
 
         return _recordings.Start(path, how, this);
     }

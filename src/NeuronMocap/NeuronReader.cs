@@ -44,6 +44,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly ConnectionSupervisor _supervisor;
     private readonly FormatDiscovery? _discovery;
     private readonly ReaderRecordings _recordings;
+    private readonly bool _isPlayback;
     private Timer? _watchdog;
     private int _started;
     private int _disposed;
@@ -78,7 +79,6 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     public NeuronReader(RecordingPlayer player, NeuronReaderOptions? options = null)
         : this(options ?? new NeuronReaderOptions(), createLink: null, player ?? throw new ArgumentNullException(nameof(player)))
     {
-        player.Attach(_senders, OnCallbackFailed);
     }
 
     internal NeuronReader(NeuronReaderOptions options, Func<Link>? createLink)
@@ -92,10 +92,12 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         if (options.FindFault() is { } fault)
             throw new ArgumentException(fault, nameof(options));
 
+        _isPlayback = player is not null;
         _options = player is null ? options.Copy() : options.CopyFor(player);
         _statusHandlers = new HandlerList<ConnectionStatus>(OnCallbackFailed);
         _status = new StatusBoard(OnStatusChanged);
         _senders = new SenderFilter(_options.AllowedSenders);
+        player?.Attach(_senders, OnCallbackFailed);
         _format = player?.CreateFormat(_options.RotationOrder, _options.SkeletonVariant) ?? _options.Format;
         _discovery = _options.Commands is { } commands ? new FormatDiscovery(commands, _format, OnFormatLearnt) : null;
         var recognizer = new StreamRecognizer(_format);

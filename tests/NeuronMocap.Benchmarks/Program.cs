@@ -50,6 +50,10 @@ var megabytes = new Option<int>("--megabytes") { Description = "Size of the file
 var bvh = new Command("bvh", "Reading a BVH file, row by row and as a document.") { megabytes, runs, json };
 bvh.SetAction((result, _) => BvhFiles.RunAsync(result.GetValue(megabytes), result.GetValue(runs), Open(result)));
 
+var speeds = new Option<double[]>("--speeds") { Description = "Speeds.", DefaultValueFactory = _ => [1, 4], AllowMultipleArgumentsPerToken = true };
+var playback = new Command("playback", "How exactly a recording is played, and what it costs.") { speeds, seconds, json };
+playback.SetAction((result, _) => Playback.RunAsync(result.GetValue(speeds)!, result.GetValue(seconds), Open(result)));
+
 var micro = new Command("micro", "The steps of the receive path one by one, by BenchmarkDotNet.");
 micro.SetAction(_ => { BenchmarkRunner.Run<ReceivePathBenchmarks>(ReceivePathBenchmarks.Config); });
 
@@ -77,7 +81,7 @@ sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(conne
 
 return await new RootCommand("Measures the receive path as ratios to a floor that is measured in the same run.")
     {
-        throughput, latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, recording, micro, flood, pace, sinks,
+        throughput, latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, recording, playback, micro, flood, pace, sinks,
     }
     .Parse(args)
     .InvokeAsync();

@@ -54,6 +54,8 @@ internal sealed class RecordingArguments
 
     public Option Record => _record;
 
+    public Option[] Own => [_record, _compress, _size, _time, _files];
+
     public void AddTo(RootCommand root)
     {
         foreach (Option option in (Option[])[_record, _compress, _size, _time, _files])

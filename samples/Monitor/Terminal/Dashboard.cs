@@ -55,7 +55,7 @@ internal static class Dashboard
     private static Layout CreateBody(LiveState state, int width, int height, bool framed)
     {
         if (state.ShowsHelp)
-            return Fixed(Frame("help", HelpView.Create(), framed), height);
+            return Fixed(Frame("help", HelpView.Create(state.Player is not null), framed), height);
         if (state.Pose is not { HasSkeleton: true } pose || state.Status.State != Transport.ConnectionState.Receiving)
             return Fixed(ProblemView.Create(state, width), height);
 

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Transport;
@@ -60,6 +61,8 @@ internal static class HeaderView
 
     private static string DescribeSource(LiveState state)
     {
+        if (state.Player is { } player)
+            return $"{TerminalText.Clean(player.FileName)}  {PlaybackKeys.Describe(player)}";
         if (state.Options.UdpPort is { } port)
             return $"UDP port {port}";
 

@@ -1,3 +1,4 @@
+using NeuronMocap.Monitor.Playback;
 using Spectre.Console;
 using Spectre.Console.Rendering;
 
@@ -24,10 +25,11 @@ internal static class HelpView
         ("ground", "the line at y = 0, with a mark every 50 cm"),
     ];
 
-    public static IRenderable Create()
+    public static IRenderable Create(bool isPlayback)
     {
         Grid grid = new Grid().AddColumn().AddColumn();
-        foreach ((string name, string meaning) in Entries)
+        (string Name, string Meaning)[] entries = isPlayback ? [.. PlaybackKeys.Entries, .. Entries.Where(static entry => !entry.Name.Equals("space", StringComparison.Ordinal))] : Entries;
+        foreach ((string name, string meaning) in entries)
             grid.AddRow(new Text(name, Palette.StrongStyle), new Text(meaning).Ellipsis());
 
         return Align.Center(grid, VerticalAlignment.Middle);

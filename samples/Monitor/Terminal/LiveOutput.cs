@@ -3,16 +3,18 @@ using System.Text;
 using NeuronMocap.Delivery;
 using NeuronMocap.Monitor.Output;
 using NeuronMocap.Recording;
+using NeuronMocap.Monitor.Playback;
+using NeuronMocap.Playback;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Terminal;
 
 /// <summary>The live view: looks at the reader ten times a second and with every key, and draws. All of it on one thread.</summary>
-internal sealed class LiveOutput(NeuronReader reader, StreamRecorder? recorder, MonitorOptions options, Stream output) : MonitorOutput
+internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, StreamRecorder? recorder, MonitorOptions options, Stream output) : MonitorOutput
 {
     private static readonly TimeSpan Period = TimeSpan.FromMilliseconds(100);
 
-    private readonly LiveState _state = new(options) { Recorder = recorder };
+    private readonly LiveState _state = new(options) { Player = player, Recorder = recorder };
     private bool _quit;
 
     public override void OnStatus(ConnectionStatus status) => _state.Events.Add(DateTime.Now, status);
@@ -50,6 +52,9 @@ internal sealed class LiveOutput(NeuronReader reader, StreamRecorder? recorder, 
 
     private void Obey(ConsoleKeyInfo key)
     {
+        if (player is not null && PlaybackKeys.Obey(player, key))
+            return;
+
         switch (key)
         {
             case { KeyChar: 'q' or 'Q' }:

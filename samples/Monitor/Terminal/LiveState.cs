@@ -2,6 +2,7 @@ using System.Diagnostics;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Kinematics;
+using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
@@ -21,6 +22,9 @@ internal sealed class LiveState(MonitorOptions options)
     private int _collectionsAtReset;
 
     public MonitorOptions Options => options;
+
+    /// <summary>What is played instead of a live stream; null for one.</summary>
+    public RecordingPlayer? Player { get; init; }
 
     /// <summary>What records; null when nothing does.</summary>
     public StreamRecorder? Recorder { get; init; }

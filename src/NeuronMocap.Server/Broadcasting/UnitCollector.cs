@@ -20,6 +20,8 @@ internal sealed class UnitCollector : IPacketReceiver
 
     private int Start => _units.Count > 0 ? _units[^1].End : 0;
 
+    public StreamTap? Tap => null;
+
     public void OnLinkOpened()
     {
     }

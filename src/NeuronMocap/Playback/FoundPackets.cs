@@ -12,6 +12,8 @@ internal sealed class FoundPackets(StreamCounters counters) : IPacketReceiver
     private int _length;
     private int _next;
 
+    public StreamTap? Tap => null;
+
     public void OnLinkOpened() => counters.Resume();
 
     public void OnLinkClosed()

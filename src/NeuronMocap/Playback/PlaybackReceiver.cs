@@ -26,6 +26,8 @@ internal sealed class PlaybackReceiver : IPacketReceiver
         FramesOfTime = 0;
     }
 
+    public StreamTap? Tap => null;
+
     public void OnLinkOpened()
     {
     }

@@ -89,7 +89,7 @@ internal sealed class PlaybackRun
                     GoBack(_player.TakeStepsBack());
 
                 if (!_parser.IsOpen)
-                    return Ended("The playback has gone to another place.");
+                    return new LinkEnd(ConnectionReason.ClosedByPeer, "The playback has gone to another place, where no connection stood.");
 
                 receiver.OnLinkOpened();
                 continue;
@@ -109,8 +109,11 @@ internal sealed class PlaybackRun
         }
     }
 
+    // Recordings give the name of the reason.
     private static LinkEnd Ended(string? reason) =>
-        new(ConnectionReason.ClosedByPeer, string.IsNullOrEmpty(reason) ? "The recorded connection ended." : reason);
+        Enum.TryParse(reason, out ConnectionReason recorded) && recorded is not (ConnectionReason.None or ConnectionReason.Requested)
+            ? new LinkEnd(recorded, $"The recorded connection ended: {reason}.")
+            : new LinkEnd(ConnectionReason.ClosedByPeer, "The recorded connection ended.");
 
     // Null unless the connection ends.
     private LinkEnd? Play(in Arrival arrival, long timestamp)
@@ -134,8 +137,8 @@ internal sealed class PlaybackRun
         if (_parser.IsOpen)
             return null;
 
-        // The last connection's end is that of the recording.
-        return Peek().Kind == ArrivalKind.End && EndPass() is { } last ? last : Ended(reason);
+        // The last connection's end is that of the recording, which comes next.
+        return Peek().Kind == ArrivalKind.End ? null : Ended(reason);
     }
 
     // Null when another pass follows.

@@ -42,6 +42,8 @@ internal sealed class RawDumpIndex : IPacketReceiver
         return low;
     }
 
+    public StreamTap? Tap => null;
+
     public void OnLinkOpened()
     {
     }

@@ -197,7 +197,7 @@ public sealed class RecordingPlayer : IDisposable
     public void StepBack() => Change(() =>
     {
         Halt();
-        if (_steps > 0 && !_isShowing)
+        if (_steps > 1 && _isShowing)
             _steps--;
         else
             _stepsBack++;
@@ -303,7 +303,7 @@ public sealed class RecordingPlayer : IDisposable
                     return PlaybackTurn.Stop;
                 if (_seek is not null)
                     return PlaybackTurn.Seek;
-                if (_stepsBack > 0)
+                if (_stepsBack > 0 && (_steps == 0 || _isShowing))
                     return PlaybackTurn.StepBack;
                 if (_steps > 0)
                     return PlaybackTurn.Step;

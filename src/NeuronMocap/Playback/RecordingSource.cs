@@ -10,6 +10,9 @@ namespace NeuronMocap.Playback;
 // A recording as the stream that it holds. A file that continues another one begins with its own first bytes, not with the time of all before it.
 internal sealed class RecordingSource : ArrivalSource
 {
+    // What a reader's options allow.
+    private const int MostValues = 1_000_000;
+
     private readonly RecordingReader _reader;
     private readonly TimeSpan _origin;
     private readonly Dictionary<int, RecordedConnection> _connections = [];
@@ -29,15 +32,11 @@ internal sealed class RecordingSource : ArrivalSource
 
     public override TimeSpan Duration => _reader.Duration > _origin ? _reader.Duration - _origin : TimeSpan.Zero;
 
-    public override RotationOrder? RotationOrder => Parse<RotationOrder>(RecordingMetadata.RotationOrderName);
+    public override RotationOrder? RotationOrder => _reader.Metadata.RotationOrder;
 
-    public override SkeletonVariant? SkeletonVariant => Parse<SkeletonVariant>(RecordingMetadata.SkeletonVariantName);
+    public override SkeletonVariant? SkeletonVariant => _reader.Metadata.SkeletonVariant;
 
-    public override int MaxValues =>
-        int.TryParse(_reader.Metadata[RecordingMetadata.MaxValues], NumberStyles.None, CultureInfo.InvariantCulture, out int values)
-            && values is >= 1 and <= 1_000_000
-                ? values
-                : ProtocolConstants.DefaultMaxValues;
+    public override int MaxValues => Math.Min(_reader.Metadata.MaxValues ?? ProtocolConstants.DefaultMaxValues, MostValues);
 
     public override Arrival Read()
     {
@@ -115,10 +114,6 @@ internal sealed class RecordingSource : ArrivalSource
                 ? new IPEndPoint(address, port).Serialize()
                 : new IPEndPoint(IPAddress.None, 0).Serialize();
     }
-
-    private T? Parse<T>(string key)
-        where T : struct, Enum =>
-        Enum.TryParse(_reader.Metadata[key], out T value) && Enum.IsDefined(typeof(T), value) ? value : null;
 
     private TimeSpan FindOrigin()
     {

@@ -68,7 +68,7 @@ public sealed class CommandLineTests
         Assert.Equal(0, result.ExitCode);
         Assert.Empty(result.Error);
         string text = string.Join('\n', result.Output);
-        foreach (string option in (string[])["--connect", "--udp", "--allow-sender", "--demo", "--diagnose", "--commands", "--avatar", "--zero-out", "--bvh-header", "--order", "--command-port", "--once", "--frames", "--duration", "--json", "--quiet", "--info", "--convert", "--plot", "--resample", "--from", "--to", "--record", "--record-compress", "--record-size", "--record-time", "--record-files", "--overwrite", "--version"])
+        foreach (string option in (string[])["--connect", "--udp", "--allow-sender", "--demo", "--diagnose", "--commands", "--avatar", "--zero-out", "--bvh-header", "--order", "--command-port", "--once", "--frames", "--duration", "--json", "--quiet", "--info", "--convert", "--plot", "--resample", "--from", "--to", "--play", "--speed", "--rate", "--loop", "--record", "--record-compress", "--record-size", "--record-time", "--record-files", "--overwrite", "--version"])
             Assert.Contains($"  {option} ", text, StringComparison.Ordinal);
 
         Assert.Contains("Examples:", text, StringComparison.Ordinal);

@@ -20,6 +20,8 @@ public sealed class PlaybackFixtureTests
         await using var live = new NeuronReader(server.Options());
         using var log = new FrameLog(live);
         var statuses = new StatusLog(live);
+        using var file = new TemporaryFile();
+        StreamRecorder recorder = live.StartRecording(file.Path);
         live.Start();
         using TestConnection connection = await server.AcceptAsync();
         byte[][] pieces = [.. Splits.Random(bytes, new Random(name.Length)).Select(static piece => piece.ToArray())];
@@ -28,8 +30,7 @@ public sealed class PlaybackFixtureTests
 
         connection.Close();
         await live.Completion.Soon();
-
-        using TemporaryFile file = Recordings.OfTcp([.. pieces.Select(static (piece, i) => (i / 10.0, piece))]);
+        recorder.Dispose();
         await AssertSameAsync(live, log, statuses, file);
     }
 
@@ -41,23 +42,21 @@ public sealed class PlaybackFixtureTests
         await using UdpEnd end = await UdpEnd.StartAsync(static options => options.SilenceTimeout = TimeSpan.FromSeconds(60));
         using var log = new FrameLog(end.Reader);
         var statuses = new StatusLog(end.Reader);
+        using var file = new TemporaryFile();
+        StreamRecorder recorder = end.Reader.StartRecording(file.Path);
         Socket sender = end.CreateSender();
         foreach (byte[] datagram in datagrams)
             await end.SendAsync(sender, datagram);
 
         await end.DrainedAsync();
-        using TemporaryFile file = Recordings.Write(writer =>
+        await Limits.UntilAsync(() => recorder.GetStatistics().Pieces == datagrams.Length);
+        recorder.Dispose();
+        using (RecordedFrameReader frames = RecordedFrameReader.Open(file.Path))
         {
-            writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Udp, string.Empty, string.Empty));
-            writer.AddSender(TimeSpan.Zero, 0, 0, sender.LocalEndPoint!.ToString()!);
-            for (int i = 0; i < datagrams.Length; i++)
-                writer.WriteBytes(Recordings.At(i / 10.0), 0, datagrams[i], sender: 0);
-        });
-        ReaderStatistics expected = default;
-        using RecordedFrameReader frames = RecordedFrameReader.Open(file.Path);
-        RecordedFrameReaderTests.ReadAll(frames);
-        expected = frames.Statistics;
-        await Limits.UntilAsync(() => Figures(end.Reader.GetStatistics()) == Figures(expected));
+            RecordedFrameReaderTests.ReadAll(frames);
+            await Limits.UntilAsync(() => Figures(end.Reader.GetStatistics()) == Figures(frames.Statistics));
+        }
+
         await AssertSameAsync(end.Reader, log, statuses, file);
     }
 

@@ -122,7 +122,7 @@ public sealed class RecordedFrameReaderTests
     [Fact]
     public void A_packet_is_too_large_where_it_was_for_the_recording_reader()
     {
-        RecordingMetadata metadata = new RecordingMetadata().With(RecordingMetadata.MaxValues, "300");
+        RecordingMetadata metadata = new RecordingMetadata().With(RecordingMetadata.MaxValuesName, "300");
         using TemporaryFile file = Recordings.Write(
             writer =>
             {

@@ -66,10 +66,17 @@ public sealed class RecordingPlayerTests
         Assert.Equal([0u, 1u, 2u, 3u, 4u], frames.Indices);
         Assert.Equal(30, player.Position.TotalMilliseconds);
         Assert.Equal((2, ConnectionState.Receiving), (reader.GetStatistics().SkippedBytes, reader.Status.State));
-        player.Step();
+        // At the end steps do nothing, and it is no end as long as it is paused.
+        for (int i = 0; i < 3; i++)
+            player.Step();
+
+        player.StepBack();
+        await frames.WaitAsync(6);
+        Assert.Equal(3u, frames.Indices[^1]);
+        Assert.False(reader.Completion.IsCompleted);
         player.Resume();
         await reader.Completion.Soon();
-        Assert.Equal(5, frames.Lines.Length);
+        Assert.Equal([0u, 1u, 2u, 3u, 4u, 3u, 4u], frames.Indices);
     }
 
     [Fact]
@@ -214,7 +221,7 @@ public sealed class RecordingPlayerTests
         {
             writer.OpenConnection(Recordings.At(100), Tcp);
             writer.WriteBytes(Recordings.At(200), 0, TestPackets.Motion(0).AsSpan(0, 777));
-            writer.CloseConnection(Recordings.At(300), 0, "127.0.0.1:7001 closed the connection.");
+            writer.CloseConnection(Recordings.At(300), 0, nameof(ConnectionReason.Reset));
             writer.OpenConnection(Recordings.At(5000), Tcp with { Number = 1 });
             writer.WriteBytes(Recordings.At(6000), 1, TestPackets.Motion(1));
         });
@@ -229,7 +236,7 @@ public sealed class RecordingPlayerTests
         Assert.Equal([100.0, 200, 300, 5000, 6000], time.Waits.Distinct());
         Assert.Equal([6000.0], frames.Milliseconds);
         Assert.Equal(777, reader.GetStatistics().SkippedBytes);
-        Assert.Contains(statuses.All, static status => status is { State: ConnectionState.Waiting, Reason: ConnectionReason.ClosedByPeer, Message: "127.0.0.1:7001 closed the connection." });
+        Assert.Contains(statuses.All, static status => status is { State: ConnectionState.Waiting, Reason: ConnectionReason.Reset, Message: "The recorded connection ended: Reset." });
         Assert.Equal(2, statuses.All.Count(static status => status.State == ConnectionState.Connected));
     }
 
@@ -260,6 +267,26 @@ public sealed class RecordingPlayerTests
         Assert.Equal((count, 0), (next, reader.GetStatistics().Dropped));
         Assert.Equal(120, reader.GetAvatarStatistics()[0].Rate, 0.1);
         Assert.Equal((count - 1) / 120.0, reader.GetStatistics().Duration.TotalSeconds, 0.001);
+    }
+
+    [Fact]
+    public async Task A_frame_allocates_nothing()
+    {
+        using TemporaryFile file = Frames(4000, interval: 8, perPiece: 2);
+        using RecordingPlayer player = RecordingPlayer.Open(file.Path);
+        player.Speed = RecordingPlayer.MaxSpeed;
+        await using var reader = new NeuronReader(player);
+        (long Before, long After) allocated = default;
+        reader.MotionReceived += frame =>
+        {
+            if (frame.FrameIndex == 2000)
+                allocated.Before = GC.GetAllocatedBytesForCurrentThread();
+            else if (frame.FrameIndex == 3900)
+                allocated.After = GC.GetAllocatedBytesForCurrentThread();
+        };
+        reader.Start();
+        await reader.Completion.Soon();
+        Assert.Equal(0, allocated.After - allocated.Before);
     }
 
     [Fact]

@@ -74,7 +74,10 @@ public sealed class BroadcasterRecordingTests
         {
             await using var broadcaster = new Broadcaster(new BroadcasterOptions
             {
-                Recording = file.Path, Port = null, UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!], Rate = rate,
+                Recording = file.Path,
+                Port = null,
+                UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!],
+                Rate = rate,
             });
             broadcaster.Start();
             byte[] buffer = new byte[65_536];
