@@ -18,6 +18,8 @@ internal sealed class HelpWithExamples : SynchronousCommandLineAction
                   Two actors for every machine of the network that connects to port 7001.
               neuron-simulator --bvh take.bvh --loop --rate 60 --udp 127.0.0.1:7002 --fragment 1024
                   A take again and again, in datagrams as Axis Neuron on macOS sends them.
+              neuron-simulator --calc take_Char00.calc --calculation --loop
+                  A calculation export: poses made of it, and its own values.
               neuron-simulator --format text --rate 1
                   Lines to look at, with nc 127.0.0.1 7001.
               neuron-simulator --commands

@@ -14,4 +14,7 @@ internal enum CorpusKind
 
     /// <summary>BVH text.</summary>
     Bvh,
+
+    /// <summary>Rows of a calculation export.</summary>
+    Calculation,
 }

@@ -1,4 +1,5 @@
 using NeuronMocap.Bvh;
+using NeuronMocap.Calculation;
 using NeuronMocap.Fuzz.Inputs;
 
 namespace NeuronMocap.Fuzz.Targets;
@@ -17,5 +18,10 @@ internal static class TargetList
         new("frames", CorpusKind.Packets, () => new FramesTarget().Run) { AllocatedPerByte = 16 },
         new("commands", CorpusKind.Commands, () => new CommandsTarget().Run) { AllocatedPerInput = 512 * 1024, AllocatedPerByte = 64 },
         new("bvh", CorpusKind.Bvh, () => BvhTarget.Run) { Refusal = typeof(BvhFormatException), AllocatedPerInput = 96 * 1024, AllocatedPerByte = 64 },
+        // Three readers and a writer have 64 KB each, and lists of repairs are made twice.
+        new("calc", CorpusKind.Calculation, () => CalculationTarget.Run)
+        {
+            Refusal = typeof(CalculationFormatException), AllocatedPerInput = 512 * 1024, AllocatedPerByte = 64,
+        },
     ];
 }

@@ -16,7 +16,7 @@ public sealed class FuzzProcessTests
 
         Assert.Equal(0, await fuzz.WaitForExitAsync());
         Assert.StartsWith("seed 3; ", output, StringComparison.Ordinal);
-        foreach (string target in (string[])["scanner", "assembler", "text", "udp", "udp-text", "headers", "frames", "commands", "bvh"])
+        foreach (string target in (string[])["scanner", "assembler", "text", "udp", "udp-text", "headers", "frames", "commands", "bvh", "calc"])
             Assert.Contains($"\n{target} ", output, StringComparison.Ordinal);
 
         Assert.Contains("0 of 9 targets failed", output, StringComparison.Ordinal);
