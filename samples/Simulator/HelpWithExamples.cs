@@ -20,6 +20,8 @@ internal sealed class HelpWithExamples : SynchronousCommandLineAction
                   A take again and again, in datagrams as Axis Neuron on macOS sends them.
               neuron-simulator --play take.nmrec --speed 2 --loop
                   What neuron-monitor --record wrote, byte for byte, twice as fast, again and again.
+              neuron-simulator --calc take_Char00.calc --calculation --loop
+                  A calculation export: poses made of it, and its own values.
               neuron-simulator --format text --rate 1
                   Lines to look at, with nc 127.0.0.1 7001.
               neuron-simulator --commands

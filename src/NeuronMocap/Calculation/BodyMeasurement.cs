@@ -21,13 +21,17 @@ internal sealed class BodyMeasurement
         [Bone.LeftShoulder, Bone.LeftArm, Bone.LeftForeArm, Bone.LeftHand],
     ];
 
-    private readonly TrunkMeasurement _trunk = new();
+    private readonly TrunkMeasurement _trunk;
     private readonly LimbMeasurement[] _limbs = [.. LimbBones.Select((bones, limb) => new LimbMeasurement(bones, limb < 2, limb % 2 == 1))];
     private readonly DirectionSum[] _spine = new DirectionSum[SpineBones.Length];
     private readonly DirectionSum[] _shoulders = new DirectionSum[2];
-    private DirectionSum _head;
+    private readonly DirectionSum[] _spineAxes = new DirectionSum[SpineBones.Length];
 
-    public BodyMeasurement() => Mountings.AsSpan().Fill(Quaternion.Identity);
+    private BodyMeasurement(SkeletonVariant variant)
+    {
+        _trunk = new TrunkMeasurement(variant);
+        Mountings.AsSpan().Fill(Quaternion.Identity);
+    }
 
     /// <summary>From each bone's joint to its centre, in the bone's axes; by bone.</summary>
     public Vector3[] Halves { get; } = new Vector3[Bones];
@@ -39,7 +43,7 @@ internal sealed class BodyMeasurement
 
     public static BodyMeasurement Of(CalculationDocument take, CalculationAxes axes, int step)
     {
-        var body = new BodyMeasurement();
+        var body = new BodyMeasurement(TrunkMeasurement.Recognise(new SensorFrame(take.GetValues(0), axes)));
         for (int i = 0; i < take.FrameCount; i += step)
             body._trunk.Add(new SensorFrame(take.GetValues(i), axes));
 
@@ -64,7 +68,7 @@ internal sealed class BodyMeasurement
             Bone.Spine => 0.25f,
             Bone.Spine1 => 0.5f,
             Bone.Spine2 => Variant == SkeletonVariant.Spine3 ? 0.75f : 1,
-            Bone.Neck => 1,
+            Bone.Neck => Variant == SkeletonVariant.Spine3 ? 1 : -1,
             _ => -1,
         };
         if (share < 0)
@@ -106,13 +110,15 @@ internal sealed class BodyMeasurement
         return ends;
     }
 
-    // Nothing is recorded of fingers without gloves: they get the default hand's, as large as the actor's.
+    // Nothing is recorded of fingers without gloves: they get the default hand's, as large as the actor's. There a hand is recorded to its fingertips,
+    // while one of a body with fingers ends where the middle finger begins.
     private Vector3 ScaleFinger(Bone bone, Vector3 offset)
     {
-        const float DefaultHand = 3.285f + 5.026f + 3.837f + 2.405f + 1.918f;
+        const float DefaultPalm = 3.4f;
+        const float DefaultHand = 3.3f + 5.0f + 3.8f + 2.4f + 1.9f;
         Bone hand = bone < Bone.LeftShoulder ? Bone.RightHand : Bone.LeftHand;
         float length = 2 * Halves[(int)hand].Length();
-        return length > 0 ? offset * (length / DefaultHand) : offset;
+        return length == 0 ? offset : offset * (length / (length < DefaultHand / 2 ? DefaultPalm : DefaultHand));
     }
 
     private void SolveTrunk()
@@ -129,7 +135,7 @@ internal sealed class BodyMeasurement
         for (int side = 0; side < 2; side++)
         {
             _limbs[side].Add(frame, hips + Vector3.Transform(_trunk.HipJoints[side], hipsSensor), hipsSensor * _trunk.Hips);
-            Vector3 shoulder = frame.GetCentre(Bone.Neck) + Vector3.Transform(_trunk.ShoulderJoints[side], chestSensor);
+            Vector3 shoulder = frame.GetCentre(_trunk.ChestBone) + Vector3.Transform(_trunk.ShoulderJoints[side], chestSensor);
             _limbs[2 + side].Add(frame, shoulder, chestSensor * _trunk.Chest);
         }
 
@@ -139,10 +145,9 @@ internal sealed class BodyMeasurement
             Vector3 centre = frame.GetCentre(SpineBones[i]);
             Quaternion sensor = GetSensor(frame, SpineBones[i]);
             _spine[i].Add(sensor, centre - joint);
+            _spineAxes[i].Add(sensor, Vector3.Transform(Vector3.UnitX, chestSensor * _trunk.Chest));
             joint = i < SpineBones.Length - 2 ? (centre + frame.GetCentre(SpineBones[i + 1])) / 2 : (2 * centre) - joint;
         }
-
-        _head.Add(frame.GetRotation(Bone.Head), Vector3.Transform(Vector3.UnitX, chestSensor * _trunk.Chest));
     }
 
     private void SolveLimbs()
@@ -152,10 +157,10 @@ internal sealed class BodyMeasurement
 
         for (int i = 0; i < SpineBones.Length; i++)
         {
-            // Stand-ins for sensors have the axes of bones already; head and neck share a sensor.
+            // On the average the spine, the neck and the head are not turned to a side.
             int bone = (int)SpineBones[i];
             Vector3 half = _spine[i].Mean;
-            Mountings[bone] = AxisPair.FromY(half, SpineBones[i] is Bone.Neck1 or Bone.Head ? _head.Sum : Vector3.UnitX);
+            Mountings[bone] = AxisPair.FromY(half, _spineAxes[i].Sum);
             Halves[bone] = Vector3.Transform(half, Quaternion.Conjugate(Mountings[bone]));
         }
     }
@@ -168,7 +173,7 @@ internal sealed class BodyMeasurement
         Vector3 joint = centre - Vector3.Transform(Halves[(int)bone], rotation);
         for (int side = 0; side < 2; side++)
         {
-            Vector3 shoulder = frame.GetCentre(Bone.Neck) + Vector3.Transform(_trunk.ShoulderJoints[side], frame.GetRotation(Bone.Spine2));
+            Vector3 shoulder = frame.GetCentre(_trunk.ChestBone) + Vector3.Transform(_trunk.ShoulderJoints[side], frame.GetRotation(Bone.Spine2));
             _shoulders[side].Add(rotation, shoulder - joint);
         }
     }

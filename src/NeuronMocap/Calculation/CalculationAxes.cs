@@ -36,8 +36,8 @@ public sealed class CalculationAxes
     }
 
     /// <summary>
-    /// Those of exported files, and Axis Neuron's default: z into the ground; right-handed. x and y lie in the ground, and an actor who faces as BVH's
-    /// forward has x to the left. The evidence is in docs/calculation.md.
+    /// Those of exported files: z into the ground, right-handed. x and y lie in the ground, and actors face anywhere: that x is to the left of somebody who
+    /// faces as BVH's forward is a choice, which turns a take about the vertical at most. The evidence is in docs/calculation.md.
     /// </summary>
     public static CalculationAxes Export { get; } = new(BodyDirection.Left, BodyDirection.Forward, BodyDirection.Down);
 

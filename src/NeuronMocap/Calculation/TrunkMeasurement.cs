@@ -7,7 +7,7 @@ namespace NeuronMocap.Calculation;
 /// What all frames of a take together say about hips and chest: where the legs, the spine and the shoulders begin in their sensors' axes, and how
 /// the two sensors sit on them. Hips: X through both hip joints; chest: Y along the spine.
 /// </summary>
-internal sealed class TrunkMeasurement
+internal sealed class TrunkMeasurement(SkeletonVariant variant)
 {
     // Half the hips' width and the default body's thigh.
     private const float HipShare = 9.5f / 37.051f;
@@ -17,8 +17,6 @@ internal sealed class TrunkMeasurement
     private DirectionSum _spine;
     private DirectionSum _chestUp;
     private DirectionSum _shoulderLine;
-    private double _hipsToSpine;
-    private double _spineToSpine1;
 
     /// <summary>From the hips to the thighs' joints, right and left, in the hips' sensor's axes.</summary>
     public Vector3[] HipJoints { get; } = new Vector3[2];
@@ -36,10 +34,22 @@ internal sealed class TrunkMeasurement
     public Quaternion Chest { get; private set; }
 
     /// <summary>Which of the two divisions of the spine the body has.</summary>
-    public SkeletonVariant Variant { get; private set; }
+    public SkeletonVariant Variant => variant;
 
     /// <summary>The bone that the shoulders hang at.</summary>
-    public Bone ChestBone => Variant == SkeletonVariant.Spine3 ? Bone.Neck : Bone.Spine2;
+    public Bone ChestBone { get; } = variant == SkeletonVariant.Spine3 ? Bone.Neck : Bone.Spine2;
+
+    /// <summary>
+    /// Which division of the spine a frame shows. From the hips to the spine's centre, and on to the next one's, are 18.0 and 9.3 cm in the default body
+    /// with Spine3, 15.0 and 13.5 with Neck1; of the recordings' actors, 19.1 and 9.9.
+    /// </summary>
+    public static SkeletonVariant Recognise(in SensorFrame frame)
+    {
+        Vector3 spine = frame.GetCentre(Bone.Spine);
+        float first = (spine - frame.GetCentre(Bone.Hips)).Length();
+        float second = (frame.GetCentre(Bone.Spine1) - spine).Length();
+        return first > 1.5f * second ? SkeletonVariant.Spine3 : SkeletonVariant.Neck1;
+    }
 
     public void Add(in SensorFrame frame)
     {
@@ -58,18 +68,15 @@ internal sealed class TrunkMeasurement
         Vector3 spine = frame.GetCentre(Bone.Spine);
         Vector3 spine1 = frame.GetCentre(Bone.Spine1);
         _spine.Add(hipsSensor, (1.5f * spine) - (0.5f * spine1) - hips);
-        _hipsToSpine += (spine - hips).Length();
-        _spineToSpine1 += (spine1 - spine).Length();
 
-        // The recordings' shoulders begin at the upper end of their bone, whichever it is.
-        Vector3 spine2 = frame.GetCentre(Bone.Spine2);
-        Vector3 chest = frame.GetCentre(Bone.Neck);
-        Vector3 guess = (chest - spine2) / 2;
+        Vector3 chest = frame.GetCentre(ChestBone);
+        Vector3 below = frame.GetCentre(ChestBone - 1);
         Quaternion chestSensor = frame.GetRotation(Bone.Spine2);
         Vector3 rightShoulder = frame.GetCentre(Bone.RightShoulder);
         Vector3 leftShoulder = frame.GetCentre(Bone.LeftShoulder);
-        _shoulderJoints[0].Add(chestSensor, frame.GetRotation(Bone.RightShoulder), rightShoulder - chest, guess);
-        _shoulderJoints[1].Add(chestSensor, frame.GetRotation(Bone.LeftShoulder), leftShoulder - chest, guess);
+        (Vector3 height, Vector3 width) = GuessShoulders(chest - below, leftShoulder - rightShoulder);
+        _shoulderJoints[0].Add(chestSensor, frame.GetRotation(Bone.RightShoulder), rightShoulder - chest, height - width);
+        _shoulderJoints[1].Add(chestSensor, frame.GetRotation(Bone.LeftShoulder), leftShoulder - chest, height + width);
         _chestUp.Add(chestSensor, chest - spine1);
         _shoulderLine.Add(chestSensor, leftShoulder - rightShoulder);
     }
@@ -85,8 +92,11 @@ internal sealed class TrunkMeasurement
         SpineJoint = _spine.Mean;
         Hips = AxisPair.FromX(HipJoints[1] - HipJoints[0], SpineJoint);
         Chest = AxisPair.FromY(_chestUp.Sum, _shoulderLine.Sum);
-
-        // From the hips to the spine's centre and on to the next one's: 18.0 and 9.3 cm in the default body with Spine3, 15.0 and 13.5 with Neck1.
-        Variant = _hipsToSpine > 1.5 * _spineToSpine1 ? SkeletonVariant.Spine3 : SkeletonVariant.Neck1;
     }
+
+    // Where shoulders may begin: in the recordings at the upper end of the chest, with Neck1 as in the default body, where the chest's centre is 14.025 cm
+    // above that of the bone below and the shoulders' joints are 3.315 cm above it, 2.55 cm to the sides. The shoulders' centres are 16.55 cm apart.
+    private (Vector3 Height, Vector3 Width) GuessShoulders(Vector3 up, Vector3 line) => variant == SkeletonVariant.Spine3
+        ? (up / 2, Vector3.Zero)
+        : (up * (3.315f / 14.025f), line * (2.55f / 16.55f));
 }

@@ -19,6 +19,7 @@ internal sealed record Corpus(IReadOnlyList<byte[]> Fixtures, int OwnCount, IRea
         CorpusKind.Text => With(TextFixtures.Create(), TextFixtures.Words, Find(data, "text*.bin")),
         CorpusKind.Bvh => With(BvhFixtures.Create(), BvhFixtures.Words, Find(data, "*.bvh")),
         CorpusKind.Recordings => With(RecordingFixtures.Create(), RecordingFixtures.Words, []),
+        CorpusKind.Calculation => With(CalculationFixtures.Create(), CalculationFixtures.Words, Find(data, "*.calc")),
         _ => throw new ArgumentOutOfRangeException(nameof(kind)),
     };
 

@@ -17,4 +17,7 @@ internal enum CorpusKind
 
     /// <summary>Recordings.</summary>
     Recordings,
+
+    /// <summary>Rows of a calculation export.</summary>
+    Calculation,
 }

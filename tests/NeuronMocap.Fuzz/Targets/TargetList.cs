@@ -1,4 +1,5 @@
 using NeuronMocap.Bvh;
+using NeuronMocap.Calculation;
 using NeuronMocap.Fuzz.Inputs;
 using NeuronMocap.Recording;
 
@@ -23,6 +24,11 @@ internal static class TargetList
             Refusal = typeof(RecordingFormatException),
             AllocatedPerInput = RecordingTarget.AllocatedForBlocks,
             AllocatedPerByte = 600,
+        },
+        // Three readers and a writer have 64 KB each, and lists of repairs are made twice.
+        new("calc", CorpusKind.Calculation, () => CalculationTarget.Run)
+        {
+            Refusal = typeof(CalculationFormatException), AllocatedPerInput = 512 * 1024, AllocatedPerByte = 64,
         },
     ];
 }

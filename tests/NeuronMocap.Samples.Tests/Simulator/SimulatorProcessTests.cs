@@ -19,6 +19,7 @@ public sealed class SimulatorProcessTests
     [InlineData("--order", "YYX")]
     [InlineData("--fragment", "0")]
     [InlineData("--bvh", "take.bvh", "--synthetic")]
+    [InlineData("--calc", "take.calc", "--bvh", "take.bvh")]
     [InlineData("--format", "csv")]
     [InlineData("--format", "text", "--header", "old")]
     [InlineData("--format", "text", "--header", "new")]

@@ -1,5 +1,7 @@
 using System.Globalization;
+using System.Runtime.InteropServices;
 using System.Text.Json;
+using NeuronMocap.Calculation;
 using NeuronMocap.Samples.Tests.Infrastructure;
 using NeuronMocap.Tests.Infrastructure;
 
@@ -37,6 +39,41 @@ public sealed class TakeProcessTests
 
         Assert.Equal(2156, frame);
         Assert.Equal(0, await monitor.WaitForExitAsync());
+        Assert.Equal(0, await simulator.WaitForExitAsync());
+    }
+
+    // An export as a broadcast: the program says what it plays, and each motion frame is followed by the file's own values.
+    [Fact]
+    public async Task A_calculation_export_comes_out_of_the_network_as_it_stands_in_the_file()
+    {
+        string file = Fixtures.Require("calc", "hiphop_up_Char00.calc");
+        using var simulator = new SampleProcess(
+            "neuron-simulator", "--calc", file, "--calculation", "--port", "0", "--rate", "max", "--wait-for-client");
+        string output = "";
+        string? line;
+        do
+            output += line = await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken);
+        while (line?.StartsWith("Listening on ", StringComparison.Ordinal) == false);
+
+        CalculationDocument document = CalculationDocument.Load(file);
+        int motion = 0;
+        int calculation = 0;
+        await using var reader = new NeuronReader(new NeuronReaderOptions
+        {
+            Port = int.Parse(line!.Split(':')[^1], CultureInfo.InvariantCulture),
+            Reconnect = { Enabled = false },
+        });
+        reader.MotionReceived += _ => motion++;
+        reader.CalculationReceived += frame =>
+            Assert.True(MemoryMarshal.AsBytes(document.GetValues(calculation++)).SequenceEqual(MemoryMarshal.AsBytes(frame.Values)));
+        List<Exception> failures = [];
+        reader.CallbackFailed += failures.Add;
+        reader.Start();
+        await reader.Completion.WaitAsync(TimeSpan.FromMinutes(1), TestContext.Current.CancellationToken);
+
+        Assert.Empty(failures);
+        Assert.Equal((172, 172), (motion, calculation));
+        Assert.Contains("hiphop_up_Char00.calc: 172 frames at 120 Hz", output, StringComparison.Ordinal);
         Assert.Equal(0, await simulator.WaitForExitAsync());
     }
 

@@ -1,0 +1,98 @@
+using NeuronMocap.Calculation;
+using NeuronMocap.Frames;
+using NeuronMocap.Fuzz.Inputs;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Fuzz.Targets;
+
+/// <summary>The input as a calculation export: what is read keeps the promises of the documentation, and is the same when written and read again.</summary>
+internal static class CalculationTarget
+{
+    private static readonly CalculationReadOptions Strict = new() { Strict = true };
+
+    public static void Run(FuzzInput input)
+    {
+        CalculationDocument document;
+        try
+        {
+            document = CalculationDocument.Parse(input.Bytes);
+        }
+        catch (CalculationFormatException refusal)
+        {
+            WrongResultException.ThrowUnless(refusal.Line > 0 && refusal.Column > 0, "A refusal names no place.");
+            input.Digest.Add(refusal.Message);
+            throw;
+        }
+
+        input.Found += document.FrameCount;
+        Describe(document, input);
+        CheckStrict(document, input);
+        CheckWritten(document);
+        CheckPoses(document, input);
+    }
+
+    private static void Describe(CalculationDocument document, FuzzInput input)
+    {
+        WrongResultException.ThrowUnless(
+            document.FrameCount > 0 && document.ValueCount is CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount,
+            "There are no rows of a frame's length.");
+        for (int i = 0; i < document.FrameCount; i++)
+            input.Digest.Add(document.GetValues(i));
+
+        WrongResultException.ThrowUnless(
+            document.Repairs.Count == Math.Min(document.RepairCount, CalculationDocument.MaxListedRepairs), "The repairs do not add up.");
+        foreach (CalculationRepair repair in document.Repairs)
+        {
+            WrongResultException.ThrowUnless(repair.Line > 0 && repair.Column > 0, "A repair names no place.");
+            input.Digest.Add(repair.Description);
+        }
+
+        input.Digest.Add(document.TextFormat.Separator + document.TextFormat.RowEnd + document.TextFormat.LastRowEnd);
+        input.Digest.Add((long)document.TextFormat.Decimals);
+    }
+
+    // Strict reading refuses what the other one repairs, and nothing else.
+    private static void CheckStrict(CalculationDocument document, FuzzInput input)
+    {
+        try
+        {
+            var strict = CalculationDocument.Parse(input.Bytes, Strict);
+            WrongResultException.ThrowUnless(document.RepairCount == 0, "Strict reading did not see what had to be repaired.");
+            WrongResultException.ThrowUnless(strict.FrameCount == document.FrameCount, "Strict reading read another number of rows.");
+        }
+        catch (CalculationFormatException)
+        {
+            WrongResultException.ThrowUnless(document.RepairCount > 0, "Strict reading refused what needed no repair.");
+        }
+    }
+
+    private static void CheckWritten(CalculationDocument document)
+    {
+        using var text = new MemoryStream();
+        document.Save(text);
+        var again = CalculationDocument.Parse(text.GetBuffer().AsSpan(0, (int)text.Length));
+        WrongResultException.ThrowUnless(again.FrameCount == document.FrameCount, "What was written has another number of rows.");
+        for (int i = 0; i < document.FrameCount; i++)
+            WrongResultException.ThrowUnless(AreSame(document.GetValues(i), again.GetValues(i)), "What was written has other values.");
+    }
+
+    private static void CheckPoses(CalculationDocument document, FuzzInput input)
+    {
+        var skeleton = CalculationSkeleton.Measure(document);
+        Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
+        skeleton.CopyLocalTransforms(document.GetValues(0), pose);
+        input.Digest.Add(pose[(int)Bone.Head].Rotation.W);
+    }
+
+    // Bit for bit, save that there are many bit patterns for what is no number, and one text.
+    private static bool AreSame(ReadOnlySpan<float> first, ReadOnlySpan<float> second)
+    {
+        for (int i = 0; i < first.Length; i++)
+        {
+            if (BitConverter.SingleToInt32Bits(first[i]) != BitConverter.SingleToInt32Bits(second[i]) && !(float.IsNaN(first[i]) && float.IsNaN(second[i])))
+                return false;
+        }
+
+        return true;
+    }
+}
