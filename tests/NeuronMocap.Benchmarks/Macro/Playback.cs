@@ -30,7 +30,7 @@ internal static class Playback
                         ("% of a processor", cpu * 100, null),
                     ])
                 {
-                    report.Add([new Row($"{speed} x", "callback", figure, value, Floor: null, Ratio: null, limit is null ? null : $"at most {limit}", value <= limit)]);
+                    report.Add([new Row($"{speed} x", "callback", figure, value, Floor: null, Ratio: null, limit is null ? null : $"at most {limit}", limit is null ? (bool?)null : value <= limit)]);
                 }
             }
         }
