@@ -148,7 +148,7 @@ internal sealed class RecordedTimeline
 
     public static double ChooseRate(double measured)
     {
-        double nearest = UsualRates.MinBy(rate => Math.Abs(rate - measured));
+        double nearest = UsualRates.OrderBy(rate => Math.Abs(rate - measured)).First();
         return Math.Abs(nearest - measured) <= nearest * RateTolerance ? nearest : measured;
     }
 }
