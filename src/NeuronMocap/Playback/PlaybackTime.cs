@@ -5,8 +5,11 @@ namespace NeuronMocap.Playback;
 // How a playback knows the time and waits for it. Replaced by tests.
 internal class PlaybackTime
 {
-    // Spinning ends up to a millisecond of every wait, and no more: nothing that .NET has everywhere waits for less than a millisecond.
+    // Spinning ends half a millisecond to one and a half of every wait, and no more: nothing that .NET has everywhere waits for less than a millisecond.
     private const int SpinsBetweenLooks = 20;
+
+    // A thread is never woken early, usually late by a tenth of a millisecond, and now and then by half of one.
+    private static readonly long Margin = Stopwatch.Frequency / 2000;
 
     public static PlaybackTime Real { get; } = new();
 
@@ -15,8 +18,8 @@ internal class PlaybackTime
     // Under the gate, which is let go meanwhile. Returns at the instant, when the gate is pulsed, or before: whoever waits looks again.
     public virtual void Wait(object gate, long instant)
     {
-        // Rounded down: a thread is never woken early, and usually late by a tenth of a millisecond.
-        long milliseconds = (instant - Stopwatch.GetTimestamp()) * 1000 / Stopwatch.Frequency;
+        // Rounded down.
+        long milliseconds = (instant - Stopwatch.GetTimestamp() - Margin) * 1000 / Stopwatch.Frequency;
         if (milliseconds > 0)
         {
             Monitor.Wait(gate, (int)Math.Min(milliseconds, int.MaxValue));
