@@ -86,7 +86,8 @@ public sealed class RecordingFormatTests
         foreach (RecordingReader reader in (RecordingReader[])[whole, crashed])
         {
             Assert.Equal(10_000L * (Count - 1), reader.Duration.Ticks);
-            foreach (int first in (int[])[Count - 1, 0, 1, 17, 1999, 1000, 3998, Count])
+            // Far apart, and around the checkpoints, each of which has the time of the piece before it.
+            foreach (int first in (int[])[Count - 1, 0, 1, 17, 1999, 1000, 3998, Count, .. Enumerable.Range(1000, 100), .. Enumerable.Range(3100, 100)])
             {
                 // Between two pieces, and on one.
                 foreach (long time in (long[])[(10_000L * first) - 1, 10_000L * first])
