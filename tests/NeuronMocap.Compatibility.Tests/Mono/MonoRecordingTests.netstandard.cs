@@ -1,3 +1,4 @@
+using NeuronMocap.Delivery;
 using NeuronMocap.Recording;
 using NeuronMocap.Tests.Network;
 
@@ -10,6 +11,7 @@ public sealed class MonoRecordingTests : IDisposable
         """
         using System;
         using NeuronMocap;
+        using NeuronMocap.Delivery;
         using NeuronMocap.Frames;
         using NeuronMocap.Playback;
         using NeuronMocap.Recording;

@@ -144,7 +144,7 @@ public sealed class PlayTests : IDisposable
         Assert.True(PlaybackKeys.Obey(player, new ConsoleKeyInfo('\0', ConsoleKey.LeftArrow, shift: false, alt: false, control: false)));
         Assert.Equal(TimeSpan.Zero, player.Position);
         Assert.True(Press(player, '.'));
-        Assert.Equal("0:00.0 of 0:00.0, 0.25x, paused", PlaybackKeys.Describe(player));
+        Assert.Equal("0:00.000 of 0:00.0, 0.25x, paused", PlaybackKeys.Describe(player));
         Assert.False(Press(player, 'q'));
         player.Speed = RecordingPlayer.MaxSpeed;
         Assert.True(Press(player, '+') && Press(player, '-'));

@@ -21,6 +21,15 @@ public sealed class RecordingFormatTests
             Assert.Equal(Crc32C.Append(0, bytes), Crc32C.Append(Crc32C.Append(0, bytes.AsSpan(0, split)), bytes.AsSpan(split)));
     }
 
+    [Fact]
+    public void The_checksum_of_a_block_s_header_is_what_the_document_says()
+    {
+        byte[] file = Recordings.Write(static writer => writer.WriteBytes(default, 0, [1, 2, 3]));
+        Assert.Equal(Crc32C.Append(0, file.AsSpan(0, 60)), BitConverter.ToUInt32(file, 60));
+        Assert.Equal(Crc32C.Append(0, [.. file[..60], .. file[64..92]]), BitConverter.ToUInt32(file, 92));
+        Assert.Equal(Crc32C.Append(0, file.AsSpan(96, BitConverter.ToInt32(file, 76))), BitConverter.ToUInt32(file, 88));
+    }
+
     // At 60 Hz, flushed four times a second: 15 pieces in a block of 32 bytes of header.
     [Theory]
     [InlineData(1480, 4 * 15 + 4 + 32, 0.0044)]
