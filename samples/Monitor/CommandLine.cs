@@ -265,7 +265,8 @@ internal sealed class CommandLine
         if (!_files.IsGiven(result))
             _commands.RejectContradictions(result, [_play.File, _connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
         _export.RejectContradictions(result, [_diagnose, _commands.Main]);
-        _recording.RejectContradictions(result, [_diagnose, _commands.Main]);
+        _recording.RejectContradictions(result, [_diagnose, _commands.Main], _play.File);
+        SameFile.Reject(result, _play.File, _export.File, _recording.Record);
         if (IsGiven(result, _overwrite) && !_export.IsGiven(result) && !_files.IsGiven(result) && !IsGiven(result, _recording.Record))
             result.AddError("--overwrite needs --export, --record, --convert or --plot: there is no other file to replace.");
         if (IsGiven(result, _json) && IsGiven(result, _quiet))

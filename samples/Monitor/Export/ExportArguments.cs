@@ -34,6 +34,8 @@ internal sealed class ExportArguments(Option<bool> overwrite)
         Arity = ArgumentArity.ExactlyOne,
     };
 
+    public Option File => _export;
+
     /// <summary>The options that are about a stream.</summary>
     public Option[] Own => [_export, _avatar];
 

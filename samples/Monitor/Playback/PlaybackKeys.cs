@@ -59,15 +59,22 @@ internal static class PlaybackKeys
         }
     }
 
-    /// <summary>"0:12.3 of 1:03.2, 2x, paused".</summary>
+    /// <summary>The keys in a few words, for the line below the view.</summary>
+    public static (string Name, string Meaning)[] Hints { get; } = [("space", "pause"), (", .", "frame"), ("← →", "5 s"), ("+ - 0", "speed")];
+
+    /// <summary>"0:12.3 of 1:03.2, 2x"; "0:12.345 of 1:03.2, paused", where a frame more or less shall show.</summary>
     /// <param name="player">The playback.</param>
     public static string Describe(RecordingPlayer player)
     {
         double speed = player.Speed;
         string pace = double.IsPositiveInfinity(speed) ? ", max" : speed == 1 ? string.Empty : FormattableString.Invariant($", {speed:0.###}x");
         string pass = player.Pass > 1 ? FormattableString.Invariant($", pass {player.Pass}") : string.Empty;
-        return $"{Format(player.Position)} of {Format(player.Duration)}{pace}{pass}{(player.IsPaused ? ", paused" : string.Empty)}";
+        bool isPaused = player.IsPaused;
+        string position = isPaused ? FormatExactly(player.Position) : Format(player.Position);
+        return $"{position} of {Format(player.Duration)}{pace}{pass}{(isPaused ? ", paused" : string.Empty)}";
     }
 
     private static string Format(TimeSpan time) => FormattableString.Invariant($"{(int)time.TotalMinutes}:{time.Seconds:00}.{time.Milliseconds / 100}");
+
+    private static string FormatExactly(TimeSpan time) => FormattableString.Invariant($"{(int)time.TotalMinutes}:{time.Seconds:00}.{time.Milliseconds:000}");
 }

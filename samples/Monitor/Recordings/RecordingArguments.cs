@@ -65,7 +65,8 @@ internal sealed class RecordingArguments
     /// <summary>Adds an error for every option that has no meaning beside another.</summary>
     /// <param name="result">The command line.</param>
     /// <param name="others">Options that show no stream.</param>
-    public void RejectContradictions(CommandResult result, Option[] others)
+    /// <param name="play">The option that shows a file.</param>
+    public void RejectContradictions(CommandResult result, Option[] others, Option play)
     {
         if (!CommandLine.IsGiven(result, _record))
         {
@@ -77,6 +78,8 @@ internal sealed class RecordingArguments
 
         foreach (Option option in others.Where(option => CommandLine.IsGiven(result, option)))
             result.AddError($"{option.Name} and --record exclude each other: there is no stream to record.");
+        if (CommandLine.IsGiven(result, play))
+            result.AddError($"{play.Name} and {_record.Name} exclude each other: what is played is a file already. --convert copies it, or a part of it.");
         if (CommandLine.IsGiven(result, _files) && !CommandLine.IsGiven(result, _size) && !CommandLine.IsGiven(result, _time))
             result.AddError("--record-files needs --record-size or --record-time: there is only one file without.");
         if (result.GetResult(_record)!.Tokens is [var path] && string.IsNullOrWhiteSpace(path.Value))

@@ -1,3 +1,4 @@
+using NeuronMocap.Monitor.Playback;
 using Spectre.Console;
 using Spectre.Console.Rendering;
 
@@ -37,7 +38,7 @@ internal static class Dashboard
             Fixed(Frame("avatars", AvatarTable.Create(state, avatarRows, framed ? width - 4 : width), framed), avatarHeight),
             CreateBody(state, width, bodyHeight, framed),
             Fixed(Frame("events", CreateEvents(state.Events, eventRows), framed), eventRows + border),
-            Fixed(CreateFooter(), FooterHeight));
+            Fixed(CreateFooter(isPlayback: state.Player is not null), FooterHeight));
     }
 
     private static Layout Fixed(IRenderable content, int height) => new Layout(content).Size(height);
@@ -95,10 +96,10 @@ internal static class Dashboard
         return new Rows(lines);
     }
 
-    private static StyledLine CreateFooter()
+    private static StyledLine CreateFooter(bool isPlayback)
     {
         var line = new StyledLine();
-        foreach ((string key, string action) in Keys)
+        foreach ((string key, string action) in isPlayback ? [Keys[0], .. PlaybackKeys.Hints, .. Keys[2..]] : Keys)
             line.Add(key, Palette.StrongStyle).Add($" {action}   ", Palette.DimStyle);
 
         return line.AddRight("■ left ", new Style(Palette.Left)).AddRight("■ right", new Style(Palette.Right));

@@ -34,7 +34,7 @@ internal abstract class ArrivalSource(string path) : IDisposable
             if (options.FrameRate is not null)
                 throw new ArgumentException("FrameRate is for raw dumps; this recording knows when each byte came.", nameof(options));
 
-            return new RecordingSource(path, RecordingReader.Open(file));
+            return new RecordedStreamSource(path, RecordingReader.Open(file));
         }
         catch
         {

@@ -95,13 +95,12 @@ internal sealed class PlaybackRun
                 continue;
             }
 
-            if (turn == PlaybackTurn.Step)
+            if (turn == PlaybackTurn.Step && (arrival.Kind == ArrivalKind.End || IsOfConnection(arrival)))
             {
-                if (arrival.Kind == ArrivalKind.End || Step(arrival))
-                {
+                if (arrival.Kind == ArrivalKind.End || PushToFrame(arrival, _player.StepTo(arrival.Time)))
                     _player.EndStep();
-                    continue;
-                }
+
+                continue;
             }
 
             if (Play(arrival, timestamp) is { } end)
@@ -111,7 +110,7 @@ internal sealed class PlaybackRun
 
     // Recordings give the name of the reason.
     private static LinkEnd Ended(string? reason) =>
-        Enum.TryParse(reason, out ConnectionReason recorded) && recorded is not (ConnectionReason.None or ConnectionReason.Requested)
+        Enum.TryParse(reason, out ConnectionReason recorded) && Enum.IsDefined(typeof(ConnectionReason), recorded) && recorded is not (ConnectionReason.None or ConnectionReason.Requested)
             ? new LinkEnd(recorded, $"The recorded connection ended: {reason}.")
             : new LinkEnd(ConnectionReason.ClosedByPeer, "The recorded connection ended.");
 
@@ -151,11 +150,9 @@ internal sealed class PlaybackRun
         return null;
     }
 
-    // Whether a frame came out of the arrival.
-    private bool Step(in Arrival arrival) =>
-        arrival.Kind == ArrivalKind.Bytes && _parser.Continues(arrival) && PushToFrame(arrival, _player.StepTo(arrival.Time));
+    private bool IsOfConnection(in Arrival arrival) => arrival.Kind == ArrivalKind.Bytes && _parser.Continues(arrival);
 
-    // Any splitting of a connection's bytes gives the same frames, a datagram is whole.
+    // Whether a frame came out of the arrival; if not, it is over. Any splitting of a connection's bytes gives the same frames, a datagram is whole.
     private bool PushToFrame(in Arrival arrival, long timestamp)
     {
         long frames = _receiver.Frames;

@@ -8,6 +8,9 @@ internal sealed class RawDumpIndex : IPacketReceiver
     // Bytes of no packet come on their own when there are so many.
     private const int LongestGap = 64 * 1024;
 
+    // Frames of one instant, at most: nobody has more avatars, and a set is not emptied in less time than it once took to fill.
+    private const int MostFrames = 1024;
+
     private readonly List<Piece> _pieces = [];
     private readonly HashSet<(PacketKind Kind, uint Avatar)> _seen = [];
     private readonly TimecodeRate _timecodes = new();
@@ -88,7 +91,7 @@ internal sealed class RawDumpIndex : IPacketReceiver
     {
         bool isMotion = packet.Kind == PacketKind.Motion;
         uint avatar = isMotion ? MotionHeader.ReadAvatarIndex(packet.Bytes) : CalculationHeader.ReadAvatarIndex(packet.Bytes);
-        if (!_seen.Add((packet.Kind, avatar)) || InstantCount == 0)
+        if (_seen.Count == MostFrames || !_seen.Add((packet.Kind, avatar)) || InstantCount == 0)
         {
             _seen.Clear();
             _seen.Add((packet.Kind, avatar));

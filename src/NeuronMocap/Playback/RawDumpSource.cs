@@ -9,14 +9,14 @@ internal sealed class RawDumpSource : ArrivalSource
     private const double UsualRate = 120;
     private const int ChunkSize = 64 * 1024;
 
-    private readonly FileStream _file;
+    private readonly Stream _file;
     private readonly RawDumpIndex _index;
     private readonly double _rate;
     private byte[] _buffer = new byte[ChunkSize];
     private bool _isOpened;
     private int _next;
 
-    private RawDumpSource(string path, FileStream file, RawDumpIndex index, double? rate)
+    private RawDumpSource(string path, Stream file, RawDumpIndex index, double? rate)
         : base(path)
     {
         _file = file;
@@ -31,7 +31,7 @@ internal sealed class RawDumpSource : ArrivalSource
     public override TimeSpan Duration => TimeOf(_index.InstantCount);
 
     // Reads the file once, to find the packets.
-    public static RawDumpSource Open(string path, FileStream file, PlaybackOptions options)
+    public static RawDumpSource Open(string path, Stream file, PlaybackOptions options)
     {
         var index = new RawDumpIndex();
         var assembler = new PacketAssembler(new PacketScanner(options.MaxValues ?? ProtocolConstants.DefaultMaxValues), index);
@@ -93,7 +93,7 @@ internal sealed class RawDumpSource : ArrivalSource
         }
     }
 
-    private static PlaybackException NothingFound(string path, FileStream file)
+    private static PlaybackException NothingFound(string path, Stream file)
     {
         byte[] start = new byte[64];
         file.Position = 0;

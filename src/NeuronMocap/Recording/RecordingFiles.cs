@@ -5,6 +5,9 @@ namespace NeuronMocap.Recording;
 // The files of one recording, one after the other. The time of all calls is the recording's, never before that of the last.
 internal sealed class RecordingFiles : IDisposable
 {
+    // ERROR_FILE_EXISTS.
+    private const int FileExists = unchecked((int)0x8007_0050);
+
     private readonly string _path;
     private readonly RecordingOptions _options;
     private readonly Func<string, RecordingOptions, Stream> _open;
@@ -25,6 +28,7 @@ internal sealed class RecordingFiles : IDisposable
         _options = options;
         _open = open ?? OpenFile;
         _currentPath = NameOf(1);
+        RefuseLaterFiles();
         _stream = _open(_currentPath, options);
         _writer = Begin(
             _stream, stream => new RecordingWriter(stream, metadata, new RecordingWriterOptions { StartTime = startTime, Compress = options.Compress }));
@@ -81,6 +85,25 @@ internal sealed class RecordingFiles : IDisposable
         _kept.Enqueue(path);
         while (_kept.Count > (_options.MaxFiles ?? int.MaxValue))
             File.Delete(_kept.Dequeue());
+    }
+
+    // Those of an earlier recording, whose first files may be deleted: this one would come to them hours later, and end there.
+    private void RefuseLaterFiles()
+    {
+        if (!_options.HasNumbers || _options.Overwrite)
+            return;
+
+        string path = Path.GetFullPath(_path);
+        (string start, string end) = (Path.GetFileNameWithoutExtension(path) + ".", Path.GetExtension(path));
+        string folder = Path.GetDirectoryName(path)!;
+        foreach (string file in Directory.Exists(folder) ? Directory.EnumerateFiles(folder) : [])
+        {
+            string name = Path.GetFileName(file);
+            bool isLike = name.Length > start.Length + end.Length
+                && name.StartsWith(start, StringComparison.OrdinalIgnoreCase) && name.EndsWith(end, StringComparison.OrdinalIgnoreCase);
+            if (isLike && int.TryParse(name.AsSpan(start.Length, name.Length - start.Length - end.Length), NumberStyles.None, CultureInfo.InvariantCulture, out _))
+                throw new IOException($"The file '{file}' already exists, and this recording would come to it.", FileExists);
+        }
     }
 
     private static RecordingWriter Begin(Stream stream, Func<Stream, RecordingWriter> create)

@@ -31,7 +31,7 @@ internal sealed class RecordingIndex
         _step *= 2;
     }
 
-    // The last checkpoint that is not behind the time, or else the first.
+    // The last checkpoint before the time, or else the first: entries of a checkpoint's own time stand before it.
     public long Find(long time)
     {
         int low = 0;
@@ -39,7 +39,7 @@ internal sealed class RecordingIndex
         while (high - low > 1)
         {
             int middle = (low + high) / 2;
-            if (_places[middle].Time <= time)
+            if (_places[middle].Time < time)
                 low = middle;
             else
                 high = middle;

@@ -1,6 +1,7 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
 using NeuronMocap.Fuzz.Inputs;
+using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 
 namespace NeuronMocap.Fuzz.Targets;
@@ -25,6 +26,7 @@ internal static class TargetList
             AllocatedPerInput = RecordingTarget.AllocatedForBlocks,
             AllocatedPerByte = 600,
         },
+        new("dump", CorpusKind.Packets, () => new DumpTarget().Run) { Refusal = typeof(PlaybackException), AllocatedPerInput = 512 * 1024, AllocatedPerByte = 16 },
         // Three readers and a writer have 64 KB each, and lists of repairs are made twice.
         new("calc", CorpusKind.Calculation, () => CalculationTarget.Run)
         {

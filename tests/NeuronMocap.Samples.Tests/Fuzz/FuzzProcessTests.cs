@@ -16,10 +16,10 @@ public sealed class FuzzProcessTests
 
         Assert.Equal(0, await fuzz.WaitForExitAsync());
         Assert.StartsWith("seed 3; ", output, StringComparison.Ordinal);
-        foreach (string target in (string[])["scanner", "assembler", "text", "udp", "udp-text", "headers", "frames", "commands", "bvh", "recording", "calc"])
+        foreach (string target in (string[])["scanner", "assembler", "text", "udp", "udp-text", "headers", "frames", "commands", "bvh", "recording", "dump", "calc"])
             Assert.Contains($"\n{target} ", output, StringComparison.Ordinal);
 
-        Assert.Contains("0 of 11 targets failed", output, StringComparison.Ordinal);
+        Assert.Contains("0 of 12 targets failed", output, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -50,7 +50,7 @@ public sealed class FuzzProcessTests
         string rest = await fuzz.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
 
         Assert.Equal(code, await fuzz.WaitForExitAsync());
-        Assert.Contains("0 of 11 targets failed", rest, StringComparison.Ordinal);
+        Assert.Contains("0 of 12 targets failed", rest, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using NeuronMocap.Bvh;
 using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Playback;
 using NeuronMocap.Recording;
@@ -44,6 +45,19 @@ public sealed class PlayTests : IDisposable
     }
 
     [Fact]
+    public async Task What_the_monitor_plays_it_can_write_as_bvh()
+    {
+        string target = _dump + ".bvh";
+        await File.WriteAllBytesAsync(
+            _dump, [.. Enumerable.Range(0, 10).SelectMany(static frame => FrameServer.Motion((uint)frame, new float[354]))], TestContext.Current.CancellationToken);
+        MonitorResult result = await MonitorRunner.RunAsync("--play", _dump, "--rate", "60", "--speed", "max", "--quiet", "--export", target);
+        Assert.Equal(0, result.ExitCode);
+        Assert.Contains("10 frames of Char00 at 60 Hz", Assert.Single(result.Error), StringComparison.Ordinal);
+        Assert.Equal(10, BvhDocument.Load(target).FrameCount);
+        File.Delete(target);
+    }
+
+    [Fact]
     public async Task The_monitor_plays_again_and_again_until_it_has_enough()
     {
         MonitorResult result = await MonitorRunner.RunAsync("--play", _recording, "--loop", "--speed", "max", "--frames", "35", "--json");
@@ -69,6 +83,9 @@ public sealed class PlayTests : IDisposable
     [InlineData("--demo", "--play", "x", "--demo")]
     [InlineData("--once", "--play", "x", "--once")]
     [InlineData("--diagnose", "--play", "x", "--diagnose")]
+    [InlineData("--convert", "--play", "x", "--record", "y")]
+    [InlineData("--play and --export name the same file", "--play", "x", "--export", "./x", "--overwrite")]
+    [InlineData("--export and --record name the same file", "--export", "x", "--record", "x")]
     [InlineData("--speed", "--speed", "2")]
     [InlineData("--speed", "--play", "x", "--speed", "0")]
     [InlineData("--speed", "--play", "x", "--speed", "101")]
@@ -127,7 +144,7 @@ public sealed class PlayTests : IDisposable
         Assert.True(PlaybackKeys.Obey(player, new ConsoleKeyInfo('\0', ConsoleKey.LeftArrow, shift: false, alt: false, control: false)));
         Assert.Equal(TimeSpan.Zero, player.Position);
         Assert.True(Press(player, '.'));
-        Assert.Equal("0:00.0 of 0:00.0, 0.25x, paused", PlaybackKeys.Describe(player));
+        Assert.Equal("0:00.000 of 0:00.0, 0.25x, paused", PlaybackKeys.Describe(player));
         Assert.False(Press(player, 'q'));
         player.Speed = RecordingPlayer.MaxSpeed;
         Assert.True(Press(player, '+') && Press(player, '-'));

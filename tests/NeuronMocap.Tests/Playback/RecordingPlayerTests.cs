@@ -80,6 +80,30 @@ public sealed class RecordingPlayerTests
     }
 
     [Fact]
+    public async Task Steps_pass_over_a_datagram_without_a_frame_once()
+    {
+        using TemporaryFile file = Recordings.Write(static writer =>
+        {
+            writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Udp, string.Empty, string.Empty));
+            writer.AddSender(TimeSpan.Zero, 0, 0, "10.0.0.1:5000");
+            writer.WriteBytes(Recordings.At(1), 0, TestPackets.Motion(0));
+            writer.WriteBytes(Recordings.At(2), 0, new byte[100]);
+            writer.WriteBytes(Recordings.At(3), 0, TestPackets.Motion(1));
+        });
+        using RecordingPlayer player = Open(file, new FakeTime());
+        player.Pause();
+        await using var reader = new NeuronReader(player);
+        using var frames = new FrameLog(reader);
+        reader.Start();
+        player.Step();
+        await frames.WaitAsync(1);
+        player.Step();
+        await frames.WaitAsync(2);
+        Assert.Equal([0u, 1u], frames.Indices);
+        Assert.Equal(100, reader.GetStatistics().SkippedBytes);
+    }
+
+    [Fact]
     public async Task Steps_back_show_the_frames_before()
     {
         using TemporaryFile file = Frames(400, interval: 8, perPiece: 3);

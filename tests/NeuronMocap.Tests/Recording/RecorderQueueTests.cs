@@ -254,6 +254,27 @@ public sealed class RecorderQueueTests : IDisposable
     }
 
     [Fact]
+    public async Task A_numbered_file_of_an_earlier_recording_is_found_before_anything_is_recorded()
+    {
+        string later = _folder.PathOf("take.0098.nmrec");
+        await File.WriteAllTextAsync(later, "precious", TestContext.Current.CancellationToken);
+        await File.WriteAllTextAsync(_folder.PathOf("take.x.nmrec"), "another", TestContext.Current.CancellationToken);
+        await File.WriteAllTextAsync(_folder.PathOf("take2.0001.nmrec"), "another", TestContext.Current.CancellationToken);
+        var options = new RecordingOptions { MaxFileSize = 1 << 20 };
+        IOException error = Assert.Throws<IOException>(
+            () => new StreamRecorder(_folder.PathOf("take.nmrec"), options, RecordingMetadata.Empty, _tap, static _ => { }));
+        Assert.Contains(later, error.Message, StringComparison.Ordinal);
+        Assert.Equal("precious", await File.ReadAllTextAsync(later, TestContext.Current.CancellationToken));
+
+        options.Overwrite = true;
+        new StreamRecorder(_folder.PathOf("take.nmrec"), options, RecordingMetadata.Empty, _tap, static _ => { }).Dispose();
+        File.Delete(later);
+        options.Overwrite = false;
+        new StreamRecorder(_folder.PathOf("take2.x.nmrec"), options, RecordingMetadata.Empty, _tap, static _ => { }).Dispose();
+        Assert.Contains("take2.x.0001.nmrec", _folder.Files);
+    }
+
+    [Fact]
     public async Task Files_of_bounded_duration_follow_each_other()
     {
         StreamRecorder recorder = new(

@@ -21,6 +21,15 @@ public sealed class RecordingFormatTests
             Assert.Equal(Crc32C.Append(0, bytes), Crc32C.Append(Crc32C.Append(0, bytes.AsSpan(0, split)), bytes.AsSpan(split)));
     }
 
+    [Fact]
+    public void The_checksum_of_a_block_s_header_is_what_the_document_says()
+    {
+        byte[] file = Recordings.Write(static writer => writer.WriteBytes(default, 0, [1, 2, 3]));
+        Assert.Equal(Crc32C.Append(0, file.AsSpan(0, 60)), BitConverter.ToUInt32(file, 60));
+        Assert.Equal(Crc32C.Append(0, [.. file[..60], .. file[64..92]]), BitConverter.ToUInt32(file, 92));
+        Assert.Equal(Crc32C.Append(0, file.AsSpan(96, BitConverter.ToInt32(file, 76))), BitConverter.ToUInt32(file, 88));
+    }
+
     // At 60 Hz, flushed four times a second: 15 pieces in a block of 32 bytes of header.
     [Theory]
     [InlineData(1480, 4 * 15 + 4 + 32, 0.0044)]
@@ -86,7 +95,8 @@ public sealed class RecordingFormatTests
         foreach (RecordingReader reader in (RecordingReader[])[whole, crashed])
         {
             Assert.Equal(10_000L * (Count - 1), reader.Duration.Ticks);
-            foreach (int first in (int[])[Count - 1, 0, 1, 17, 1999, 1000, 3998, Count])
+            // Far apart, and around the checkpoints, each of which has the time of the piece before it.
+            foreach (int first in (int[])[Count - 1, 0, 1, 17, 1999, 1000, 3998, Count, .. Enumerable.Range(1000, 100), .. Enumerable.Range(3100, 100)])
             {
                 // Between two pieces, and on one.
                 foreach (long time in (long[])[(10_000L * first) - 1, 10_000L * first])

@@ -1,6 +1,7 @@
 using System.Net.Sockets;
 using NeuronMocap.Recording;
 using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Reader;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Recording;
@@ -11,11 +12,9 @@ public sealed class StreamRecorderTests : IDisposable
     private readonly RecordingFolder _folder = new();
     private readonly TapLog _log = new();
 
-    public static TheoryData<string> Names => ["new-180", "new-354", "old-354", "calculation", "mixed", "zero-count", "text", "studio-354", "studio-calculation"];
-
     public void Dispose() => _folder.Dispose();
 
-    [Theory, MemberData(nameof(Names))]
+    [Theory, MemberData(nameof(FixtureReaderTests.Names), MemberType = typeof(FixtureReaderTests))]
     public Task Tcp_is_recorded_as_it_arrived(string name) => RecordTcpAsync(name, 777, new RecordingOptions());
 
     [Fact]
@@ -24,7 +23,7 @@ public sealed class StreamRecorderTests : IDisposable
     [Fact]
     public Task A_compressed_recording_is_the_same() => RecordTcpAsync("mixed", int.MaxValue, new RecordingOptions { Compress = true, FlushToDisk = true });
 
-    [Theory, MemberData(nameof(Names))]
+    [Theory, MemberData(nameof(FixtureReaderTests.Names), MemberType = typeof(FixtureReaderTests))]
     public async Task Udp_is_recorded_datagram_by_datagram(string name)
     {
         StreamFixture fixture = StreamFixture.Load(name);

@@ -8,7 +8,7 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Playback;
 
 // A recording as the stream that it holds. A file that continues another one begins with its own first bytes, not with the time of all before it.
-internal sealed class RecordingSource : ArrivalSource
+internal sealed class RecordedStreamSource : ArrivalSource
 {
     // What a reader's options allow.
     private const int MostValues = 1_000_000;
@@ -19,7 +19,7 @@ internal sealed class RecordingSource : ArrivalSource
     private readonly Dictionary<(int Connection, int Sender), SocketAddress> _senders = [];
     private byte[] _buffer = [];
 
-    public RecordingSource(string path, RecordingReader reader)
+    public RecordedStreamSource(string path, RecordingReader reader)
         : base(path)
     {
         _reader = reader;
