@@ -28,14 +28,25 @@ internal sealed class BvhAlignment
         }
     }
 
-    /// <summary>Aligns the rows from one to another to the row before.</summary>
+    /// <summary>Aligns the rows from one to another to the row before. One of NaN is no place: then the next one away from the seam counts.</summary>
     public void Align(float[] values, int start, int end)
     {
-        (BvhPoint goal, BvhRotation goalRotation) = GetHips(Row(values, start - 1));
-        (BvhPoint place, BvhRotation rotation) = GetHips(Row(values, start));
+        int before = start - 1;
+        while (before > 0 && !HasPlace(values, before))
+            before--;
+
+        int first = start;
+        while (first < end - 1 && !HasPlace(values, first))
+            first++;
+
+        if (!HasPlace(values, before) || !HasPlace(values, first))
+            return;
+
+        (BvhPoint goal, BvhRotation goalRotation) = GetHips(Row(values, before));
+        (BvhPoint place, BvhRotation rotation) = GetHips(Row(values, first));
         BvhRotation turn = BvhRotation.About(Vertical, (goalRotation * rotation.Inverse).Heading);
 
-        BvhEulerTriple[] near = [.. _roots.Select(root => root.GetAngles(Row(values, start - 1)))];
+        BvhEulerTriple[] near = [.. _roots.Select(root => root.GetAngles(Row(values, before)).Or(default))];
         for (int frame = start; frame < end; frame++)
         {
             Span<float> row = Row(values, frame);
@@ -47,6 +58,12 @@ internal sealed class BvhAlignment
                 near[i] = _roots[i].GetAngles(row).Or(near[i]);
             }
         }
+    }
+
+    private bool HasPlace(float[] values, int frame)
+    {
+        (BvhPoint position, BvhRotation rotation) = GetHips(Row(values, frame));
+        return double.IsFinite(position.Length) && double.IsFinite(rotation.Heading);
     }
 
     private (BvhPoint Position, BvhRotation Rotation) GetHips(ReadOnlySpan<float> row)

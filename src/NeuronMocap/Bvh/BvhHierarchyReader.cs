@@ -190,7 +190,7 @@ internal ref struct BvhHierarchyReader
 
     private void ReadOffset()
     {
-        if (_format.Indentation is null && _depth == 1 && _place.Line > _openLine)
+        if (_format.Indentation is null && _depth == 1 && _place.Line > _openLine && _place.Column - 1 <= BvhTextFormat.LongestBlanks)
             _format.Indentation = new string((char)_blank, _place.Column - 1);
 
         var offset = new Vector3(ReadCoordinate(), ReadCoordinate(), ReadCoordinate());

@@ -27,7 +27,7 @@ public sealed class BvhSkeletonMap
         _body = MakeBody(joints, format.Variant);
     }
 
-    /// <summary>The file.</summary>
+    /// <summary>The file; without rows where the map was made of a hierarchy.</summary>
     public BvhDocument Document { get; }
 
     /// <summary>Naming of the bones, from the joints' names, and order of the rotation values, from their channels.</summary>
@@ -76,14 +76,30 @@ public sealed class BvhSkeletonMap
         return true;
     }
 
+    /// <summary>Finds the bones in a hierarchy, for rows that are read one by one: <see cref="BvhReader.Hierarchy"/>.</summary>
+    /// <param name="hierarchy">The joints.</param>
+    /// <param name="map">The bones, when all are there.</param>
+    /// <param name="reason">When not: the first thing that is missing or different, in English.</param>
+    /// <returns>False when the skeleton is not Neuron's.</returns>
+    public static bool TryCreate(
+        BvhHierarchy hierarchy,
+        [NotNullWhen(true)] out BvhSkeletonMap? map,
+        [NotNullWhen(false)] out string? reason) => TryCreate(new BvhDocument(hierarchy, BvhFrameTime.Default, []), out map, out reason);
+
     /// <summary>Writes a row as the values of a motion packet of <see cref="Layout"/>, bit for bit those of the file.</summary>
     /// <param name="frame">Number of the frame, from 0.</param>
     /// <param name="destination">Room for <see cref="ChannelLayout.ValueCount"/> values.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
     /// <exception cref="ArgumentException">The destination is too short.</exception>
-    public void CopyValues(int frame, Span<float> destination)
+    public void CopyValues(int frame, Span<float> destination) => CopyValues(Document.GetFrame(frame), destination);
+
+    /// <summary>Writes a row as the values of a motion packet of <see cref="Layout"/>, bit for bit.</summary>
+    /// <param name="row">The row, of all channels of the hierarchy.</param>
+    /// <param name="destination">Room for <see cref="ChannelLayout.ValueCount"/> values.</param>
+    /// <exception cref="ArgumentException">The row or the destination is too short.</exception>
+    public void CopyValues(ReadOnlySpan<float> row, Span<float> destination)
     {
-        ReadOnlySpan<float> row = Document.GetFrame(frame);
+        CheckRow(row);
         if (destination.Length < _columns.Length)
             throw new ArgumentException($"There is room for {_columns.Length} values.", nameof(destination));
 
@@ -93,16 +109,22 @@ public sealed class BvhSkeletonMap
 
     /// <summary>
     /// Writes the transforms of all bones relative to their parents, of the hips to the Reference node where there is one
-    /// (<see cref="GetReference"/>). A position is that of the row where it has one, else the joint's <see cref="BvhJoint.Offset"/>.
+    /// (<see cref="GetReference(int)"/>). A position is that of the row where it has one, else the joint's <see cref="BvhJoint.Offset"/>.
     /// </summary>
     /// <param name="frame">Number of the frame, from 0.</param>
     /// <param name="destination">Room for 59, in <see cref="Bone"/> order; centimetres, as the file's own unit is taken to be.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
     /// <exception cref="ArgumentException">The destination is too short.</exception>
-    public void CopyLocalTransforms(int frame, Span<BoneTransform> destination)
+    public void CopyLocalTransforms(int frame, Span<BoneTransform> destination) => CopyLocalTransforms(Document.GetFrame(frame), destination);
+
+    /// <summary>Writes the transforms of all bones in a row; otherwise as by the number of a frame.</summary>
+    /// <param name="row">The row, of all channels of the hierarchy.</param>
+    /// <param name="destination">Room for 59, in <see cref="Bone"/> order; centimetres, as the file's own unit is taken to be.</param>
+    /// <exception cref="ArgumentException">The row or the destination is too short.</exception>
+    public void CopyLocalTransforms(ReadOnlySpan<float> row, Span<BoneTransform> destination)
     {
         Span<float> values = stackalloc float[Layout.ValueCount];
-        CopyValues(frame, values);
+        CopyValues(row, values);
         PoseDecoder.Decode(values, Layout, Format.RotationOrder, _body, destination);
     }
 
@@ -110,9 +132,15 @@ public sealed class BvhSkeletonMap
     /// <param name="frame">Number of the frame, from 0.</param>
     /// <returns>That of the Reference node, or none where the file has no such node; centimetres.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
-    public BoneTransform GetReference(int frame)
+    public BoneTransform GetReference(int frame) => GetReference(Document.GetFrame(frame));
+
+    /// <summary>The transform that the hips are relative to.</summary>
+    /// <param name="row">The row, of all channels of the hierarchy.</param>
+    /// <returns>That of the Reference node, or none where the file has no such node; centimetres.</returns>
+    /// <exception cref="ArgumentException">The row is too short.</exception>
+    public BoneTransform GetReference(ReadOnlySpan<float> row)
     {
-        ReadOnlySpan<float> row = Document.GetFrame(frame);
+        CheckRow(row);
         return Layout.HasReference
             ? new BoneTransform(ReadVector(row, 0), EulerAngles.ToQuaternion(ReadVector(row, 3), Format.RotationOrder))
             : BoneTransform.Identity;
@@ -170,6 +198,12 @@ public sealed class BvhSkeletonMap
     private static bool IsReference(BvhJoint? joint) => joint is { Parent: null, Name: ReferenceName };
 
     private static string Hang(string? parent) => parent is null ? "hang from nothing" : $"hang from {parent}";
+
+    private void CheckRow(ReadOnlySpan<float> row)
+    {
+        if (row.Length < Document.ChannelCount)
+            throw new ArgumentException($"A row has {Document.ChannelCount} values, not {row.Length}.", nameof(row));
+    }
 
     private Vector3 ReadVector(ReadOnlySpan<float> row, int index) =>
         new(row[_columns[index]], row[_columns[index + 1]], row[_columns[index + 2]]);

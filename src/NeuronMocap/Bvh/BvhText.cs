@@ -11,8 +11,6 @@ internal ref struct BvhText
     /// <summary>Bytes of a word that are looked at as one; what a longer one has beyond is a word of its own.</summary>
     public const int LongestWord = 1 << 16;
 
-    private const int LongestBlanks = 16;
-
     private readonly BvhTextSource? _source;
     private ReadOnlySpan<byte> _window;
     private int _position;
@@ -127,9 +125,9 @@ internal ref struct BvhText
     /// <returns>The first bytes of it.</returns>
     public ReadOnlySpan<byte> ReadBlanks()
     {
-        ReadOnlySpan<byte> blanks = PeekUntil(static letter => !IsSpace(letter) || IsLineEnd(letter), LongestBlanks);
+        ReadOnlySpan<byte> blanks = PeekUntil(static letter => !IsSpace(letter) || IsLineEnd(letter), BvhTextFormat.LongestBlanks);
         _position += blanks.Length;
-        if (blanks.Length == LongestBlanks)
+        if (blanks.Length == BvhTextFormat.LongestBlanks)
             Skip(static letter => !IsSpace(letter) || IsLineEnd(letter));
 
         return blanks;

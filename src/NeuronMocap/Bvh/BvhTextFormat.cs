@@ -6,27 +6,54 @@ namespace NeuronMocap.Bvh;
 /// </summary>
 public sealed record BvhTextFormat
 {
+    internal const int LongestBlanks = 16;
+
     /// <summary>Axis Neuron's: CR LF, four spaces, three decimals in offsets, six in rows, a space at the end of each row.</summary>
     public static BvhTextFormat AxisNeuron { get; } = new();
 
     /// <summary>What ends a line: CR LF, LF, or CR.</summary>
-    public string LineEnd { get; init; } = "\r\n";
+    /// <exception cref="ArgumentException">It is something else.</exception>
+    public string LineEnd
+    {
+        get;
+        init => field = value is "\r\n" or "\n" or "\r" ? value : throw new ArgumentException("A line ends with CR LF, LF or CR.", nameof(value));
+    } = "\r\n";
 
-    /// <summary>What a line is indented by for each level: spaces or tabs, or nothing.</summary>
-    public string Indentation { get; init; } = "    ";
+    /// <summary>What a line is indented by for each level: at most 16 spaces or tabs, or nothing.</summary>
+    /// <exception cref="ArgumentException">It is something else.</exception>
+    public string Indentation
+    {
+        get;
+        init => field = IsBlank(value) ? value : throw new ArgumentException("A line is indented by at most 16 spaces or tabs.", nameof(value));
+    } = "    ";
 
-    /// <summary>What stands between the values of a row: spaces or tabs.</summary>
-    public string Separator { get; init; } = " ";
+    /// <summary>What stands between the values of a row: 1 to 16 spaces or tabs.</summary>
+    /// <exception cref="ArgumentException">It is something else.</exception>
+    public string Separator
+    {
+        get;
+        init => field = value.Length > 0 && IsBlank(value) ? value : throw new ArgumentException("Between two values stand 1 to 16 spaces or tabs.", nameof(value));
+    } = " ";
 
     /// <summary>
     /// Least number of digits after the point in offsets, from 0. A writer has more where these would make it another binary32 value.
     /// </summary>
-    public int OffsetDecimals { get; init; } = 3;
+    /// <exception cref="ArgumentOutOfRangeException">The number is below 0.</exception>
+    public int OffsetDecimals
+    {
+        get;
+        init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "There are 0 decimals or more.");
+    } = 3;
 
     /// <summary>
     /// Least number of digits after the point in rows, from 0. A writer has more where these would make it another binary32 value.
     /// </summary>
-    public int ValueDecimals { get; init; } = 6;
+    /// <exception cref="ArgumentOutOfRangeException">The number is below 0.</exception>
+    public int ValueDecimals
+    {
+        get;
+        init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "There are 0 decimals or more.");
+    } = 6;
 
     /// <summary>Whether <see cref="Separator"/> also stands after the last value of a row.</summary>
     public bool HasSeparatorAtRowEnd { get; init; } = true;
@@ -42,4 +69,6 @@ public sealed record BvhTextFormat
     /// to be written; elsewhere, and where this is null, <see cref="BvhFrameTime.ToString"/>.
     /// </summary>
     public string? FrameTimeText { get; init; }
+
+    private static bool IsBlank(string text) => text.Length <= LongestBlanks && text.AsSpan().Trim(" \t\v\f").IsEmpty;
 }

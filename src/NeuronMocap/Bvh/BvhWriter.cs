@@ -46,7 +46,7 @@ public sealed class BvhWriter : IDisposable
     /// <exception cref="IOException">The file cannot be written.</exception>
     /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
     public BvhWriter(string path, BvhHierarchy hierarchy, BvhFrameTime frameTime, BvhTextFormat? format = null)
-        : this(BvhFile.Create(path), hierarchy, frameTime, format)
+        : this(Create(path, hierarchy, frameTime), hierarchy, frameTime, format)
     {
     }
 
@@ -67,11 +67,10 @@ public sealed class BvhWriter : IDisposable
         Stream stream, BvhHierarchy hierarchy, BvhFrameTime frameTime, BvhTextFormat? format, bool leaveOpen, int? frameCount)
     {
         ArgumentNullException.ThrowIfNull(stream);
-        ArgumentNullException.ThrowIfNull(hierarchy);
         if (!stream.CanWrite)
             throw new ArgumentException("The stream cannot be written.", nameof(stream));
-        if (frameTime == default)
-            throw new ArgumentException("A frame lasts more than 0 s.", nameof(frameTime));
+
+        Check(hierarchy, frameTime);
 
         _stream = stream;
         _leavesOpen = leaveOpen;
@@ -177,6 +176,20 @@ public sealed class BvhWriter : IDisposable
             if (!_leavesOpen)
                 _stream.Dispose();
         }
+    }
+
+    // What is wrong shows before the file is emptied that it would replace.
+    private static FileStream Create(string path, BvhHierarchy hierarchy, BvhFrameTime frameTime)
+    {
+        Check(hierarchy, frameTime);
+        return BvhFile.Create(path);
+    }
+
+    private static void Check(BvhHierarchy hierarchy, BvhFrameTime frameTime)
+    {
+        ArgumentNullException.ThrowIfNull(hierarchy);
+        if (frameTime == default)
+            throw new ArgumentException("A frame lasts more than 0 s.", nameof(frameTime));
     }
 
     // A reader of any file takes the columns in the order of the CHANNELS lines, which may differ from that of the joints: written they stand in

@@ -26,7 +26,7 @@ public sealed class CalculationDocument
     {
         ValueCount = reader.ValueCount;
         float[] row = new float[ValueCount];
-        while (reader.TryRead(row))
+        while (reader.TryReadFrame(row))
         {
             _rows.Add(row);
             row = new float[ValueCount];
@@ -73,7 +73,19 @@ public sealed class CalculationDocument
     /// <exception cref="UnauthorizedAccessException">This user may not read it.</exception>
     public static CalculationDocument Load(string path, CalculationReadOptions? options = null)
     {
-        using CalculationFileReader reader = CalculationFileReader.Open(path, options);
+        using FileStream stream = CalculationFileReader.OpenFile(path);
+        return Load(stream, options);
+    }
+
+    /// <summary>Reads a stream to its end.</summary>
+    /// <param name="stream">Where the text comes from, in pieces of any size; not closed.</param>
+    /// <param name="options">How to read it; null is the same as the defaults.</param>
+    /// <returns>The document.</returns>
+    /// <exception cref="CalculationFormatException">There is no row of 946 or 338 numbers, or reading is strict and something is wrong.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
+    public static CalculationDocument Load(Stream stream, CalculationReadOptions? options = null)
+    {
+        using var reader = new CalculationFileReader(stream, options, leaveOpen: true);
         return new CalculationDocument(reader);
     }
 
@@ -84,8 +96,8 @@ public sealed class CalculationDocument
     /// <exception cref="CalculationFormatException">There is no row of 946 or 338 numbers, or reading is strict and something is wrong.</exception>
     public static CalculationDocument Parse(ReadOnlySpan<byte> utf8, CalculationReadOptions? options = null)
     {
-        using var reader = new CalculationFileReader(new MemoryStream(utf8.ToArray(), writable: false), options);
-        return new CalculationDocument(reader);
+        using var text = new MemoryStream(utf8.ToArray(), writable: false);
+        return Load(text, options);
     }
 
     /// <summary>The values of a frame, in the order of the calculation stream.</summary>

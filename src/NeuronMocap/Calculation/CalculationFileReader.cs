@@ -16,24 +16,29 @@ public sealed class CalculationFileReader : IDisposable
     private const int LongestQuote = 40;
 
     private readonly Stream _stream;
+    private readonly bool _leavesOpen;
     private readonly CalculationLines _lines;
     private readonly CalculationRepairLog _repairs;
     private readonly float[] _values = new float[CalculationFrame.FullValueCount];
     private readonly byte[] _rowEnd;
     private readonly int _leastDecimals;
     private bool _isFirst = true;
+    private bool _isDisposed;
 
     /// <summary>Opens a file, and reads it up to its first row.</summary>
-    /// <param name="stream">The file from its start; closed with the reader.</param>
+    /// <param name="stream">Where the text comes from. Read from where it stands; it need not seek.</param>
     /// <param name="options">How to read it; null is the same as the defaults.</param>
+    /// <param name="leaveOpen">Whether the stream stays open when the reader is disposed; where this constructor throws, it does.</param>
     /// <exception cref="CalculationFormatException">There is no row of 946 or 338 numbers.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    public CalculationFileReader(Stream stream, CalculationReadOptions? options = null)
+    public CalculationFileReader(Stream stream, CalculationReadOptions? options = null, bool leaveOpen = false)
     {
         ArgumentNullException.ThrowIfNull(stream);
         Options = options ?? CalculationReadOptions.Default;
         _stream = stream;
-        _lines = new CalculationLines(stream);
+        _leavesOpen = leaveOpen;
+        Length = stream.CanSeek ? Math.Max(0, stream.Length - stream.Position) : null;
+        _lines = new CalculationLines(stream, Options.Progress);
         _repairs = new CalculationRepairLog(Options.Strict);
         byte[] header = ReadHeader();
         CalculationRow row = CalculationRow.Read(_lines.Text, _values);
@@ -53,13 +58,13 @@ public sealed class CalculationFileReader : IDisposable
     public CalculationTextFormat TextFormat { get; private set; }
 
     /// <summary>Number of rows read so far.</summary>
-    public int FrameCount { get; private set; }
+    public long FrameCount { get; private set; }
 
-    /// <summary>Number of bytes read so far: how far the work has come, of <see cref="Length"/>.</summary>
-    public long Position => _lines.Position;
+    /// <summary>Number of bytes of the lines read so far: how far the work has come, of <see cref="Length"/>.</summary>
+    public long BytesRead => _lines.BytesRead;
 
-    /// <summary>Number of bytes of the file; null when the stream cannot tell.</summary>
-    public long? Length => _stream.CanSeek ? _stream.Length : null;
+    /// <summary>Bytes that the stream had to offer at the start; null when it does not know.</summary>
+    public long? Length { get; }
 
     /// <summary>What was wrong so far and how it was read all the same; the first hundred.</summary>
     public IReadOnlyList<CalculationRepair> Repairs => _repairs.Listed;
@@ -78,7 +83,7 @@ public sealed class CalculationFileReader : IDisposable
     /// <exception cref="UnauthorizedAccessException">This user may not read it.</exception>
     public static CalculationFileReader Open(string path, CalculationReadOptions? options = null)
     {
-        var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite, bufferSize: 1);
+        FileStream file = OpenFile(path);
         try
         {
             return new CalculationFileReader(file, options);
@@ -98,8 +103,10 @@ public sealed class CalculationFileReader : IDisposable
     /// <exception cref="ArgumentException">There is less room.</exception>
     /// <exception cref="CalculationFormatException">The options demand strict reading, and something is wrong.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    public bool TryRead(Span<float> values)
+    /// <exception cref="ObjectDisposedException">The reader is disposed.</exception>
+    public bool TryReadFrame(Span<float> values)
     {
+        ObjectDisposedException.ThrowIf(_isDisposed, this);
         if (values.Length < ValueCount)
             throw new ArgumentException($"A row has {ValueCount} values.", nameof(values));
 
@@ -116,8 +123,17 @@ public sealed class CalculationFileReader : IDisposable
         return false;
     }
 
-    /// <summary>Closes the file.</summary>
-    public void Dispose() => _stream.Dispose();
+    /// <summary>Closes the stream, unless it is to stay open.</summary>
+    public void Dispose()
+    {
+        _isDisposed = true;
+        if (!_leavesOpen)
+            _stream.Dispose();
+    }
+
+    // Not buffered a second time.
+    internal static FileStream OpenFile(string path) =>
+        new(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 1, FileOptions.SequentialScan);
 
     private static bool IsRow(in CalculationRow row) =>
         row.WrongWord.IsEmpty && row.Count is CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount;
@@ -165,14 +181,14 @@ public sealed class CalculationFileReader : IDisposable
 
         if (IsCutInNumber(row))
         {
-            _repairs.Add(_lines.Number, row.Column, "The file ends within a number.", "The row is left out.");
+            _repairs.Add(_lines.Number, row.Column, "The file ends within a number", "the row is left out");
             return false;
         }
 
         if (row.Count > ValueCount)
-            _repairs.Add(_lines.Number, 1, $"A row has {row.Count} values instead of {ValueCount}.", $"The first {ValueCount} are read.");
+            _repairs.Add(_lines.Number, 1, $"A row has {row.Count} values instead of {ValueCount}", $"the first {ValueCount} are read");
         if (row.NotFiniteColumn > 0)
-            _repairs.Add(_lines.Number, row.NotFiniteColumn, "A value is not finite.", "It is read as it stands.");
+            _repairs.Add(_lines.Number, row.NotFiniteColumn, "A value is not finite", "it is read as it stands");
 
         NoteEnd(_lines.TextAndEnd[row.Length..]);
         return true;
@@ -187,16 +203,16 @@ public sealed class CalculationFileReader : IDisposable
     private void AddWrongRow(in CalculationRow row, string expected)
     {
         if (!row.WrongWord.IsEmpty)
-            _repairs.Add(_lines.Number, row.Column, $"{Quote(row.WrongWord)} is not a number.", "The line is left out.");
+            _repairs.Add(_lines.Number, row.Column, $"{Quote(row.WrongWord)} is not a number", "the line is left out");
         else if (!_lines.HasEnd)
-            _repairs.Add(_lines.Number, row.Column, $"The file ends after {row.Count} values of a row.", "The row is left out.");
+            _repairs.Add(_lines.Number, row.Column, $"The file ends after {row.Count} values of a row", "the row is left out");
         else
-            _repairs.Add(_lines.Number, 1, $"A row has {row.Count} values instead of {expected}.", "It is left out.");
+            _repairs.Add(_lines.Number, 1, $"A row has {row.Count} values instead of {expected}", "it is left out");
     }
 
     private void NoteEnd(ReadOnlySpan<byte> end)
     {
-        if (!end.SequenceEqual(_rowEnd))
+        if (!end.SequenceEqual(_rowEnd) && end.Length <= CalculationTextFormat.LongestSpace)
             TextFormat = TextFormat with { LastRowEnd = Encoding.ASCII.GetString(end) };
         else if (TextFormat.LastRowEnd is not null)
             TextFormat = TextFormat with { LastRowEnd = null };
@@ -213,10 +229,18 @@ public sealed class CalculationFileReader : IDisposable
         var format = CalculationTextFormat.AxisNeuron with
         {
             Header = header,
-            Separator = Encoding.ASCII.GetString(line.Slice(end, CountSpace(line[end..]))),
             Decimals = Math.Min(CalculationRow.CountDecimals(line[start..end]), CalculationTextFormat.MaxDecimals),
         };
-        return _lines.HasEnd ? format with { RowEnd = Encoding.ASCII.GetString(_lines.TextAndEnd[row.Length..]) } : format;
+
+        // What is longer than any program writes is no layout to keep.
+        ReadOnlySpan<byte> separator = line.Slice(end, CountSpace(line[end..]));
+        ReadOnlySpan<byte> rowEnd = _lines.TextAndEnd[row.Length..];
+        if (separator.Length <= CalculationTextFormat.LongestSpace)
+            format = format with { Separator = Encoding.ASCII.GetString(separator) };
+        if (_lines.HasEnd && rowEnd.Length <= CalculationTextFormat.LongestSpace)
+            format = format with { RowEnd = Encoding.ASCII.GetString(rowEnd) };
+
+        return format;
     }
 
     private static int CountSpace(ReadOnlySpan<byte> text)

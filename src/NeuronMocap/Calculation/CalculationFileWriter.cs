@@ -24,7 +24,19 @@ public sealed class CalculationFileWriter : IDisposable
     private bool _isEndOpen;
     private bool _isDisposed;
 
-    /// <summary>Begins a file: writes the format's header.</summary>
+    /// <summary>Begins a file: writes the format's header. Only when it is disposed of is the file whole.</summary>
+    /// <param name="path">Where; a file that is there already is replaced.</param>
+    /// <param name="valueCount">Values of each row: 946, or 338.</param>
+    /// <param name="format">How the text shall look; null is the same as <see cref="CalculationTextFormat.AxisNeuron"/>.</param>
+    /// <exception cref="ArgumentException">There is no such number of values.</exception>
+    /// <exception cref="IOException">The file cannot be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
+    public CalculationFileWriter(string path, int valueCount, CalculationTextFormat? format = null)
+        : this(CreateFile(path, valueCount), valueCount, format)
+    {
+    }
+
+    /// <summary>Begins a file on a stream: writes the format's header.</summary>
     /// <param name="stream">Where to, from the current place on.</param>
     /// <param name="valueCount">Values of each row: 946, or 338.</param>
     /// <param name="format">How the text shall look; null is the same as <see cref="CalculationTextFormat.AxisNeuron"/>.</param>
@@ -34,9 +46,7 @@ public sealed class CalculationFileWriter : IDisposable
     public CalculationFileWriter(Stream stream, int valueCount, CalculationTextFormat? format = null, bool leaveOpen = false)
     {
         ArgumentNullException.ThrowIfNull(stream);
-        if (valueCount is not (CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount))
-            throw new ArgumentException("A row has 946 values or 338.", nameof(valueCount));
-
+        Check(valueCount);
         format ??= CalculationTextFormat.AxisNeuron;
         _stream = stream;
         _leavesOpen = leaveOpen;
@@ -54,28 +64,6 @@ public sealed class CalculationFileWriter : IDisposable
 
     /// <summary>Number of rows written so far.</summary>
     public long FrameCount { get; private set; }
-
-    /// <summary>Begins a file, over one that is there.</summary>
-    /// <param name="path">Where to.</param>
-    /// <param name="valueCount">Values of each row: 946, or 338.</param>
-    /// <param name="format">How the text shall look; null is the same as <see cref="CalculationTextFormat.AxisNeuron"/>.</param>
-    /// <returns>A writer, to be disposed: only then is the file whole.</returns>
-    /// <exception cref="ArgumentException">There is no such number of values.</exception>
-    /// <exception cref="IOException">The file cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
-    public static CalculationFileWriter Create(string path, int valueCount, CalculationTextFormat? format = null)
-    {
-        var file = new FileStream(path, FileMode.Create, FileAccess.Write, FileShare.Read, bufferSize: 1);
-        try
-        {
-            return new CalculationFileWriter(file, valueCount, format);
-        }
-        catch
-        {
-            file.Dispose();
-            throw;
-        }
-    }
 
     /// <summary>Writes a row.</summary>
     /// <param name="values">Exactly <see cref="ValueCount"/> values, in the order of the calculation stream.</param>
@@ -137,6 +125,19 @@ public sealed class CalculationFileWriter : IDisposable
             if (!_leavesOpen)
                 _stream.Dispose();
         }
+    }
+
+    // What is wrong shows before the file is emptied that it would replace.
+    private static FileStream CreateFile(string path, int valueCount)
+    {
+        Check(valueCount);
+        return new FileStream(path, FileMode.Create, FileAccess.Write, FileShare.Read, bufferSize: 1);
+    }
+
+    private static void Check(int valueCount)
+    {
+        if (valueCount is not (CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount))
+            throw new ArgumentException("A row has 946 values or 338.", nameof(valueCount));
     }
 
     private void Write(ReadOnlySpan<byte> text)

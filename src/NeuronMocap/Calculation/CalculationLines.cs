@@ -2,7 +2,7 @@ namespace NeuronMocap.Calculation;
 
 // The lines of a file, one after the other in one buffer. A line ends with CR LF, LF or CR. One that is longer than any row can be, as of a
 // file without line ends, comes in pieces.
-internal sealed class CalculationLines(Stream stream)
+internal sealed class CalculationLines(Stream stream, IProgress<long>? progress)
 {
     private const int LongestLine = 1 << 20;
 
@@ -11,13 +11,14 @@ internal sealed class CalculationLines(Stream stream)
     private int _end;
     private int _textLength;
     private int _lineLength;
+    private long _taken;
     private bool _isEnded;
 
     /// <summary>Number of the line, from 1; 0 before the first one was read.</summary>
     public int Number { get; private set; }
 
     /// <summary>Bytes up to the end of the line.</summary>
-    public long Position { get; private set; }
+    public long BytesRead { get; private set; }
 
     /// <summary>The line without its end. Valid until the next one is read.</summary>
     public ReadOnlySpan<byte> Text => _buffer.AsSpan(_start, _textLength);
@@ -49,7 +50,7 @@ internal sealed class CalculationLines(Stream stream)
         }
 
         Number++;
-        Position += _lineLength;
+        BytesRead += _lineLength;
         return true;
     }
 
@@ -88,5 +89,7 @@ internal sealed class CalculationLines(Stream stream)
         int count = stream.Read(_buffer, _end, _buffer.Length - _end);
         _end += count;
         _isEnded = count == 0;
+        _taken += count;
+        progress?.Report(_taken);
     }
 }

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Calculation;
 
-/// <summary>How a calculation export is read, and what such a file does not say itself.</summary>
+/// <summary>How a calculation export is read, and what such a file does not say itself. Immutable; thread-safe.</summary>
 public sealed class CalculationReadOptions
 {
     /// <summary>Frames per second of a full set of sensors that records to a file.</summary>
@@ -14,6 +14,12 @@ public sealed class CalculationReadOptions
     /// </summary>
     public bool Strict { get; init; }
 
+    /// <summary>
+    /// Told how many bytes of a stream or file have been read, on the reading thread, after every piece of at most about 64 KiB; null for nobody. An
+    /// exception of it ends the reading and reaches the caller.
+    /// </summary>
+    public IProgress<long>? Progress { get; init; }
+
     /// <summary>Frames per second, which no export says: a positive number. Default: 120, which all known recordings have.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The number is not positive, or infinite.</exception>
     public double FrameRate
@@ -24,9 +30,14 @@ public sealed class CalculationReadOptions
             : throw new ArgumentOutOfRangeException(nameof(value), value, "The frame rate is a positive number.");
     } = DefaultFrameRate;
 
-    /// <summary>Name that the frames get; at most 32 bytes of UTF-8. Default: Char00, as Axis Neuron calls its first avatar.</summary>
+    /// <summary>Name that the frames get; what does not fit into 32 bytes of UTF-8 is cut off. Default: Char00, as Axis Neuron calls its first avatar.</summary>
     public string AvatarName { get; init; } = "Char00";
 
-    /// <summary>Number that the frames' avatar gets. Default: 0.</summary>
-    public int AvatarIndex { get; init; }
+    /// <summary>Number that the frames' avatar gets, from 0. Default: 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The number is below 0.</exception>
+    public int AvatarIndex
+    {
+        get;
+        init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "Avatars are counted from 0.");
+    }
 }

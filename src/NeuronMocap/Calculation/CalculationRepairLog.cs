@@ -11,13 +11,14 @@ internal sealed class CalculationRepairLog(bool isStrict)
 
     private bool IsFull => _listed.Count == CalculationDocument.MaxListedRepairs;
 
+    /// <summary>Tells of a repair: what was found, a sentence without its full stop, and what was made of it, as its second half.</summary>
     public void Add(int line, int column, string found, string made)
     {
         if (isStrict)
-            throw new CalculationFormatException(found, line, column);
+            throw new CalculationFormatException($"{found}.", line, column);
 
-        Count++;
+        Count += Count < int.MaxValue ? 1 : 0;
         if (!IsFull)
-            _listed.Add(new CalculationRepair(line, column, $"{found} {made}"));
+            _listed.Add(new CalculationRepair(line, column, $"{found}; {made}."));
     }
 }

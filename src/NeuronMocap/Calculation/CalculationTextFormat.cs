@@ -9,7 +9,7 @@ public sealed record CalculationTextFormat
     /// <summary>Most decimals that can be asked for.</summary>
     public const int MaxDecimals = 16;
 
-    private const int LongestSpace = 256;
+    internal const int LongestSpace = 256;
 
     /// <summary>Axis Neuron's: four decimals, tabs, also after the last value, CR LF.</summary>
     public static CalculationTextFormat AxisNeuron { get; } = new();

@@ -12,8 +12,14 @@ internal sealed class TrunkMeasurement(SkeletonVariant variant)
     // Half the hips' width and the default body's thigh.
     private const float HipShare = 9.5f / 37.051f;
 
-    private readonly JointFit[] _hipJoints = [new(), new()];
-    private readonly JointFit[] _shoulderJoints = [new(), new()];
+    // Hips move enough by themselves, and knees of recordings would only add their error.
+    private static readonly Bone[][] Legs = [[Bone.RightUpLeg], [Bone.LeftUpLeg]];
+
+    private static readonly Bone[][] Arms =
+        [[Bone.RightShoulder, Bone.RightArm, Bone.RightForeArm], [Bone.LeftShoulder, Bone.LeftArm, Bone.LeftForeArm]];
+
+    private readonly ChainFit[] _hipJoints = [new(2), new(2)];
+    private readonly ChainFit[] _shoulderJoints = [new(4), new(4)];
     private DirectionSum _spine;
     private DirectionSum _chestUp;
     private DirectionSum _shoulderLine;
@@ -62,8 +68,8 @@ internal sealed class TrunkMeasurement(SkeletonVariant variant)
         Vector3 line = left - right;
         line = line == Vector3.Zero ? Vector3.UnitX : Vector3.Normalize(line);
         float halfWidth = 2 * HipShare * ((left + right) / 2 - hips).Length();
-        _hipJoints[0].Add(hipsSensor, frame.GetRotation(Bone.RightUpLeg), right - hips, line * -halfWidth);
-        _hipJoints[1].Add(hipsSensor, frame.GetRotation(Bone.LeftUpLeg), left - hips, line * halfWidth);
+        Add(_hipJoints[0], frame, hipsSensor, hips, Legs[0], line * -halfWidth);
+        Add(_hipJoints[1], frame, hipsSensor, hips, Legs[1], line * halfWidth);
 
         Vector3 spine = frame.GetCentre(Bone.Spine);
         Vector3 spine1 = frame.GetCentre(Bone.Spine1);
@@ -75,8 +81,8 @@ internal sealed class TrunkMeasurement(SkeletonVariant variant)
         Vector3 rightShoulder = frame.GetCentre(Bone.RightShoulder);
         Vector3 leftShoulder = frame.GetCentre(Bone.LeftShoulder);
         (Vector3 height, Vector3 width) = GuessShoulders(chest - below, leftShoulder - rightShoulder);
-        _shoulderJoints[0].Add(chestSensor, frame.GetRotation(Bone.RightShoulder), rightShoulder - chest, height - width);
-        _shoulderJoints[1].Add(chestSensor, frame.GetRotation(Bone.LeftShoulder), leftShoulder - chest, height + width);
+        Add(_shoulderJoints[0], frame, chestSensor, chest, Arms[0], height - width);
+        Add(_shoulderJoints[1], frame, chestSensor, chest, Arms[1], height + width);
         _chestUp.Add(chestSensor, chest - spine1);
         _shoulderLine.Add(chestSensor, leftShoulder - rightShoulder);
     }
@@ -92,6 +98,17 @@ internal sealed class TrunkMeasurement(SkeletonVariant variant)
         SpineJoint = _spine.Mean;
         Hips = AxisPair.FromX(HipJoints[1] - HipJoints[0], SpineJoint);
         Chest = AxisPair.FromY(_chestUp.Sum, _shoulderLine.Sum);
+    }
+
+    private static void Add(ChainFit fit, in SensorFrame frame, Quaternion sensor, Vector3 point, ReadOnlySpan<Bone> limb, Vector3 guess)
+    {
+        Span<Quaternion> rotations = stackalloc Quaternion[limb.Length + 1];
+        Span<Vector3> centres = stackalloc Vector3[limb.Length + 1];
+        (rotations[0], centres[0]) = (sensor, point);
+        for (int i = 0; i < limb.Length; i++)
+            (rotations[i + 1], centres[i + 1]) = (frame.GetRotation(limb[i]), frame.GetCentre(limb[i]));
+
+        fit.Add(rotations, centres, guess);
     }
 
     // Where shoulders may begin: in the recordings at the upper end of the chest, with Neck1 as in the default body, where the chest's centre is 14.025 cm

@@ -49,6 +49,28 @@ public sealed class MonoBvhTests
         }
         """;
 
+    private const string ReadingProgram =
+        """
+        using System;
+        using NeuronMocap.Bvh;
+
+        public static class Program
+        {
+            public static void Main(string[] arguments)
+            {
+                BvhDocument document = BvhDocument.Load(arguments[0]);
+                uint sum = 0;
+                for (int i = 0; i < document.FrameCount; i++)
+                {
+                    float value = document.GetFrame(i).ToArray()[0];
+                    sum = sum * 31 + (float.IsNaN(value) ? 1 : BitConverter.ToUInt32(BitConverter.GetBytes(value), 0));
+                }
+
+                Console.WriteLine(document.FrameCount + " " + document.RepairCount + " " + sum + " " + document.FrameTime);
+            }
+        }
+        """;
+
     [Fact]
     public async Task Mono_writes_the_same_text_and_reads_the_same_values()
     {
@@ -57,6 +79,46 @@ public sealed class MonoBvhTests
         await program.CompileAsync(Program);
 
         Assert.Equal([$"{SumOfWritten()}", "0"], await program.RunAsync(Hierarchy));
+    }
+
+    // Numbers as no writer of ours has them: any digits, exponents, halves between two floats, and what other programs call no number.
+    [Fact]
+    public async Task Mono_reads_any_text_as_the_same_values()
+    {
+        MonoProgram.Require();
+        using var program = new MonoProgram();
+        await program.CompileAsync(ReadingProgram);
+        string path = Path.Combine(Path.GetTempPath(), $"neuronmocap-{Guid.NewGuid():N}.bvh");
+        try
+        {
+            await File.WriteAllTextAsync(path, Hierarchy + string.Join('\n', Words()), TestContext.Current.CancellationToken);
+            BvhDocument document = BvhDocument.Load(path);
+            uint sum = 0;
+            for (int i = 0; i < document.FrameCount; i++)
+                sum = (sum * 31) + (float.IsNaN(document.GetFrame(i)[0]) ? 1 : BitConverter.SingleToUInt32Bits(document.GetFrame(i)[0]));
+
+            Assert.Equal(Words().Count(), document.FrameCount);
+            Assert.Equal([$"{document.FrameCount} {document.RepairCount} {sum} {document.FrameTime}"], await program.RunAsync(path));
+        }
+        finally
+        {
+            File.Delete(path);
+        }
+    }
+
+    private static IEnumerable<string> Words()
+    {
+        foreach (string word in (string[])["nan", "-inf", "1.#QNAN", "-0.0", "1e39", "1e-46", "+.5", "5.", "16777217", "16777217.000000000001", "7.00649232162408535461e-46"])
+            yield return word;
+
+        var random = new Random(8);
+        for (int i = 0; i < 20_000; i++)
+        {
+            string digits = string.Concat(Enumerable.Range(0, random.Next(1, 24)).Select(_ => random.Next(10)));
+            string fraction = string.Concat(Enumerable.Range(0, random.Next(0, 20)).Select(_ => random.Next(10)));
+            string exponent = random.Next(3) == 0 ? FormattableString.Invariant($"e{random.Next(-50, 30)}") : "";
+            yield return $"{(random.Next(2) == 0 ? "-" : "")}{(random.Next(3) == 0 ? digits : digits[..Math.Min(3, digits.Length)])}.{fraction}{exponent}";
+        }
     }
 
     // As the program does it.

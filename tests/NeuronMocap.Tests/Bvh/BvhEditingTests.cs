@@ -116,6 +116,26 @@ public class BvhEditingTests
     }
 
     [Fact]
+    public void Rows_of_nan_at_the_seam_do_not_spoil_an_aligned_take()
+    {
+        var random = new RandomTakes(9);
+        BvhHierarchy hierarchy = BvhBoneHierarchy.Create(default, default);
+        float[] motion = random.Motion(hierarchy, 3);
+        motion.AsSpan(2 * hierarchy.ChannelCount).Fill(float.NaN);
+        var first = new BvhDocument(hierarchy, BvhFrameTime.Default, motion);
+        motion = random.Motion(hierarchy, 3);
+        motion.AsSpan(0, hierarchy.ChannelCount).Fill(float.NaN);
+        var second = new BvhDocument(hierarchy, BvhFrameTime.Default, motion);
+
+        BvhDocument joined = BvhEditing.Join([first, second], isAligned: true);
+
+        var before = new RawPose(joined, 1);
+        var start = new RawPose(joined, 4);
+        AssertNear([before.Position("Hips")[0], before.Position("Hips")[2]], [start.Position("Hips")[0], start.Position("Hips")[2]], 1e-3);
+        Assert.All(joined.GetFrame(5).ToArray(), static value => Assert.True(float.IsFinite(value)));
+    }
+
+    [Fact]
     public void Every_second_frame_of_120_hz_is_60_hz_bit_for_bit()
     {
         BvhDocument half = Five.Resample(60);

@@ -176,16 +176,42 @@ public class BvhSkeletonMapTests
         Assert.Contains(told, Refuse(UnderRoot("Reference", channels)), StringComparison.Ordinal);
 
     [Fact]
+    public void Rows_of_a_reader_are_poses_without_a_document()
+    {
+        string text = UnderRoot("Reference", "6 Xposition Yposition Zposition Yrotation Xrotation Zrotation");
+        BvhSkeletonMap whole = Create(text);
+        using var reader = new BvhReader(new MemoryStream(System.Text.Encoding.UTF8.GetBytes(text)));
+        Assert.True(BvhSkeletonMap.TryCreate(reader.Hierarchy, out BvhSkeletonMap? map, out string? reason), reason);
+        float[] row = new float[reader.Hierarchy.ChannelCount];
+        Assert.True(reader.TryReadFrame(row));
+
+        var expected = new BoneTransform[BoneHierarchy.BoneCount];
+        var actual = new BoneTransform[BoneHierarchy.BoneCount];
+        whole.CopyLocalTransforms(0, expected);
+        map.CopyLocalTransforms(row, actual);
+
+        Assert.Equal(expected, actual);
+        Assert.Equal(whole.GetReference(0), map.GetReference(row));
+        Assert.NotEqual(BoneTransform.Identity, map.GetReference(row));
+        Assert.Equal((whole.Layout, whole.Format, 0), (map.Layout, map.Format, map.Document.FrameCount));
+        Assert.Throws<ArgumentOutOfRangeException>(() => map.CopyLocalTransforms(0, actual));
+    }
+
+    [Fact]
     public void Wrong_arguments_are_refused()
     {
         BvhSkeletonMap map = Create(Neuron());
 
-        Assert.Throws<ArgumentNullException>(() => BvhSkeletonMap.TryCreate(null!, out _, out _));
+        Assert.Throws<ArgumentNullException>(() => BvhSkeletonMap.TryCreate((BvhDocument)null!, out _, out _));
         Assert.Throws<ArgumentOutOfRangeException>(() => map[(Bone)59]);
         Assert.Throws<ArgumentException>(() => map.CopyValues(0, new float[179]));
         Assert.Throws<ArgumentOutOfRangeException>(() => map.CopyValues(1, new float[180]));
         Assert.Throws<ArgumentException>(() => map.CopyLocalTransforms(0, new BoneTransform[58]));
         Assert.Throws<ArgumentOutOfRangeException>(() => map.CopyLocalTransforms(-1, new BoneTransform[59]));
+        Assert.Throws<ArgumentNullException>(() => BvhSkeletonMap.TryCreate((BvhHierarchy)null!, out _, out _));
+        Assert.Throws<ArgumentException>(() => map.CopyValues(new float[179], new float[180]));
+        Assert.Throws<ArgumentException>(() => map.CopyLocalTransforms(new float[179], new BoneTransform[59]));
+        Assert.Throws<ArgumentException>(() => map.GetReference(new float[179]));
     }
 
     // The root's own values are negative: the others keep their index.

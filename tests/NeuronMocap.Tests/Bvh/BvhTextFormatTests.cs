@@ -39,6 +39,29 @@ public class BvhTextFormatTests
         Assert.Equal(expected, Parse("\uFEFF" + text).TextFormat);
     }
 
+    // Kept, it would stand in front of every line that is written: of a few bytes gigabytes.
+    [Fact]
+    public void Blanks_longer_than_any_program_writes_are_no_layout()
+    {
+        string blanks = new(' ', 100_000);
+        BvhDocument document = Parse($"HIERARCHY\nROOT a\n{{\n{blanks}OFFSET 0 0 0\nCHANNELS 2 Xrotation Yrotation\n}}\nMOTION\nFrames: 1\nFrame Time: 0.008\n1{blanks}2\n");
+
+        Assert.Equal(BvhTextFormat.AxisNeuron.Indentation, document.TextFormat.Indentation);
+        Assert.True(document.TextFormat.Separator.Length <= 16);
+        Assert.Empty(document.Repairs);
+        AssertBits([1, 2], document.GetFrame(0));
+    }
+
+    [Fact]
+    public void A_layout_that_would_make_no_file_is_refused()
+    {
+        Assert.All(["", "\n\n", "x"], static text => Assert.Throws<ArgumentException>(() => new BvhTextFormat { LineEnd = text }));
+        Assert.All(["", "\n", ",", new string(' ', 17)], static text => Assert.Throws<ArgumentException>(() => new BvhTextFormat { Separator = text }));
+        Assert.All(["\n", "-", new string(' ', 17)], static text => Assert.Throws<ArgumentException>(() => new BvhTextFormat { Indentation = text }));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new BvhTextFormat { ValueDecimals = -1 });
+        Assert.Throws<ArgumentOutOfRangeException>(() => new BvhTextFormat { OffsetDecimals = -1 });
+    }
+
     [Theory]
     [InlineData("1 2 3 4 5 6 7 8 9\n", 0)]
     [InlineData("1.5 2.5 3.5 4.5 5.5 6.5 7.5 8.5 9e1\n", 0)]

@@ -185,6 +185,15 @@ public sealed class BvhWriterTests : IDisposable
         [.. expected.Select(static value => float.IsNaN(value) ? float.NaN : value)],
         [.. actual.Select(static value => float.IsNaN(value) ? float.NaN : value)]);
 
+    [Fact]
+    public void A_file_is_not_emptied_by_wrong_arguments()
+    {
+        File.WriteAllText(_path, "precious");
+        Assert.Throws<ArgumentException>(() => new BvhWriter(_path, Parse(Hierarchy).Hierarchy, default));
+        Assert.Throws<ArgumentNullException>(() => new BvhWriter(_path, null!, BvhFrameTime.Default));
+        Assert.Equal("precious", File.ReadAllText(_path));
+    }
+
     private byte[] ReadShared()
     {
         using var stream = new FileStream(_path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);

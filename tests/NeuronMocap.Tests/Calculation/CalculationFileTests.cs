@@ -50,11 +50,11 @@ public sealed class CalculationFileTests
             using var reader = new CalculationFileReader(new PiecewiseStream(text, piece));
             float[] values = new float[reader.ValueCount];
             int rows = 0;
-            for (; reader.TryRead(values); rows++)
+            for (; reader.TryReadFrame(values); rows++)
                 Assert.Equal(CalculationText.Values(rows < 7 ? rows : rows - 7, 338), values);
 
-            Assert.Equal((9, 9, 1), (rows, reader.FrameCount, reader.RepairCount));
-            Assert.Equal(text.Length, reader.Position);
+            Assert.Equal((9, 9L, 1), (rows, reader.FrameCount, reader.RepairCount));
+            Assert.Equal(text.Length, reader.BytesRead);
             Assert.Equal(9, reader.Repairs[0].Line);
         }
     }
@@ -77,7 +77,7 @@ public sealed class CalculationFileTests
 
         void Copy()
         {
-            Assert.True(reader.TryRead(values));
+            Assert.True(reader.TryReadFrame(values));
             writer.WriteFrame(values);
         }
     }
@@ -90,13 +90,13 @@ public sealed class CalculationFileTests
         float[] values = new float[reader.ValueCount];
         Assert.Equal(text.Length, reader.Length);
         long position = 0;
-        while (reader.TryRead(values))
+        while (reader.TryReadFrame(values))
         {
-            Assert.InRange(reader.Position, position + 1, text.Length);
-            position = reader.Position;
+            Assert.InRange(reader.BytesRead, position + 1, text.Length);
+            position = reader.BytesRead;
         }
 
-        Assert.Equal(text.Length, reader.Position);
+        Assert.Equal(text.Length, reader.BytesRead);
     }
 
     [Fact]
@@ -109,12 +109,50 @@ public sealed class CalculationFileTests
         Assert.Throws<ArgumentException>(() => new CalculationTextFormat { LastRowEnd = "." });
         Assert.Throws<ArgumentOutOfRangeException>(() => new CalculationTextFormat { Decimals = 17 });
         using var reader = new CalculationFileReader(new MemoryStream(CalculationText.Utf8(CalculationText.Rows(1))));
-        Assert.Throws<ArgumentException>(() => reader.TryRead(new float[945]));
+        Assert.Throws<ArgumentException>(() => reader.TryReadFrame(new float[945]));
         var writer = new CalculationFileWriter(new MemoryStream(), 338);
         Assert.Throws<ArgumentException>(() => writer.WriteFrame(new float[339]));
         writer.Dispose();
         writer.Dispose();
         Assert.Throws<ObjectDisposedException>(() => writer.WriteFrame(new float[338]));
+    }
+
+    [Theory]
+    [InlineData(1, 0)]
+    [InlineData(300, 0)]
+    [InlineData(1, 300)]
+    [InlineData(300, 300)]
+    public void Blanks_of_any_length_are_read_and_rows_written_again(int between, int behind)
+    {
+        string end = new string(' ', behind) + "\n";
+        byte[] text = CalculationText.Utf8(CalculationText.Rows(3, separator: new string(' ', between), end: end) + new string(' ', 300));
+
+        var document = CalculationDocument.Parse(text);
+        using var written = new MemoryStream();
+        document.Save(written);
+
+        Assert.Empty(document.Repairs);
+        var again = CalculationDocument.Parse(written.ToArray());
+        Assert.Equal(3, again.FrameCount);
+        Assert.Equal(CalculationText.Values(2), again.GetValues(2));
+    }
+
+    [Fact]
+    public void A_stream_stays_open_where_asked_for_and_its_reader_tells_how_far_it_is()
+    {
+        byte[] text = CalculationText.Utf8(CalculationText.Rows(30));
+        var told = new Told();
+        using var stream = new MemoryStream(text);
+        Assert.Equal(30, CalculationDocument.Load(stream, new CalculationReadOptions { Progress = told }).FrameCount);
+        Assert.True(told.Values.Count > 2);
+        Assert.Equal(text.Length, told.Values[^1]);
+        Assert.Equal(told.Values.Order(), told.Values);
+
+        stream.Position = 0;
+        var reader = new CalculationFileReader(stream);
+        reader.Dispose();
+        Assert.False(stream.CanRead);
+        Assert.Throws<ObjectDisposedException>(() => reader.TryReadFrame(new float[946]));
     }
 
     [Fact]
@@ -123,7 +161,7 @@ public sealed class CalculationFileTests
         string path = Path.Combine(Path.GetTempPath(), $"neuronmocap-{Guid.NewGuid():N}.calc");
         try
         {
-            using (CalculationFileWriter writer = CalculationFileWriter.Create(path, 946))
+            using (var writer = new CalculationFileWriter(path, 946))
                 writer.WriteFrame(CalculationText.Values(4));
 
             CalculationDocument document = CalculationDocument.Load(path);
@@ -132,6 +170,8 @@ public sealed class CalculationFileTests
             Assert.Equal(CalculationText.Utf8(CalculationText.Row(4) + "\t\r\n"), File.ReadAllBytes(path));
             File.WriteAllText(path, "nothing");
             Assert.Throws<CalculationFormatException>(() => CalculationFileReader.Open(path));
+            Assert.Throws<ArgumentException>(() => new CalculationFileWriter(path, 945));
+            Assert.Equal("nothing", File.ReadAllText(path));
         }
         finally
         {
@@ -152,6 +192,13 @@ public sealed class CalculationFileTests
             .. Enumerable.Range(0, Columns).Select(column =>
                 BitConverter.Int32BitsToSingle((int)(Pattern[column % Pattern.Length] + ((uint)(column + row) * 2_654_435_761u)))),
         ];
+    }
+
+    private sealed class Told : IProgress<long>
+    {
+        public List<long> Values { get; } = [];
+
+        public void Report(long value) => Values.Add(value);
     }
 
     // Gives a few bytes at a time.

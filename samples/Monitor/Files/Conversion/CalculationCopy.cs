@@ -18,7 +18,7 @@ internal static class CalculationCopy
     {
         using CalculationFileReader reader = CalculationFileReader.Open(input);
         CalculationTextFormat format = range.IsAll ? reader.TextFormat with { LastRowEnd = ReadEnd(input) } : reader.TextFormat;
-        using CalculationFileWriter writer = CalculationFileWriter.Create(output, reader.ValueCount, format);
+        using CalculationFileWriter writer = new CalculationFileWriter(output, reader.ValueCount, format);
         Copy(reader, range, (_, values) => writer.WriteFrame(values), progress, cancelled);
     }
 
@@ -60,7 +60,7 @@ internal static class CalculationCopy
                 if (!range.Contains(reader.Time))
                     continue;
 
-                writer ??= CalculationFileWriter.Create(output, frame.Values.Length);
+                writer ??= new CalculationFileWriter(output, frame.Values.Length);
                 if (frame.Values.Length == writer.ValueCount)
                     writer.WriteFrame(frame.Values);
             }
@@ -125,13 +125,13 @@ internal static class CalculationCopy
         (long first, long count) = range.FramesOf(long.MaxValue / 2, reader.FrameRate);
         float[] values = new float[reader.ValueCount];
         long rows = 0;
-        for (; rows < first + count && reader.TryRead(values); rows++)
+        for (; rows < first + count && reader.TryReadFrame(values); rows++)
         {
             cancelled.ThrowIfCancellationRequested();
             if (rows >= first)
                 write(rows - first, values);
             if (reader.Length is > 0 and { } length)
-                progress.Report((double)reader.Position / length);
+                progress.Report((double)reader.BytesRead / length);
         }
 
         if (rows <= first)

@@ -51,10 +51,10 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
         float[] first = new float[reader.ValueCount];
         bool[] changes = new bool[reader.ValueCount];
         (long left, long right, long notNumbers) = (0, 0, 0);
-        while (reader.TryRead(values))
+        while (reader.TryReadFrame(values))
         {
             cancelled.ThrowIfCancellationRequested();
-            progress.Report(reader.Length is > 0 and { } length ? (double)reader.Position / length : 0);
+            progress.Report(reader.Length is > 0 and { } length ? (double)reader.BytesRead / length : 0);
             left += values[LeftContact] != 0 ? 1 : 0;
             right += values[LeftContact + 1] != 0 ? 1 : 0;
             if (reader.FrameCount == 1)
