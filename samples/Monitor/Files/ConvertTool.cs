@@ -17,7 +17,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     public void Run(CancellationToken cancelled)
     {
         FileKind to = FileKinds.OfName(settings.Output!)!.Value;
-        FileKind from = FileKinds.Recognize(settings.Input);
+        FileKind from = settings.RecognizeInput();
         using var output = new OutputFile(settings.Output!, settings.Overwrite);
         using (var progress = new ProgressLine(streams, $"writing {Path.GetFileName(settings.Output)}"))
             Write(from, to, output.TemporaryPath, progress, cancelled);
@@ -85,7 +85,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         if (from == FileKind.Raw && to == FileKind.Recording)
         {
             using RecordingWriter recording = CreateRecording(path, Metadata());
-            RawDump.CopyTo(settings.Input, recording, null, _range.Start, settings.To is { } end ? TimeSpan.FromSeconds(end) : null, progress, cancelled);
+            RawDump.CopyTo(settings.Input, recording, settings.Playback, _range.Start, settings.To is { } end ? TimeSpan.FromSeconds(end) : null, progress, cancelled);
             return;
         }
 

@@ -1,3 +1,4 @@
+using NeuronMocap.Playback;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor.Files;
@@ -33,6 +34,9 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     /// <summary>Frames per second of the output; null for the input's.</summary>
     public double? Rate { get; init; }
 
+    /// <summary>Frames of each avatar per second of an input that holds bytes without times; null for what these say, or 120.</summary>
+    public double? RawRate { get; init; }
+
     /// <summary>Seconds since the beginning of the input where the output begins; null for the beginning.</summary>
     public double? From { get; init; }
 
@@ -41,4 +45,19 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
 
     /// <summary>Whether --info is for a program.</summary>
     public bool Json { get; init; }
+
+    /// <summary>How a stream in the input is to be read.</summary>
+    public PlaybackOptions Playback => new() { RotationOrder = RotationOrder, FrameRate = RawRate };
+
+    /// <summary>Looks into the input.</summary>
+    /// <exception cref="NeuronException">It cannot be read, or not with these settings.</exception>
+    /// <exception cref="IOException">It is not there, or cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">It may not be read.</exception>
+    public FileKind RecognizeInput()
+    {
+        FileKind kind = FileKinds.Recognize(Input);
+        return RawRate is null || kind == FileKind.Raw
+            ? kind
+            : throw new NeuronException($"--rate: {Path.GetFileName(Input)} has times of its own; --rate is for bytes without times.");
+    }
 }
