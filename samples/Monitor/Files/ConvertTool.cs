@@ -38,11 +38,11 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
                 break;
             case FileKind.Recording or FileKind.Raw when from == FileKind.Calculation:
                 RejectForCopy("the rows of a calculation export become packets as they are");
-                CalculationCopy.ToPackets(settings.Input, _range, OpenSink(to, path, take: null), progress, cancelled);
+                CalculationCopy.ToPackets(settings, _range, OpenSink(to, path, take: null), progress, cancelled);
                 break;
             case FileKind.Calculation when from == FileKind.Calculation:
                 RejectForCopy("the rows of a calculation export are copied as they are");
-                CalculationCopy.ToFile(settings.Input, _range, path, progress, cancelled);
+                CalculationCopy.ToFile(settings, _range, path, progress, cancelled);
                 break;
             case FileKind.Calculation when isStream && settings.Rate is null
                 && CalculationCopy.TryFromStream(settings, _range, path, progress, cancelled):

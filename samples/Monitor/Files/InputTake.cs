@@ -21,7 +21,7 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
     public static InputTake Load(FileSettings settings, FileKind kind, IProgress<double> progress, CancellationToken cancelled) => kind switch
     {
         FileKind.Bvh => Of(BvhFile.Load(settings.Input, progress, cancelled)),
-        FileKind.Calculation => Of(CalculationDocument.Load(settings.Input), UsualName),
+        FileKind.Calculation => Of(CalculationDocument.Load(settings.Input, settings.Calculation), UsualName),
         _ => OfStream(settings, progress, cancelled),
     };
 

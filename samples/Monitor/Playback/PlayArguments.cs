@@ -27,7 +27,7 @@ internal sealed class PlayArguments
     private readonly Option<double?> _rate = new("--rate")
     {
         HelpName = "HZ",
-        Description = "With --play, --info, --convert and --plot: frames of each avatar per second of a file that holds bytes without times, 0.01 to 100000. Default: as its timecodes say, or 120.",
+        Description = "With --play, --info, --convert and --plot: frames of each avatar per second of a file that holds bytes without times, or of a calculation export, 0.01 to 100000. Default: as its timecodes say, or 120.",
         CustomParser = static result => Parse(result, 0.01, 100_000, "a number from 0.01 to 100000", max: null),
         Arity = ArgumentArity.ExactlyOne,
     };
@@ -41,7 +41,7 @@ internal sealed class PlayArguments
     /// <summary>The option that names the file.</summary>
     public Option File => _play;
 
-    /// <summary>The option that says the rate of bytes without times, of a file to play or another one to read.</summary>
+    /// <summary>The option that says the rate of a file without times, one to play or another one to read.</summary>
     public Option<double?> Rate => _rate;
 
     /// <summary>All but <see cref="Rate"/>.</summary>

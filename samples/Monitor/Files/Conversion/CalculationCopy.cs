@@ -14,19 +14,19 @@ internal static class CalculationCopy
     private const int LongestEnd = 64;
 
     /// <summary>From an export to another one.</summary>
-    public static void ToFile(string input, TimeRange range, string output, IProgress<double> progress, CancellationToken cancelled)
+    public static void ToFile(FileSettings settings, TimeRange range, string output, IProgress<double> progress, CancellationToken cancelled)
     {
-        using CalculationFileReader reader = CalculationFileReader.Open(input);
-        CalculationTextFormat format = range.IsAll ? reader.TextFormat with { LastRowEnd = ReadEnd(input) } : reader.TextFormat;
+        using CalculationFileReader reader = CalculationFileReader.Open(settings.Input, settings.Calculation);
+        CalculationTextFormat format = range.IsAll ? reader.TextFormat with { LastRowEnd = ReadEnd(settings.Input) } : reader.TextFormat;
         using CalculationFileWriter writer = CalculationFileWriter.Create(output, reader.ValueCount, format);
         Copy(reader, range, (_, values) => writer.WriteFrame(values), progress, cancelled);
     }
 
     /// <summary>From an export to the packets of a stream; the sink is closed.</summary>
-    public static void ToPackets(string input, TimeRange range, IPacketSink sink, IProgress<double> progress, CancellationToken cancelled)
+    public static void ToPackets(FileSettings settings, TimeRange range, IPacketSink sink, IProgress<double> progress, CancellationToken cancelled)
     {
         using (sink)
-        using (CalculationFileReader reader = CalculationFileReader.Open(input))
+        using (CalculationFileReader reader = CalculationFileReader.Open(settings.Input, settings.Calculation))
         {
             var header = new CalculationHeader { ValueCount = reader.ValueCount, AvatarName = new AvatarName("Char00") };
             byte[] packet = new byte[header.PacketSize];
@@ -104,7 +104,7 @@ internal static class CalculationCopy
             return null;
 
         writer.Dispose();
-        double rate = settings.RawRate
+        double rate = settings.InputRate
             ?? (last > first ? RecordingSource.ChooseRate((writer.FrameCount - 1) / (last - first).TotalSeconds) : CalculationReadOptions.DefaultFrameRate);
         return (CalculationDocument.Parse(text.GetBuffer().AsSpan(0, (int)text.Length), new CalculationReadOptions { FrameRate = rate }), name);
     }

@@ -238,6 +238,21 @@ public sealed class InfoTests : IDisposable
         Assert.Contains("walk.bvh has times of its own", Assert.Single(result.Error), StringComparison.Ordinal);
     }
 
+    // An export has no place for its rate: 60 Hz become 120 unless somebody says so.
+    [Fact]
+    public async Task The_rate_of_a_calculation_export_can_be_given()
+    {
+        Takes.Actor(60).Save(_folder["take.bvh"]);
+        Assert.Equal(0, (await MonitorRunner.RunAsync("--convert", _folder["take.bvh"], _folder["take.calc"])).ExitCode);
+        MonitorResult info = await MonitorRunner.RunAsync("--info", _folder["take.calc"], "--json", "--rate", "60");
+        Assert.Equal(60, JsonDocument.Parse(Assert.Single(info.Output)).RootElement.GetProperty("take").GetProperty("frameRate").GetDouble());
+        Assert.Equal(0, (await MonitorRunner.RunAsync("--convert", _folder["take.calc"], _folder["back.bvh"], "--rate", "60")).ExitCode);
+        Assert.Equal(60, BvhDocument.Load(_folder["back.bvh"]).FrameRate);
+        Assert.Equal(0, (await MonitorRunner.RunAsync("--convert", _folder["take.calc"], _folder["back.nmrec"], "--rate", "60")).ExitCode);
+        using RecordingReader reader = RecordingReader.Open(_folder["back.nmrec"]);
+        Assert.Equal(59 / 60.0, reader.Duration.TotalSeconds, 1e-6);
+    }
+
     [Fact]
     public async Task A_calculation_export()
     {

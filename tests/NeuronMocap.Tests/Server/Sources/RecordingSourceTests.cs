@@ -1,6 +1,5 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
-using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Server.Sources;
@@ -9,6 +8,7 @@ using NeuronMocap.Tests.Bvh;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Playback;
 using NeuronMocap.Transport;
+using PlaybackOptions = NeuronMocap.Playback.PlaybackOptions;
 
 namespace NeuronMocap.Tests.Server.Sources;
 
