@@ -77,7 +77,7 @@ internal sealed class CommandLine
     private readonly Option<RotationOrder?> _order = new("--order")
     {
         HelpName = string.Join('|', Orders),
-        Description = "Order of the rotation values, a setting of the server. Default: what the stream says, which only Axis Studio's does, or the command channel (--command-port), or YXZ.",
+        Description = "Order of the rotation values, a setting of the server. Default: what the stream says, which only Axis Studio's does, or the command channel (--command-port), or YXZ. With --convert of a BVH file or an export: the order to write.",
         CustomParser = result => Parse<RotationOrder?>(
             result,
             text => Array.FindIndex(Orders, name => name.Equals(text, StringComparison.OrdinalIgnoreCase)) is >= 0 and var index

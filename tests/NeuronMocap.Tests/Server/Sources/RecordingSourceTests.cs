@@ -189,7 +189,7 @@ public sealed class RecordingSourceTests
     [InlineData(59.94, 59.94)]
     public void Of_raw_bytes_the_rate_is_the_one_that_is_given_whatever_is_lost(double? given, double rate)
     {
-        using var file = new TemporaryFile([.. Enumerable.Range(0, 40).Where(static frame => frame is < 20 or > 24).SelectMany(Packet)]);
+        using var file = new TemporaryFile([.. Enumerable.Range(0, 40).Where(static frame => frame is < 20 or > 24).SelectMany(static frame => Packet(frame))]);
         RecordingSource source = RecordingSource.Load(file.Path, options: new PlaybackOptions { FrameRate = given });
 
         Assert.Equal((rate, null, 40L, 5L), (source.FrameRate, source.MeasuredRate, source.FrameCount, source.InterpolatedFrames));
