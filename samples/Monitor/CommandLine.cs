@@ -5,9 +5,9 @@ using System.Net;
 using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Diagnosis;
 using NeuronMocap.Monitor.Export;
-using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Monitor.Files;
 using NeuronMocap.Monitor.Playback;
+using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
