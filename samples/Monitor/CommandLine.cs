@@ -5,9 +5,9 @@ using System.Net;
 using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Diagnosis;
 using NeuronMocap.Monitor.Export;
-using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Monitor.Files;
 using NeuronMocap.Monitor.Playback;
+using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
@@ -26,8 +26,8 @@ internal sealed class CommandLine
         + "[--duration SECONDS] [--json | --quiet] [--export FILE.bvh [--export-avatar N|all]] "
         + "[--record FILE [--record-compress] [--record-size MB] [--record-time SECONDS] [--record-files N]] [--overwrite]\n"
         + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]\n"
-        + "       neuron-monitor --info FILE [--json] | --convert IN OUT | --plot FILE OUT.svg [--overwrite] [--avatar N] [--order YXZ] [--resample HZ] "
-        + "[--from SECONDS] [--to SECONDS]";
+        + "       neuron-monitor --info FILE [--json] | --convert IN OUT | --plot FILE OUT.svg [--overwrite] [--avatar N] [--order YXZ] [--rate HZ] "
+        + "[--resample HZ] [--from SECONDS] [--to SECONDS]";
 
     private const double LongestDuration = 1_000_000;
 
@@ -77,7 +77,7 @@ internal sealed class CommandLine
     private readonly Option<RotationOrder?> _order = new("--order")
     {
         HelpName = string.Join('|', Orders),
-        Description = "Order of the rotation values, a setting of the server. Default: what the stream says, which only Axis Studio's does, or the command channel (--command-port), or YXZ.",
+        Description = "Order of the rotation values, a setting of the server. Default: what the stream says, which only Axis Studio's does, or the command channel (--command-port), or YXZ. With --convert of a BVH file or an export: the order to write.",
         CustomParser = result => Parse<RotationOrder?>(
             result,
             text => Array.FindIndex(Orders, name => name.Equals(text, StringComparison.OrdinalIgnoreCase)) is >= 0 and var index
@@ -256,7 +256,7 @@ internal sealed class CommandLine
             result.AddError("--allow-sender needs --udp: over TCP the data comes from the server that --connect names.");
         if (IsGiven(result, _commandPort) && !IsGiven(result, _connect))
             result.AddError("--command-port needs --connect: it is a port of the server that --connect names.");
-        _play.RejectContradictions(result, _connect, _udp, _demo, _diagnose, _once);
+        _play.RejectContradictions(result, _files.IsGiven(result), _connect, _udp, _demo, _diagnose, _once);
         _files.RejectContradictions(
             result,
             [.. _play.Own, _connect, _udp, _demo, _allowSender, _diagnose, _commandPort, _once, _frames, _duration, _quiet, .. _commands.Own, .. _export.Own, .. _recording.Own],
@@ -296,7 +296,7 @@ internal sealed class CommandLine
     private MonitorOptions Read(ParseResult result) => new()
     {
         Server = FindServer(result),
-        Files = _files.Read(result, _commands.Avatar, _order, _json),
+        Files = _files.Read(result, _commands.Avatar, _order, _play.Rate, _json),
         Commands = _commands.Read(result, isDemo: result.GetValue(_demo)),
         Recording = _recording.Read(result, result.GetValue(_overwrite)),
         Diagnose = result.GetResult(_diagnose) is { Implicit: false },

@@ -37,6 +37,7 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
           neuron-monitor --convert take.nmrec take.bvh          a recording as BVH; a file of any kind as any other
           neuron-monitor --convert a.bvh b.bvh --from 2 --to 5  a part of a take; also --resample 60, --order XYZ
           neuron-monitor --plot take.bvh take.svg               a picture of a take
+          neuron-monitor --convert dump.bin take.bvh --rate 60  bytes that somebody wrote to a file, at 60 frames per second
           neuron-monitor --connect studio --json --frames 100   100 frames for another program
           neuron-monitor --connect studio --record take.nmrec   show it and keep every byte of it
           neuron-monitor --connect studio --quiet --duration 10 does anything arrive? The exit code tells

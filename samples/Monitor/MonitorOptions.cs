@@ -1,9 +1,9 @@
 using System.Net;
 using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Export;
-using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Monitor.Files;
 using NeuronMocap.Monitor.Playback;
+using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 

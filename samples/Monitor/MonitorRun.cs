@@ -1,11 +1,11 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Monitor.Export;
 using NeuronMocap.Monitor.Output;
+using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Recording;
-using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;

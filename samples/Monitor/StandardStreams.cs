@@ -1,4 +1,5 @@
 using Microsoft.Win32.SafeHandles;
+using NeuronMocap.Monitor.Terminal;
 
 namespace NeuronMocap.Monitor;
 
@@ -8,15 +9,29 @@ namespace NeuronMocap.Monitor;
 /// <param name="IsTerminal">Whether a person looks at the output.</param>
 internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsTerminal) : IDisposable
 {
+    // Unwrapped where no person looks: a program that searches the text finds every phrase in one line.
+    private const int Unlimited = 100_000;
+
+    // Some terminals do not know their size, and say 0; Spectre.Console does not come to an end with less than a table's columns take.
+    private const int NarrowestText = 40;
+
     private const int StandardOutput = 1;
 
     /// <summary>Whether a person looks at standard error.</summary>
     public bool IsErrorTerminal { get; init; }
 
+    /// <summary>Characters in a line of the terminal, as it says itself.</summary>
+    public int Columns { get; init; }
+
     public static StandardStreams Open() => new(OpenOutput(), Console.Error, IsTerminal: !Console.IsOutputRedirected)
     {
         IsErrorTerminal = !Console.IsErrorRedirected,
+        Columns = Console.IsOutputRedirected ? 0 : Screen.Width,
     };
+
+    /// <summary>How wide lines of text become.</summary>
+    /// <param name="widest">Longer lines are hard to read.</param>
+    public int TextWidth(int widest) => IsTerminal ? Math.Clamp(Columns, NarrowestText, widest) : Unlimited;
 
     public void Dispose() => Output.Dispose();
 

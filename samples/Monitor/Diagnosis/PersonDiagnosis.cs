@@ -8,8 +8,6 @@ namespace NeuronMocap.Monitor.Diagnosis;
 /// <summary>Steps as they happen, then the paragraph: in colours and wrapped on a terminal, plain and unwrapped elsewhere.</summary>
 internal sealed class PersonDiagnosis : DiagnosisOutput
 {
-    // Unwrapped: a program that searches the text finds every phrase in one line.
-    private const int Unlimited = 100_000;
     private const int WidestText = 100;
     private const int NameWidth = 12;
 
@@ -27,7 +25,7 @@ internal sealed class PersonDiagnosis : DiagnosisOutput
             Out = new AnsiConsoleOutput(writer),
         });
         _console.Profile.Capabilities.ColorSystem = _isTerminal ? AnsiConsole.Profile.Capabilities.ColorSystem : ColorSystem.NoColors;
-        _console.Profile.Width = _isTerminal ? Math.Min(Screen.Width, WidestText) : Unlimited;
+        _console.Profile.Width = streams.TextWidth(WidestText);
     }
 
     public void Begin(string target)

@@ -17,7 +17,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     public void Run(CancellationToken cancelled)
     {
         FileKind to = FileKinds.OfName(settings.Output!)!.Value;
-        FileKind from = FileKinds.Recognize(settings.Input);
+        FileKind from = settings.RecognizeInput();
         using var output = new OutputFile(settings.Output!, settings.Overwrite);
         using (var progress = new ProgressLine(streams, $"writing {Path.GetFileName(settings.Output)}"))
             Write(from, to, output.TemporaryPath, progress, cancelled);
@@ -38,11 +38,11 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
                 break;
             case FileKind.Recording or FileKind.Raw when from == FileKind.Calculation:
                 RejectForCopy("the rows of a calculation export become packets as they are");
-                CalculationCopy.ToPackets(settings.Input, _range, OpenSink(to, path, take: null), progress, cancelled);
+                CalculationCopy.ToPackets(settings, _range, OpenSink(to, path, take: null), progress, cancelled);
                 break;
             case FileKind.Calculation when from == FileKind.Calculation:
                 RejectForCopy("the rows of a calculation export are copied as they are");
-                CalculationCopy.ToFile(settings.Input, _range, path, progress, cancelled);
+                CalculationCopy.ToFile(settings, _range, path, progress, cancelled);
                 break;
             case FileKind.Calculation when isStream && settings.Rate is null
                 && CalculationCopy.TryFromStream(settings, _range, path, progress, cancelled):
@@ -85,7 +85,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         if (from == FileKind.Raw && to == FileKind.Recording)
         {
             using RecordingWriter recording = CreateRecording(path, Metadata());
-            RawDump.CopyTo(settings.Input, recording, null, _range.Start, settings.To is { } end ? TimeSpan.FromSeconds(end) : null, progress, cancelled);
+            RawDump.CopyTo(settings.Input, recording, settings.Playback, _range.Start, settings.To is { } end ? TimeSpan.FromSeconds(end) : null, progress, cancelled);
             return;
         }
 

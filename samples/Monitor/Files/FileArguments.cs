@@ -111,7 +111,7 @@ internal sealed class FileArguments(Option<bool> overwrite)
             result.AddError("--from: the end, --to, is not later.");
     }
 
-    public FileSettings? Read(ParseResult result, Option<int?> avatar, Option<RotationOrder?> order, Option<bool> json)
+    public FileSettings? Read(ParseResult result, Option<int?> avatar, Option<RotationOrder?> order, Option<double?> inputRate, Option<bool> json)
     {
         if (Tasks.FirstOrDefault(option => result.GetResult(option) is { Implicit: false }) is not { } task)
             return null;
@@ -124,6 +124,7 @@ internal sealed class FileArguments(Option<bool> overwrite)
             Avatar = result.GetValue(avatar),
             RotationOrder = result.GetValue(order),
             Rate = result.GetValue(_rate),
+            InputRate = result.GetValue(inputRate),
             From = result.GetValue(_from),
             To = result.GetValue(_to),
             Json = result.GetValue(json),

@@ -1,3 +1,5 @@
+using NeuronMocap.Calculation;
+using NeuronMocap.Playback;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor.Files;
@@ -33,6 +35,9 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     /// <summary>Frames per second of the output; null for the input's.</summary>
     public double? Rate { get; init; }
 
+    /// <summary>Frames per second of an input without times, raw bytes or a calculation export; null for what it says, or 120.</summary>
+    public double? InputRate { get; init; }
+
     /// <summary>Seconds since the beginning of the input where the output begins; null for the beginning.</summary>
     public double? From { get; init; }
 
@@ -41,4 +46,22 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
 
     /// <summary>Whether --info is for a program.</summary>
     public bool Json { get; init; }
+
+    /// <summary>How a stream in the input is to be read.</summary>
+    public PlaybackOptions Playback => new() { RotationOrder = RotationOrder, FrameRate = InputRate };
+
+    /// <summary>How a calculation export in the input is to be read.</summary>
+    public CalculationReadOptions Calculation => new() { FrameRate = InputRate ?? CalculationReadOptions.DefaultFrameRate };
+
+    /// <summary>Looks into the input.</summary>
+    /// <exception cref="NeuronException">It cannot be read, or not with these settings.</exception>
+    /// <exception cref="IOException">It is not there, or cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">It may not be read.</exception>
+    public FileKind RecognizeInput()
+    {
+        FileKind kind = FileKinds.Recognize(Input);
+        return InputRate is null || kind is FileKind.Raw or FileKind.Calculation
+            ? kind
+            : throw new NeuronException($"--rate: {Path.GetFileName(Input)} has times of its own; --rate is for bytes without times and calculation exports.");
+    }
 }

@@ -22,7 +22,7 @@ internal sealed class InfoTool(FileSettings settings, StandardStreams streams)
         streams.Output.Flush();
     }
 
-    private InfoReport Inspect(IProgress<double> progress, CancellationToken cancelled) => FileKinds.Recognize(settings.Input) switch
+    private InfoReport Inspect(IProgress<double> progress, CancellationToken cancelled) => settings.RecognizeInput() switch
     {
         FileKind.Bvh => new BvhInspection(settings.Input, progress).Run(cancelled),
         FileKind.Calculation => new CalculationInspection(settings, progress).Run(cancelled),

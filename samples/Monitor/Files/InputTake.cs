@@ -1,7 +1,6 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
 using NeuronMocap.Monitor.Files.Conversion;
-using NeuronMocap.Playback;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
@@ -22,7 +21,7 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
     public static InputTake Load(FileSettings settings, FileKind kind, IProgress<double> progress, CancellationToken cancelled) => kind switch
     {
         FileKind.Bvh => Of(BvhFile.Load(settings.Input, progress, cancelled)),
-        FileKind.Calculation => Of(CalculationDocument.Load(settings.Input), UsualName),
+        FileKind.Calculation => Of(CalculationDocument.Load(settings.Input, settings.Calculation), UsualName),
         _ => OfStream(settings, progress, cancelled),
     };
 
@@ -38,11 +37,10 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
 
     private static InputTake OfStream(FileSettings settings, IProgress<double> progress, CancellationToken cancelled)
     {
-        var options = new PlaybackOptions { RotationOrder = settings.RotationOrder };
         if (CalculationCopy.TryLoadStream(settings, progress, cancelled) is { } calculation)
             return Of(calculation.Document, calculation.AvatarName);
 
-        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, options, progress, cancelled);
+        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Playback, progress, cancelled);
         return new InputTake(source, source.Layout, source.Format.RotationOrder, source.AvatarName);
     }
 }

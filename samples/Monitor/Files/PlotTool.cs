@@ -10,7 +10,7 @@ internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
 {
     public void Run(CancellationToken cancelled)
     {
-        FileKind kind = FileKinds.Recognize(settings.Input);
+        FileKind kind = settings.RecognizeInput();
         using var output = new OutputFile(settings.Output!, settings.Overwrite);
         string name = Path.GetFileName(settings.Input);
         using (var progress = new ProgressLine(streams, $"drawing {name}"))

@@ -27,7 +27,7 @@ internal sealed class PlayArguments
     private readonly Option<double?> _rate = new("--rate")
     {
         HelpName = "HZ",
-        Description = "With --play: frames of each avatar per second of a file that holds bytes without times, 0.01 to 100000. Default: as its timecodes say, or 120.",
+        Description = "With --play, --info, --convert and --plot: frames of each avatar per second of a file that holds bytes without times, or of a calculation export, 0.01 to 100000. Default: as its timecodes say, or 120.",
         CustomParser = static result => Parse(result, 0.01, 100_000, "a number from 0.01 to 100000", max: null),
         Arity = ArgumentArity.ExactlyOne,
     };
@@ -41,7 +41,10 @@ internal sealed class PlayArguments
     /// <summary>The option that names the file.</summary>
     public Option File => _play;
 
-    /// <summary>All but the rate, which is that of any file of bytes without times.</summary>
+    /// <summary>The option that says the rate of a file without times, one to play or another one to read.</summary>
+    public Option<double?> Rate => _rate;
+
+    /// <summary>All but <see cref="Rate"/>.</summary>
     public Option[] Own => [_play, _speed, _loop];
 
     public void AddTo(RootCommand root)
@@ -52,13 +55,17 @@ internal sealed class PlayArguments
 
     /// <summary>Adds an error for every option that has no meaning beside another.</summary>
     /// <param name="result">The command line.</param>
+    /// <param name="readsFile">Whether a tool for files runs.</param>
     /// <param name="ofConnection">Options that are about a connection.</param>
-    public void RejectContradictions(CommandResult result, params Option[] ofConnection)
+    public void RejectContradictions(CommandResult result, bool readsFile, params Option[] ofConnection)
     {
         if (!CommandLine.IsGiven(result, _play))
         {
-            foreach (Option option in ((Option[])[_speed, _rate, _loop]).Where(option => CommandLine.IsGiven(result, option)))
+            foreach (Option option in ((Option[])[_speed, _loop]).Where(option => CommandLine.IsGiven(result, option)))
                 result.AddError($"{option.Name} needs --play: a live stream comes as it comes.");
+
+            if (CommandLine.IsGiven(result, _rate) && !readsFile)
+                result.AddError("--rate needs --play, --info, --convert or --plot: a live stream comes as it comes.");
 
             return;
         }

@@ -2,9 +2,9 @@ using System.Runtime.InteropServices;
 using System.Text;
 using NeuronMocap.Delivery;
 using NeuronMocap.Monitor.Output;
-using NeuronMocap.Recording;
 using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Terminal;

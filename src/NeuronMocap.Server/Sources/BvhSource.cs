@@ -59,11 +59,7 @@ public sealed class BvhSource : MotionSource
     /// <summary>Which feet are on the ground, estimated from their height and speed: a file does not say. The first call reads the whole take.</summary>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
     /// <returns>True for each foot that touches.</returns>
-    public override (bool Left, bool Right) GetFootContacts(long frame)
-    {
-        FootContacts contacts = _contacts.Value[checked((int)frame)];
-        return (contacts.Left, contacts.Right);
-    }
+    public override FootContacts GetFootContacts(long frame) => _contacts.Value[checked((int)frame)];
 
     /// <summary>Writes the file's OFFSETs and End Sites.</summary>
     /// <param name="offsets">Room for the places of the 59 bones relative to their parents, in <see cref="Bone"/> order; centimetres.</param>

@@ -47,11 +47,7 @@ public sealed class CalculationSource : MotionSource
     /// <summary>Which feet are on the ground, as the file has it.</summary>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
     /// <returns>True for each foot that touches.</returns>
-    public override (bool Left, bool Right) GetFootContacts(long frame)
-    {
-        FootContacts contacts = _document.GetFootContacts(checked((int)frame));
-        return (contacts.Left, contacts.Right);
-    }
+    public override FootContacts GetFootContacts(long frame) => _document.GetFootContacts(checked((int)frame));
 
     /// <inheritdoc/>
     public override void GetBody(Span<Vector3> offsets, Span<Vector3> endSites)

@@ -40,7 +40,7 @@ public sealed class LoopedSource : MotionSource
     public override void GetPose(long frame, Span<BoneTransform> pose) => _source.GetPose(frame % _count, pose);
 
     /// <inheritdoc/>
-    public override (bool Left, bool Right) GetFootContacts(long frame) => _source.GetFootContacts(frame % _count);
+    public override FootContacts GetFootContacts(long frame) => _source.GetFootContacts(frame % _count);
 
     /// <inheritdoc/>
     public override void GetBody(Span<Vector3> offsets, Span<Vector3> endSites) => _source.GetBody(offsets, endSites);

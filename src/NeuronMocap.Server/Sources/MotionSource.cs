@@ -29,7 +29,7 @@ public abstract class MotionSource
     /// <summary>Which feet are on the ground.</summary>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
     /// <returns>True for each foot that touches.</returns>
-    public abstract (bool Left, bool Right) GetFootContacts(long frame);
+    public abstract FootContacts GetFootContacts(long frame);
 
     /// <summary>
     /// Writes the body that performs, at rest. Unless a source knows better: the positions of its first pose, the hips above the origin, and the

@@ -22,12 +22,19 @@ internal static class RecordedBody
         return reader.Metadata;
     }
 
-    // Null where the metadata do not tell.
-    public static SkeletonBody? Find(RecordingMetadata? metadata, int avatarIndex, SkeletonVariant variant)
+    // Null where the metadata do not tell. A stream with displacement has the lengths itself, more exactly than the twelve sizes.
+    public static SkeletonBody? Find(RecordingMetadata? metadata, int avatarIndex, SkeletonVariant variant, bool hasDisplacement)
     {
-        if (avatarIndex != 0 || metadata?[RecordingMetadata.BvhHierarchyName] is not { } hierarchy)
+        if (avatarIndex != 0 || metadata is null)
             return null;
+        if (metadata[RecordingMetadata.BvhHierarchyName] is { } hierarchy && Read(hierarchy, variant) is { } body)
+            return body;
 
+        return !hasDisplacement && metadata.BoneDimensions is { } dimensions ? SkeletonBody.FromDimensions(dimensions, variant) : null;
+    }
+
+    private static SkeletonBody? Read(string hierarchy, SkeletonVariant variant)
+    {
         try
         {
             BvhDocument document = BvhDocument.Parse(Encoding.UTF8.GetBytes(hierarchy));

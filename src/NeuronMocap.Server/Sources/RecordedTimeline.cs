@@ -1,4 +1,5 @@
 using System.Numerics;
+using NeuronMocap.Bvh;
 using NeuronMocap.Kinematics;
 using NeuronMocap.Skeleton;
 
@@ -15,22 +16,20 @@ internal sealed class RecordedTimeline
     private const double DefaultRate = 120; // Hz: that of a suit with fewer than 18 sensors (manual section 1.3)
     private const int LargestReduction = 60;
 
-    // Rates that servers are set to; a measured one near to them is one of them.
-    private static readonly short[] UsualRates = [24, 25, 30, 48, 50, 60, 72, 80, 90, 96, 100, 120, 240];
-
     private readonly List<RecordedTakeRow> _rows = [];
     private readonly List<RecordedGap> _gaps = [];
     private readonly ChannelLayout _layout;
     private readonly RotationOrder _order;
     private readonly int _reduction;
 
-    public RecordedTimeline(IReadOnlyList<RecordedTakeRow> received, ChannelLayout layout, RotationOrder order)
+    // The times of raw bytes are made up, of a rate that is given: they would tell another one where frames are lost.
+    public RecordedTimeline(IReadOnlyList<RecordedTakeRow> received, ChannelLayout layout, RotationOrder order, double? evenRate)
     {
         _layout = layout;
         _order = order;
         _reduction = FindReduction(received);
-        MeasuredRate = Measure(received);
-        FrameRate = MeasuredRate is { } rate ? ChooseRate(rate) : DefaultRate;
+        MeasuredRate = evenRate is null ? Measure(received) : null;
+        FrameRate = evenRate ?? (MeasuredRate is { } rate ? ChooseRate(rate) : DefaultRate);
         foreach (RecordedTakeRow row in received)
             Add(row);
     }
@@ -148,7 +147,7 @@ internal sealed class RecordedTimeline
 
     public static double ChooseRate(double measured)
     {
-        double nearest = UsualRates.OrderBy(rate => Math.Abs(rate - measured)).First();
+        double nearest = BvhFrameTimeText.UsualRates.ToArray().MinBy(rate => Math.Abs(rate - measured));
         return Math.Abs(nearest - measured) <= nearest * RateTolerance ? nearest : measured;
     }
 }

@@ -21,15 +21,15 @@ public sealed class RecordingSource : MotionSource
     private readonly SkeletonBody _body;
     private readonly Lazy<FootContacts[]> _contacts;
 
-    private RecordingSource(RecordedTakeBuilder builder, RecordingMetadata? metadata)
+    private RecordingSource(RecordedTakeBuilder builder, RecordingMetadata? metadata, double? evenRate)
     {
         AvatarIndex = builder.AvatarIndex!.Value;
         AvatarName = builder.AvatarName;
         ReceivedFrames = builder.Rows.Count;
         Layout = builder.Layout;
         Format = builder.Format;
-        _timeline = new RecordedTimeline(builder.Rows, Layout, Format.RotationOrder);
-        _body = RecordedBody.Find(metadata, AvatarIndex, Variant) ?? FindBody();
+        _timeline = new RecordedTimeline(builder.Rows, Layout, Format.RotationOrder, evenRate);
+        _body = RecordedBody.Find(metadata, AvatarIndex, Variant, HasDisplacement) ?? FindBody();
         _contacts = new Lazy<FootContacts[]>(builder.HasContacts ? ReadContacts : EstimateContacts);
         HasMeasuredContacts = builder.HasContacts;
     }
@@ -47,8 +47,9 @@ public sealed class RecordingSource : MotionSource
     public SkeletonFormat Format { get; }
 
     /// <summary>
-    /// The measured rate (<see cref="MeasuredRate"/>), or the usual one (24, 25, 30, 48, 50, 60, 72, 80, 90, 96, 100, 120 or 240 Hz) within one
-    /// per cent of it; 120 where arrival times do not tell.
+    /// The measured rate (<see cref="MeasuredRate"/>), or the usual one (24, 25, 30, 48, 50, 60, 72, 75, 80, 90, 96, 100, 120, 144, 150, 180, 200, 240,
+    /// 300 or 360 Hz) within one per cent of it; 120 where arrival times do not tell. Of raw bytes, <see cref="PlaybackOptions.FrameRate"/>, or the rate
+    /// of their timecodes, or 120.
     /// </summary>
     public override double FrameRate => _timeline.FrameRate;
 
@@ -107,7 +108,7 @@ public sealed class RecordingSource : MotionSource
         }
 
         return builder.Rows.Count > 0
-            ? new RecordingSource(builder, RecordedBody.ReadMetadata(path))
+            ? new RecordingSource(builder, RecordedBody.ReadMetadata(path), reader.EvenRate)
             : throw new NeuronException(DescribeLack(builder));
     }
 
@@ -140,15 +141,11 @@ public sealed class RecordingSource : MotionSource
     /// <summary>Which feet are on the ground: see <see cref="HasMeasuredContacts"/>. The first call for an estimate reads the whole take.</summary>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
     /// <returns>True for each foot that touches.</returns>
-    public override (bool Left, bool Right) GetFootContacts(long frame)
-    {
-        FootContacts contacts = _contacts.Value[checked((int)frame)];
-        return (contacts.Left, contacts.Right);
-    }
+    public override FootContacts GetFootContacts(long frame) => _contacts.Value[checked((int)frame)];
 
     /// <summary>
-    /// Writes the body: the one that the recording's metadata tell; else with displacement that of the first frame, and without the default one, for a stream
-    /// does not tell.
+    /// Writes the body: the one whose hierarchy is in the recording's metadata; else with displacement that of the first frame, and without that of the
+    /// twelve sizes in the metadata, which the command channel told, or the default one.
     /// </summary>
     /// <param name="offsets">Room for the places of the 59 bones relative to their parents, in <see cref="Bone"/> order; centimetres.</param>
     /// <param name="endSites">Room for 59 places where the bones end, relative to them; zero for bones that have children.</param>

@@ -88,10 +88,10 @@ public sealed class SyntheticActor : MotionSource
     /// <param name="frame">Frame number, from 0.</param>
     /// <returns>True for each foot that is planted.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The frame number is negative.</exception>
-    public override (bool Left, bool Right) GetFootContacts(long frame)
+    public override FootContacts GetFootContacts(long frame)
     {
         var moment = new GaitMoment(SecondsInLap(frame));
-        return (moment.GetFoot(right: false).IsPlanted, moment.GetFoot(right: true).IsPlanted);
+        return new FootContacts(moment.GetFoot(right: false).IsPlanted, moment.GetFoot(right: true).IsPlanted);
     }
 
     /// <summary>Writes the default body.</summary>

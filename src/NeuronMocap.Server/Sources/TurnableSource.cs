@@ -41,7 +41,7 @@ internal sealed class TurnableSource(MotionSource source) : MotionSource
 
     public override void GetPose(long frame, Span<BoneTransform> pose) => At(frame).GetPose(frame, pose);
 
-    public override (bool Left, bool Right) GetFootContacts(long frame) => source.GetFootContacts(frame);
+    public override FootContacts GetFootContacts(long frame) => source.GetFootContacts(frame);
 
     public override void GetBody(Span<Vector3> offsets, Span<Vector3> endSites) => source.GetBody(offsets, endSites);
 

@@ -20,7 +20,7 @@ internal sealed class TurnedSource(MotionSource source, BoneTransform turn) : Mo
         pose[(int)Bone.Hips] = turn.Apply(pose[(int)Bone.Hips]);
     }
 
-    public override (bool Left, bool Right) GetFootContacts(long frame) => source.GetFootContacts(frame);
+    public override FootContacts GetFootContacts(long frame) => source.GetFootContacts(frame);
 
     public override void GetBody(Span<Vector3> offsets, Span<Vector3> endSites) => source.GetBody(offsets, endSites);
 

@@ -28,6 +28,7 @@ internal static class BvhFrameTimeText
     private const int FewestDecimalsWritten = 6;
     private const int LongestText = 128;
 
+    // Also what a measured rate is taken for that is near to one of them.
     internal static ReadOnlySpan<short> UsualRates =>
         [24, 25, 30, 48, 50, 60, 72, 75, 80, 90, 96, 100, 120, 144, 150, 180, 200, 240, 300, 360];
 

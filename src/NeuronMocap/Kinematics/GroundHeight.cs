@@ -17,13 +17,13 @@ public sealed class GroundHeight
     /// <summary>The lowest point of all frames, in centimetres: the ground of a take on one level; NaN before the first.</summary>
     public float Lowest { get; private set; } = float.NaN;
 
-    /// <summary>Takes a frame. One whose height is not a number is left out.</summary>
+    /// <summary>Takes a frame. One whose height or time is not a finite number is left out.</summary>
     /// <param name="lowest">The lowest point of the body, in centimetres: <see cref="Skeleton.JointPositions.GetLowest"/>.</param>
     /// <param name="seconds">When, on any clock.</param>
     /// <returns>The height of the ground.</returns>
     public float Update(float lowest, double seconds)
     {
-        if (float.IsNaN(lowest) || double.IsNaN(seconds))
+        if (!float.IsFinite(lowest) || !double.IsFinite(seconds))
             return Height;
 
         double elapsed = Math.Max(0, seconds - _time);

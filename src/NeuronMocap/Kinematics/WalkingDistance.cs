@@ -36,13 +36,13 @@ public sealed class WalkingDistance
     /// <summary>Speed over the ground in about the last half second, in centimetres per second; 0 for who stands.</summary>
     public double Speed { get; private set; }
 
-    /// <summary>Takes a frame. One whose position or time is not a number, or which is no later than the one before, is left out.</summary>
+    /// <summary>Takes a frame. One whose position or time is not a finite number, or which is no later than the one before, is left out.</summary>
     /// <param name="hips">Where the hips are in the world, in centimetres, Y up.</param>
     /// <param name="seconds">When, on any clock.</param>
     public void Update(Vector3 hips, double seconds)
     {
         var place = new Vector2(hips.X, hips.Z);
-        if (float.IsNaN(place.LengthSquared()) || double.IsNaN(seconds))
+        if (!float.IsFinite(place.LengthSquared()) || !double.IsFinite(seconds))
             return;
 
         double elapsed = seconds - _time;

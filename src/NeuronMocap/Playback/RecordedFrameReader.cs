@@ -71,6 +71,9 @@ public sealed class RecordedFrameReader : IDisposable
     /// <returns>Bytes so far.</returns>
     public long GetSkipped(SkipReason reason) => _counters.GetSkipped(reason);
 
+    // Of a raw dump, whose times are made of it; null where times were recorded.
+    internal double? EvenRate => (_source as RawDumpSource)?.Rate;
+
     /// <summary>Opens a file.</summary>
     /// <param name="path">A recording (<c>.nmrec</c>), or the bytes of a stream as they came off the wire. Which one it is, its first bytes tell, not its name.</param>
     /// <param name="options">How to read it; null for what the file says.</param>

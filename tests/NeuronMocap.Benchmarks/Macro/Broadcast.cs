@@ -152,7 +152,7 @@ internal static class Broadcast
 
         public override void GetPose(long frame, Span<BoneTransform> pose) => pose.Fill(BoneTransform.Identity);
 
-        public override (bool Left, bool Right) GetFootContacts(long frame) => (true, true);
+        public override FootContacts GetFootContacts(long frame) => new(true, true);
 
         public override void WriteValues(long frame, ChannelLayout layout, RotationOrder order, Span<float> values) => values.Clear();
     }

@@ -30,5 +30,18 @@ internal static class MonitorRunner
         return new MonitorResult(exitCode, [], Lines(error.ToString()));
     }
 
+    /// <summary>As on a terminal that says it is so wide.</summary>
+    public static async Task<MonitorResult> RunOnTerminalAsync(int columns, params string[] args)
+    {
+        using var output = new MemoryStream();
+        using var error = new StringWriter();
+        using var streams = new StandardStreams(output, error, IsTerminal: true) { Columns = columns };
+
+        // What is drawn without end keeps its thread for itself.
+        int exitCode = await Task.Run(() => CommandLine.RunAsync(args, streams, TestContext.Current.CancellationToken))
+            .WaitAsync(Limit, TestContext.Current.CancellationToken);
+        return new MonitorResult(exitCode, Lines(Encoding.UTF8.GetString(output.ToArray())), Lines(error.ToString()));
+    }
+
     private static string[] Lines(string text) => text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
 }

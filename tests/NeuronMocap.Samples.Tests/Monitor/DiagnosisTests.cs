@@ -24,6 +24,18 @@ public sealed class DiagnosisTests
         Assert.DoesNotContain(result.Output, static line => line.Contains('\e', StringComparison.Ordinal));
     }
 
+    // A serial line or a bare pseudo-terminal says 0.
+    [Theory]
+    [InlineData(0)]
+    [InlineData(7)]
+    public async Task A_terminal_that_does_not_tell_its_size_is_written_to_as_a_narrow_one(int columns)
+    {
+        MonitorResult result = await MonitorRunner.RunOnTerminalAsync(columns, "--diagnose", "--demo", "--duration", "5");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.StartsWith("Looking for frames from 127.0.0.1:", result.Output[0], StringComparison.Ordinal);
+    }
+
     // Other programs on this machine may stream on the usual ports, and would be found: what is said then is the library's to test.
     [Fact]
     public async Task A_fault_is_told_in_one_paragraph_and_ends_with_1()

@@ -41,6 +41,7 @@ public sealed class GroundHeightTests
         Assert.Equal(180, ground.Height);
         ground.Update(float.NaN, 11);
         ground.Update(0, double.NaN);
+        ground.Update(float.NegativeInfinity, 11);
         Assert.Equal(180, ground.Height);
         Assert.Equal(0, ground.Lowest);
         ground.Reset();

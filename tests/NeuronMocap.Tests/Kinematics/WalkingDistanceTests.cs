@@ -85,6 +85,7 @@ public sealed class WalkingDistanceTests
         walk.Update(Vector3.Zero, 0);
         walk.Update(new Vector3(float.NaN, 0, 0), 1);
         walk.Update(new Vector3(500, 0, 0), double.NaN);
+        walk.Update(new Vector3(float.PositiveInfinity, 0, 0), 1);
         walk.Update(new Vector3(500, 0, 0), 0);
         Assert.Equal(0, walk.Distance);
         walk.Update(new Vector3(110, 0, 0), 1);

@@ -327,7 +327,7 @@ public sealed class BroadcasterCommandTests
 
         public override void GetPose(long frame, Span<BoneTransform> pose) => throw new InvalidDataException("There is no body.");
 
-        public override (bool Left, bool Right) GetFootContacts(long frame) => (false, false);
+        public override FootContacts GetFootContacts(long frame) => new(false, false);
 
         public override void WriteValues(long frame, ChannelLayout layout, RotationOrder order, Span<float> values) => values.Clear();
     }

@@ -201,6 +201,6 @@ public sealed class BroadcasterHostilityTests
             pose.Fill(BoneTransform.Identity);
         }
 
-        public override (bool Left, bool Right) GetFootContacts(long frame) => (false, false);
+        public override FootContacts GetFootContacts(long frame) => new(false, false);
     }
 }

@@ -16,7 +16,7 @@ internal sealed class TestSource(int seed = 0, long? frameCount = null) : Motion
 
     public override void GetPose(long frame, Span<BoneTransform> pose) => pose.Fill(BoneTransform.Identity);
 
-    public override (bool Left, bool Right) GetFootContacts(long frame) => (true, false);
+    public override FootContacts GetFootContacts(long frame) => new(true, false);
 
     public override void WriteValues(long frame, ChannelLayout layout, RotationOrder order, Span<float> values)
     {
@@ -61,5 +61,5 @@ internal sealed class FailingSource(long badFrame, double frameRate = 1000) : Mo
         pose.Fill(BoneTransform.Identity);
     }
 
-    public override (bool Left, bool Right) GetFootContacts(long frame) => (false, false);
+    public override FootContacts GetFootContacts(long frame) => new(false, false);
 }

@@ -14,19 +14,19 @@ internal static class CalculationCopy
     private const int LongestEnd = 64;
 
     /// <summary>From an export to another one.</summary>
-    public static void ToFile(string input, TimeRange range, string output, IProgress<double> progress, CancellationToken cancelled)
+    public static void ToFile(FileSettings settings, TimeRange range, string output, IProgress<double> progress, CancellationToken cancelled)
     {
-        using CalculationFileReader reader = CalculationFileReader.Open(input);
-        CalculationTextFormat format = range.IsAll ? reader.TextFormat with { LastRowEnd = ReadEnd(input) } : reader.TextFormat;
-        using CalculationFileWriter writer = new CalculationFileWriter(output, reader.ValueCount, format);
+        using CalculationFileReader reader = CalculationFileReader.Open(settings.Input, settings.Calculation);
+        CalculationTextFormat format = range.IsAll ? reader.TextFormat with { LastRowEnd = ReadEnd(settings.Input) } : reader.TextFormat;
+        using var writer = new CalculationFileWriter(output, reader.ValueCount, format);
         Copy(reader, range, (_, values) => writer.WriteFrame(values), progress, cancelled);
     }
 
     /// <summary>From an export to the packets of a stream; the sink is closed.</summary>
-    public static void ToPackets(string input, TimeRange range, IPacketSink sink, IProgress<double> progress, CancellationToken cancelled)
+    public static void ToPackets(FileSettings settings, TimeRange range, IPacketSink sink, IProgress<double> progress, CancellationToken cancelled)
     {
         using (sink)
-        using (CalculationFileReader reader = CalculationFileReader.Open(input))
+        using (CalculationFileReader reader = CalculationFileReader.Open(settings.Input, settings.Calculation))
         {
             var header = new CalculationHeader { ValueCount = reader.ValueCount, AvatarName = new AvatarName("Char00") };
             byte[] packet = new byte[header.PacketSize];
@@ -44,7 +44,7 @@ internal static class CalculationCopy
     /// <returns>False when the stream has none of the avatar, and nothing was written.</returns>
     public static bool TryFromStream(FileSettings settings, TimeRange range, string output, IProgress<double> progress, CancellationToken cancelled)
     {
-        using RecordedFrameReader reader = RecordedFrameReader.Open(settings.Input);
+        using RecordedFrameReader reader = RecordedFrameReader.Open(settings.Input, settings.Playback);
         CalculationFileWriter? writer = null;
         int? avatar = settings.Avatar;
         try
@@ -76,7 +76,7 @@ internal static class CalculationCopy
     /// <summary>The calculation frames of an avatar whose stream has no poses; null where there are poses, or no calculation frames.</summary>
     public static (CalculationDocument Document, string AvatarName)? TryLoadStream(FileSettings settings, IProgress<double> progress, CancellationToken cancelled)
     {
-        using RecordedFrameReader reader = RecordedFrameReader.Open(settings.Input);
+        using RecordedFrameReader reader = RecordedFrameReader.Open(settings.Input, settings.Playback);
         using var text = new MemoryStream();
         CalculationFileWriter? writer = null;
         (int? avatar, string name, TimeSpan first, TimeSpan last) = (settings.Avatar, string.Empty, TimeSpan.Zero, TimeSpan.Zero);
@@ -104,7 +104,8 @@ internal static class CalculationCopy
             return null;
 
         writer.Dispose();
-        double rate = last > first ? RecordingSource.ChooseRate((writer.FrameCount - 1) / (last - first).TotalSeconds) : CalculationReadOptions.DefaultFrameRate;
+        double rate = settings.InputRate
+            ?? (last > first ? RecordingSource.ChooseRate((writer.FrameCount - 1) / (last - first).TotalSeconds) : CalculationReadOptions.DefaultFrameRate);
         return (CalculationDocument.Parse(text.GetBuffer().AsSpan(0, (int)text.Length), new CalculationReadOptions { FrameRate = rate }), name);
     }
 

@@ -42,7 +42,7 @@ internal sealed class TakePart : MotionSource
 
     public override void GetBody(Span<Vector3> offsets, Span<Vector3> endSites) => _take.GetBody(offsets, endSites);
 
-    public override (bool Left, bool Right) GetFootContacts(long frame)
+    public override FootContacts GetFootContacts(long frame)
     {
         (long before, float part) = Find(frame);
         return _take.GetFootContacts(part < 0.5f ? before : before + 1);

@@ -1,7 +1,7 @@
+using System.Text.Json.Nodes;
 using NeuronMocap.Monitor.Terminal;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
-using System.Text.Json.Nodes;
 
 namespace NeuronMocap.Monitor.Files.Inspection;
 

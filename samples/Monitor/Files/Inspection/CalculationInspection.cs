@@ -14,7 +14,7 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
 
     public InfoReport Run(CancellationToken cancelled)
     {
-        using CalculationFileReader reader = CalculationFileReader.Open(settings.Input);
+        using CalculationFileReader reader = CalculationFileReader.Open(settings.Input, settings.Calculation);
         int bones = reader.ValueCount == CalculationFrame.FullValueCount ? 59 : 21;
         var report = new InfoReport(
             Path.GetFileName(settings.Input), "calculation", $"Calculation export of {bones} bones, {Quantity.Bytes(reader.Length ?? 0)}");
@@ -26,7 +26,7 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
         take.Add("bytes", string.Empty, null, reader.Length ?? 0);
         take.Add("seconds", "duration", Quantity.Format($"{duration:0.000} s"), duration);
         take.Add("frames", "frames", Quantity.Count(reader.FrameCount), reader.FrameCount);
-        take.Add("frameRate", "frame rate", Quantity.Format($"{reader.FrameRate:0.###} Hz, assumed: no export says"), reader.FrameRate);
+        take.Add("frameRate", "frame rate", Rate(reader.FrameRate), reader.FrameRate);
         take.Add("columns", "columns", Quantity.Format($"{reader.ValueCount}: 16 for each of {bones} bones, and the contacts of both feet"), reader.ValueCount);
         take.Add("decimals", "text", Describe(reader.TextFormat), reader.TextFormat.Decimals);
         take.Add(
@@ -34,12 +34,15 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
             "feet on ground",
             Quantity.Format($"left {100.0 * left / reader.FrameCount:0.0} %, right {100.0 * right / reader.FrameCount:0.0} % of the frames, as the server measured"),
             new JsonObject { ["left"] = Math.Round((double)left / reader.FrameCount, 5), ["right"] = Math.Round((double)right / reader.FrameCount, 5) });
-        var source = new CalculationSource(CalculationDocument.Load(settings.Input));
+        var source = new CalculationSource(CalculationDocument.Load(settings.Input, settings.Calculation));
         BodySection.Add(report, source);
         var motion = new BodyMotion(source);
         MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancelled));
         return report;
     }
+
+    private string Rate(double rate) =>
+        Quantity.Format($"{rate:0.###} Hz") + (settings.InputRate is null ? ", assumed: no export says; --rate gives another one" : ": as --rate says");
 
     private static string Describe(CalculationTextFormat format) => string.Create(
         System.Globalization.CultureInfo.InvariantCulture,

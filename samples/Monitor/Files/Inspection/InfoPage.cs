@@ -7,11 +7,7 @@ namespace NeuronMocap.Monitor.Files.Inspection;
 /// <summary>A report for a person: with headings in bold and wrapped on a terminal, plain and unwrapped elsewhere.</summary>
 internal sealed class InfoPage
 {
-    private const int Unlimited = 100_000;
     private const int WidestText = 110;
-
-    // A terminal that does not tell its size says 0.
-    private const int NarrowestText = 40;
     private const int MostItems = 20;
 
     private readonly IAnsiConsole _console;
@@ -27,7 +23,7 @@ internal sealed class InfoPage
             Out = new AnsiConsoleOutput(new StreamWriter(streams.Output, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { AutoFlush = true }),
         });
         _console.Profile.Capabilities.ColorSystem = _isTerminal ? AnsiConsole.Profile.Capabilities.ColorSystem : ColorSystem.NoColors;
-        _console.Profile.Width = _isTerminal ? Math.Clamp(Screen.Width, NarrowestText, WidestText) : Unlimited;
+        _console.Profile.Width = streams.TextWidth(WidestText);
     }
 
     public void Write(InfoReport report)

@@ -21,7 +21,8 @@ internal static class RowRemarks
             string named = string.Join(", ", joints.Take(MostNamed).Select(static pair => Quantity.Format($"{pair.Joint.Name} {pair.Count}")));
             section.Remark(
                 "flips",
-                Quantity.Format($"{scan.Flips:#,0} times the angles of a joint jump while it hardly turns ({named}{(joints.Length > MostNamed ? ", …" : string.Empty)}), ")
+                (scan.Flips == 1 ? "once" : Quantity.Format($"{scan.Flips:#,0} times"))
+                    + Quantity.Format($" the angles of a joint jump while it hardly turns ({named}{(joints.Length > MostNamed ? ", …" : string.Empty)}), ")
                     + Quantity.Format($"first at {scan.FirstFlip / frameRate:0.00} s: compare and interpolate them as quaternions"));
         }
 

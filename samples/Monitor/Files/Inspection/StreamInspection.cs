@@ -2,7 +2,6 @@ using System.Text.Json.Nodes;
 using NeuronMocap.Bvh;
 using NeuronMocap.Monitor.Files.Plotting;
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Playback;
 using NeuronMocap.Server.Sources;
 
 namespace NeuronMocap.Monitor.Files.Inspection;
@@ -10,8 +9,6 @@ namespace NeuronMocap.Monitor.Files.Inspection;
 /// <summary>--info of a recording, and of the raw bytes of a stream.</summary>
 internal sealed class StreamInspection(FileSettings settings, bool isRecording, IProgress<double> progress)
 {
-    private readonly PlaybackOptions _options = new() { RotationOrder = settings.RotationOrder };
-
     public InfoReport Run(CancellationToken cancelled)
     {
         long size = new FileInfo(settings.Input).Length;
@@ -22,7 +19,7 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         if (isRecording)
             RecordingSections.Add(report, settings.Input, size, progress, cancelled);
 
-        StreamContents contents = StreamContents.Read(settings.Input, _options, progress, cancelled);
+        StreamContents contents = StreamContents.Read(settings.Input, settings.Playback, progress, cancelled);
         contents.AddTo(report, isRecording);
         if (contents.HasPoses(settings.Avatar))
             AddTake(report, cancelled);
@@ -34,15 +31,15 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
 
     private void AddTake(InfoReport report, CancellationToken cancelled)
     {
-        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, _options, progress, cancelled);
+        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Playback, progress, cancelled);
         double duration = source.FrameCount!.Value / source.FrameRate;
         InfoSection take = report.Section("take", $"Take of avatar {source.AvatarIndex}, {source.AvatarName}");
         take.Add("avatar", string.Empty, null, source.AvatarIndex).Add("avatarName", string.Empty, null, JsonValue.Create(source.AvatarName));
         take.Add("seconds", "duration", Quantity.Format($"{duration:0.000} s"), duration);
         take.Add("frames", "frames", Frames(source), source.FrameCount.Value);
         take.Add("receivedFrames", string.Empty, null, source.ReceivedFrames).Add("interpolatedFrames", string.Empty, null, source.InterpolatedFrames);
-        take.Add("frameRate", "frame rate", Rate(source, isRecording), source.FrameRate);
-        take.Add("measuredRate", string.Empty, null, isRecording ? source.MeasuredRate ?? double.NaN : double.NaN);
+        take.Add("frameRate", "frame rate", Rate(source), source.FrameRate);
+        take.Add("measuredRate", string.Empty, null, source.MeasuredRate ?? double.NaN);
         take.Add("variant", "bone names", source.Variant.ToString());
         take.Add("rotationOrder", "rotation order", source.Format.RotationOrder.ToString());
         take.Add("displacement", "displacement", source.Layout.HasDisplacement ? "on" : "off", source.Layout.HasDisplacement);
@@ -82,11 +79,11 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         ? Quantity.Count(source.ReceivedFrames)
         : Quantity.Format($"{source.FrameCount:#,0}: {source.ReceivedFrames:#,0} received and {source.InterpolatedFrames:#,0} interpolated");
 
-    private static string Rate(RecordingSource source, bool hasTimes)
+    private string Rate(RecordingSource source)
     {
         string rate = Quantity.Format($"{source.FrameRate:0.###} Hz");
-        if (!hasTimes)
-            return rate + ": of the timecodes, or assumed";
+        if (!isRecording)
+            return rate + (settings.InputRate is null ? ": of the timecodes, or assumed; --rate gives another one" : ": as --rate says");
 
         return source.MeasuredRate is { } measured
             ? rate + Quantity.Format($": {measured:0.00} by the times of arrival")

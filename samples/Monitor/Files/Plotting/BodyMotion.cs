@@ -54,5 +54,5 @@ internal sealed class BodyMotion : PointMotion
         JointPositions.Copy(_world, _body, points);
     }
 
-    public override (bool Left, bool Right)? GetContacts(long frame) => _source.GetFootContacts(frame);
+    public override FootContacts? GetContacts(long frame) => _source.GetFootContacts(frame);
 }

@@ -1,6 +1,7 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Monitor.Terminal;
+using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor.Files.Plotting;
 
@@ -65,7 +66,7 @@ internal sealed class JointMotion : PointMotion
             points[_world.Length + i] = Vector3.Transform(_ends[i].End, _world[_ends[i].Joint]);
     }
 
-    public override (bool Left, bool Right)? GetContacts(long frame) => null;
+    public override FootContacts? GetContacts(long frame) => null;
 
     // A position channel replaces that part of the OFFSET.
     private static Matrix4x4 GetLocal(BvhJoint joint, ReadOnlySpan<float> row)

@@ -1,5 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Monitor.Terminal;
+using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor.Files.Plotting;
 
@@ -30,7 +31,7 @@ internal abstract class PointMotion
 
     /// <summary>Which feet are on the ground; null when that is not known.</summary>
     /// <param name="frame">Number of the frame, from 0.</param>
-    public abstract (bool Left, bool Right)? GetContacts(long frame);
+    public abstract FootContacts? GetContacts(long frame);
 }
 
 /// <summary>Which points of a take are whose; null where there is no such one.</summary>

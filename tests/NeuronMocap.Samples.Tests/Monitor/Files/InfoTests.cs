@@ -33,6 +33,20 @@ public sealed class InfoTests : IDisposable
         Assert.StartsWith("9.90 m", Fact(page, "distance walked"), StringComparison.Ordinal);
     }
 
+    // A serial line or a bare pseudo-terminal says 0.
+    [Theory]
+    [InlineData(0)]
+    [InlineData(7)]
+    public async Task A_terminal_that_does_not_tell_its_size_is_written_to_as_a_narrow_one(int columns)
+    {
+        Takes.StraightWalk(frames: 61).Save(_folder["walk.bvh"]);
+        MonitorResult result = await MonitorRunner.RunOnTerminalAsync(columns, "--info", _folder["walk.bvh"]);
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Contains("walk.bvh", result.Output[0], StringComparison.Ordinal);
+        Assert.Contains(result.Output, static line => line.Contains("duration", StringComparison.Ordinal));
+    }
+
     [Fact]
     public async Task Programs_get_one_object()
     {
@@ -187,6 +201,56 @@ public sealed class InfoTests : IDisposable
         Assert.Equal("raw", json.GetProperty("kind").GetString());
         Assert.NotEmpty(json.GetProperty("stream").GetProperty("formats").EnumerateArray());
         Assert.Equal(0, (await MonitorRunner.RunAsync("--info", _folder["stream.bin"])).ExitCode);
+    }
+
+    // Two frames in the middle are lost: the bytes have no times, so the rate is the one that is given and not one that the loss makes up.
+    [Theory]
+    [InlineData("60", 60)]
+    [InlineData("59.94", 59.94)]
+    [InlineData(null, 120)]
+    public async Task The_rate_of_bytes_without_times_can_be_given(string? given, double rate)
+    {
+        await File.WriteAllBytesAsync(
+            _folder["stream.bin"],
+            [.. Enumerable.Range(0, 20).Where(static frame => frame is not (10 or 11)).SelectMany(static frame => Packet(0, "Anna", (uint)frame))],
+            TestContext.Current.CancellationToken);
+        string[] option = given is null ? [] : ["--rate", given];
+        MonitorResult info = await MonitorRunner.RunAsync(["--info", _folder["stream.bin"], "--json", .. option]);
+        JsonElement take = JsonDocument.Parse(Assert.Single(info.Output)).RootElement.GetProperty("take");
+        Assert.Equal((20, rate), (take.GetProperty("frames").GetInt32(), take.GetProperty("frameRate").GetDouble()));
+
+        Assert.Equal(0, (await MonitorRunner.RunAsync(["--convert", _folder["stream.bin"], _folder["stream.bvh"], .. option])).ExitCode);
+        Assert.Equal(rate, BvhDocument.Load(_folder["stream.bvh"]).FrameRate, 1e-3);
+        Assert.Equal(0, (await MonitorRunner.RunAsync(["--convert", _folder["stream.bin"], _folder["stream.nmrec"], .. option])).ExitCode);
+        using (RecordingReader reader = RecordingReader.Open(_folder["stream.nmrec"]))
+            Assert.Equal(17 / rate, reader.Duration.TotalSeconds, 1e-6);
+
+        Assert.Equal(0, (await MonitorRunner.RunAsync(["--plot", _folder["stream.bin"], _folder["stream.svg"], .. option])).ExitCode);
+        Assert.Contains(FormattableString.Invariant($"20 frames at {rate:0.##} Hz"), await File.ReadAllTextAsync(_folder["stream.svg"], TestContext.Current.CancellationToken), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task The_rate_is_not_for_files_with_times()
+    {
+        Takes.StraightWalk(frames: 3).Save(_folder["walk.bvh"]);
+        MonitorResult result = await MonitorRunner.RunAsync("--info", _folder["walk.bvh"], "--rate", "60");
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("walk.bvh has times of its own", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    // An export has no place for its rate: 60 Hz become 120 unless somebody says so.
+    [Fact]
+    public async Task The_rate_of_a_calculation_export_can_be_given()
+    {
+        Takes.Actor(60).Save(_folder["take.bvh"]);
+        Assert.Equal(0, (await MonitorRunner.RunAsync("--convert", _folder["take.bvh"], _folder["take.calc"])).ExitCode);
+        MonitorResult info = await MonitorRunner.RunAsync("--info", _folder["take.calc"], "--json", "--rate", "60");
+        Assert.Equal(60, JsonDocument.Parse(Assert.Single(info.Output)).RootElement.GetProperty("take").GetProperty("frameRate").GetDouble());
+        Assert.Equal(0, (await MonitorRunner.RunAsync("--convert", _folder["take.calc"], _folder["back.bvh"], "--rate", "60")).ExitCode);
+        Assert.Equal(60, BvhDocument.Load(_folder["back.bvh"]).FrameRate);
+        Assert.Equal(0, (await MonitorRunner.RunAsync("--convert", _folder["take.calc"], _folder["back.nmrec"], "--rate", "60")).ExitCode);
+        using RecordingReader reader = RecordingReader.Open(_folder["back.nmrec"]);
+        Assert.Equal(59 / 60.0, reader.Duration.TotalSeconds, 1e-6);
     }
 
     [Fact]

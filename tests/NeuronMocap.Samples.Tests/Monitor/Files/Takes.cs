@@ -76,6 +76,6 @@ internal static class Takes
             moved.CopyTo(pose);
         }
 
-        public override (bool Left, bool Right) GetFootContacts(long frame) => (true, true);
+        public override FootContacts GetFootContacts(long frame) => new(true, true);
     }
 }

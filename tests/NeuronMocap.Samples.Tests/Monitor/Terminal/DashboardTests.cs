@@ -18,7 +18,7 @@ public sealed class DashboardTests
         RetryIn = TimeSpan.FromSeconds(3),
     };
 
-    public static TheoryData<int, int> Sizes => new() { { 20, 5 }, { 60, 16 }, { 80, 24 }, { 99, 31 }, { 100, 32 }, { 120, 40 }, { 200, 50 }, { 400, 120 } };
+    public static TheoryData<int, int> Sizes => new() { { 1, 5 }, { 20, 5 }, { 60, 16 }, { 80, 24 }, { 99, 31 }, { 100, 32 }, { 120, 40 }, { 200, 50 }, { 400, 120 } };
 
     [Theory]
     [MemberData(nameof(Sizes))]

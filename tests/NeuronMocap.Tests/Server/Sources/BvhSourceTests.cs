@@ -76,8 +76,8 @@ public sealed class BvhSourceTests
         byte[] file = NeuronTake.Write(
             rows: 40, (row, bone) => row >= 20 && bone == Bone.LeftUpLeg ? new Vector3(0, -60, 0) : Vector3.Zero);
         var source = new BvhSource(BvhDocument.Parse(file));
-        Assert.Equal((true, true), source.GetFootContacts(5));
-        Assert.Equal((false, true), source.GetFootContacts(35));
+        Assert.Equal(new FootContacts(true, true), source.GetFootContacts(5));
+        Assert.Equal(new FootContacts(false, true), source.GetFootContacts(35));
         Assert.Equal(40, source.FrameCount);
     }
 }

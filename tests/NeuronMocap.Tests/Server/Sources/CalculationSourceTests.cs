@@ -54,7 +54,7 @@ public sealed class CalculationSourceTests
         source.GetPose(100, pose);
 
         Assert.Equal((60, 172L, SkeletonVariant.Spine3), (source.FrameRate, source.FrameCount, source.Variant));
-        Assert.Equal((document.GetFrame(60).LeftFootContact, document.GetFrame(60).RightFootContact), source.GetFootContacts(60));
+        Assert.Equal(document.GetFrame(60).FootContacts, source.GetFootContacts(60));
         Assert.Equal(offsets[(int)Bone.LeftArm], pose[(int)Bone.LeftArm].Position);
         Assert.True(ends[(int)Bone.LeftFoot].Z > 20);
         Assert.True(ends[(int)Bone.Head].Y > 10);

@@ -132,7 +132,7 @@ public class CalculationSynthesizerTests
         for (long frame = 0; frame < 6; frame++)
         {
             CalculationFrame calculation = Calculate(source, frame);
-            Assert.Equal(source.GetFootContacts(frame), (calculation.LeftFootContact, calculation.RightFootContact));
+            Assert.Equal(source.GetFootContacts(frame), calculation.FootContacts);
         }
 
         Assert.Equal([1, 0], Calculate(source, 2).Values.Slice(336, 2).ToArray());

@@ -25,10 +25,10 @@ internal sealed class FormulaSource(double frameRate, long? frameCount, FormulaS
     }
 
     // Left on the even frames, right on every third.
-    public override (bool Left, bool Right) GetFootContacts(long frame)
+    public override FootContacts GetFootContacts(long frame)
     {
         RequireFrame(frame);
-        return (frame % 2 == 0, frame % 3 == 0);
+        return new FootContacts(frame % 2 == 0, frame % 3 == 0);
     }
 
     private void RequireFrame(long frame)

@@ -18,7 +18,7 @@ public class LoopedSourceTests
         foreach ((long frame, float height) in ((long, float)[])[(0, 0), (4, 4), (5, 0), (13, 3), (1_000_000_000_004, 4)])
         {
             Assert.Equal(height, ActorMeasures.GetPose(looped, frame)[0].Position.Y);
-            Assert.Equal(((long)height % 2 == 0, (long)height % 3 == 0), looped.GetFootContacts(frame));
+            Assert.Equal(new FootContacts((long)height % 2 == 0, (long)height % 3 == 0), looped.GetFootContacts(frame));
             looped.WriteValues(frame, new ChannelLayout(hasDisplacement: true, hasReference: false), RotationOrder.YXZ, values);
             Assert.Equal(height, values[1]);
         }

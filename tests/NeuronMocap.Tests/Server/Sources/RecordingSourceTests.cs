@@ -8,6 +8,7 @@ using NeuronMocap.Tests.Bvh;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Playback;
 using NeuronMocap.Transport;
+using PlaybackOptions = NeuronMocap.Playback.PlaybackOptions;
 
 namespace NeuronMocap.Tests.Server.Sources;
 
@@ -116,7 +117,7 @@ public sealed class RecordingSourceTests
 
         Assert.True(source.HasMeasuredContacts);
         for (int frame = 0; frame < 20; frame++)
-            Assert.Equal((frame % 2 == 0, frame % 3 == 0), source.GetFootContacts(frame));
+            Assert.Equal(new FootContacts(frame % 2 == 0, frame % 3 == 0), source.GetFootContacts(frame));
     }
 
     [Fact]
@@ -165,6 +166,36 @@ public sealed class RecordingSourceTests
     }
 
     [Fact]
+    public void The_body_has_the_sizes_that_the_command_channel_told_where_the_stream_has_none()
+    {
+        BoneDimensions sizes = SkeletonBody.Default().Measure() with { UpperArm = 0.35f, UpperLeg = 0.5f };
+        RecordingMetadata metadata = RecordingMetadata.Empty.With(RecordingMetadata.BoneDimensionsName, RecordingMetadata.ToText(sizes));
+        using TemporaryFile file = RecordOne(TestPackets.Motion(0, count: 180), metadata);
+        RecordingSource source = RecordingSource.Load(file.Path);
+        Vector3[] offsets = new Vector3[BoneHierarchy.BoneCount];
+        source.GetBody(offsets, new Vector3[BoneHierarchy.BoneCount]);
+
+        Assert.True(source.HasOwnBody);
+        Assert.Equal(35, offsets[(int)Bone.LeftForeArm].Length(), 1e-3f);
+        Assert.Equal(50, Pose(source, 0)[(int)Bone.RightLeg].Position.Length(), 1e-3f);
+
+        // Displacement tells more than twelve sizes.
+        using TemporaryFile displaced = RecordOne(Packet(0), metadata);
+        Assert.Equal(Values(0)[(int)Bone.LeftForeArm * 6], Pose(RecordingSource.Load(displaced.Path), 0)[(int)Bone.LeftForeArm].Position.X);
+    }
+
+    [Theory]
+    [InlineData(null, 120)]
+    [InlineData(59.94, 59.94)]
+    public void Of_raw_bytes_the_rate_is_the_one_that_is_given_whatever_is_lost(double? given, double rate)
+    {
+        using var file = new TemporaryFile([.. Enumerable.Range(0, 40).Where(static frame => frame is < 20 or > 24).SelectMany(static frame => Packet(frame))]);
+        RecordingSource source = RecordingSource.Load(file.Path, options: new PlaybackOptions { FrameRate = given });
+
+        Assert.Equal((rate, null, 40L, 5L), (source.FrameRate, source.MeasuredRate, source.FrameCount, source.InterpolatedFrames));
+    }
+
+    [Fact]
     public void Without_poses_there_is_no_source()
     {
         using TemporaryFile file = Recordings.OfTcp((0, Contacts(0, left: true, right: true)));
@@ -183,6 +214,14 @@ public sealed class RecordingSourceTests
 
     // Bones that move and turn a little from frame to frame.
     private static float[] Values(int frame) => [.. Enumerable.Range(0, 354).Select(index => (frame / 8f) + (index / 1024f))];
+
+    private static TemporaryFile RecordOne(byte[] packet, RecordingMetadata metadata) => Recordings.Write(
+        writer =>
+        {
+            writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, "", ""));
+            writer.WriteBytes(TimeSpan.Zero, 0, packet);
+        },
+        metadata);
 
     private static byte[] Packet(int frame) => Packet(frame, avatar: 0);
 
