@@ -92,7 +92,7 @@ public sealed class ExportTests : IDisposable
     [Theory]
     [InlineData("--diagnose and --export", "--export", "a.bvh", "--diagnose")]
     [InlineData("--commands and --export", "--export", "a.bvh", "--commands")]
-    [InlineData("--overwrite needs --export or --record", "--overwrite")]
+    [InlineData("--overwrite needs --export, --record, --convert or --plot", "--overwrite")]
     [InlineData("--export-avatar needs --export", "--export-avatar", "1")]
     [InlineData("is not a number of an avatar", "--export", "a.bvh", "--export-avatar", "-1")]
     public async Task Contradictions_are_refused(string reason, params string[] args)
