@@ -147,7 +147,7 @@ internal sealed class RecordedTimeline
 
     public static double ChooseRate(double measured)
     {
-        double nearest = BvhFrameTimeText.UsualRates.ToArray().MinBy(rate => Math.Abs(rate - measured));
+        double nearest = BvhFrameTimeText.UsualRates.ToArray().OrderBy(rate => Math.Abs(rate - measured)).First();
         return Math.Abs(nearest - measured) <= nearest * RateTolerance ? nearest : measured;
     }
 }

@@ -34,7 +34,8 @@ internal static class BvhResampling
                 Interpolate(document, joints, before, (double)rest / (double)unit, row);
         }
 
-        return new BvhDocument(document.Hierarchy, frameTime, values) { TextFormat = document.TextFormat };
+        // A text of the old file's that stands for the new rate, 0.008 for 120 Hz, would be taken by its word elsewhere.
+        return new BvhDocument(document.Hierarchy, frameTime, values) { TextFormat = document.TextFormat with { FrameTimeText = null } };
     }
 
     private static void Interpolate(BvhDocument document, BvhJointValues[] turning, int frame, double part, Span<float> row)

@@ -16,12 +16,17 @@ internal sealed class FrameSequence(BvhGaps gaps)
     // A longer silence between two frames without an index is a pause of the server.
     private static readonly long LongestInterval = Stopwatch.Frequency;
 
+    // The first frames of a connection often come in one piece, and say nothing about the time between them.
+    private static readonly long Settling = Stopwatch.Frequency / 4;
+    private static readonly long LongEnough = Stopwatch.Frequency;
+
     private uint? _index;
     private uint _step = uint.MaxValue;
     private int _lateRun;
     private long _timestamp;
     private long _elapsed;
     private long _intervals;
+    private (long Elapsed, long Intervals)? _settled;
     private bool _hasBegun;
 
     /// <summary>Takes the next frame.</summary>
@@ -54,11 +59,12 @@ internal sealed class FrameSequence(BvhGaps gaps)
         if (_intervals == 0 || _elapsed <= 0)
             return BvhFrameTime.Default;
 
-        double elapsed = (double)_elapsed / Stopwatch.Frequency;
-        double rate = _intervals / elapsed;
+        bool isLong = _settled is { } start && _elapsed - start.Elapsed >= LongEnough;
+        (long Elapsed, long Intervals) before = isLong ? _settled!.Value : default;
+        double elapsed = (double)(_elapsed - before.Elapsed) / Stopwatch.Frequency;
+        double rate = (_intervals - before.Intervals) / elapsed;
 
-        // Clocks of suits are off by less than a hundredth; the first and the last frame each come by up to 30 ms early or late, the first ones of a
-        // connection often in one piece.
+        // Clocks of suits are off by less than a hundredth; the first and the last frame each come by up to 30 ms early or late.
         double tolerance = 0.015 + (0.06 / elapsed);
         double? nearest = null;
         foreach (short usual in BvhFrameTimeText.UsualRates)
@@ -86,6 +92,9 @@ internal sealed class FrameSequence(BvhGaps gaps)
         bool isCounted = !isGap && (missing == 0 || gaps == BvhGaps.Repeat);
         _elapsed += isCounted ? timestamp - _timestamp : 0;
         _intervals += isCounted ? missing + 1 : 0;
+        if (_settled is null && _elapsed >= Settling)
+            _settled = (_elapsed, _intervals);
+
         Begin(index, timestamp);
         return gaps == BvhGaps.Repeat ? missing + 1 : 1;
     }

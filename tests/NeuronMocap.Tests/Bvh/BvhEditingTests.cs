@@ -136,6 +136,17 @@ public class BvhEditingTests
     }
 
     [Fact]
+    public void A_rate_is_written_in_full_however_the_old_one_was_rounded()
+    {
+        var half = new BvhDocument(Five.Hierarchy, BvhFrameTime.FromFrameRate(60), Five.CopyValues()) { TextFormat = Five.TextFormat with { FrameTimeText = "0.008" } };
+
+        BvhDocument take = half.Resample(120);
+
+        Assert.Null(take.TextFormat.FrameTimeText);
+        Assert.Equal(120, take.FrameTime.FrameRate);
+    }
+
+    [Fact]
     public void Every_second_frame_of_120_hz_is_60_hz_bit_for_bit()
     {
         BvhDocument half = Five.Resample(60);

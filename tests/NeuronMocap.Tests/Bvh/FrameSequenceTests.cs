@@ -65,6 +65,15 @@ public class FrameSequenceTests
         Assert.Equal(96, _sequence.Measure().FrameRate, 1e-6);
     }
 
+    [Fact]
+    public void A_long_burst_at_the_start_does_not_move_the_rate()
+    {
+        for (uint i = 0; i < 200; i++)
+            _sequence.Next(i, Ticks(Math.Max(0.2, i / 60.0)));
+
+        Assert.Equal(60, _sequence.Measure().FrameRate, 1e-6);
+    }
+
     // What a server had ready when the connection stood.
     [Fact]
     public void A_burst_at_the_start_of_a_short_take_does_not_move_the_rate()
