@@ -9,7 +9,7 @@ namespace NeuronMocap.Protocol;
 /// <para>
 /// With at most 53 bits of digits and a power of ten that a double holds exactly, one division gives the double nearest to the decimal.
 /// Narrowing that rounds a second time, which goes wrong only where the double lies exactly between two floats: then, and outside those
-/// bounds, float.Parse itself decides. Nearly all that motion files and text streams contain takes the short way. Utf8Parser would need no copy, but is not exact:
+/// bounds, float.Parse itself decides, which on Mono rounds twice and may miss the last bit. Nearly all that motion files and text streams contain takes the short way. Utf8Parser would need no copy, but is not exact:
 /// halfway between two floats it rounds up where zeros follow the fraction (7.115569763501211648000000E+19, .NET 10).
 /// </para>
 /// </summary>

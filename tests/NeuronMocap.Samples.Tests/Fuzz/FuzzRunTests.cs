@@ -63,7 +63,7 @@ public sealed class FuzzRunTests
     {
         FuzzRun run = Run([.. TargetList.All]);
         Assert.All(run.Progress, target => Assert.Null(target.Finding));
-        Assert.All(run.Progress, target => Assert.True(target.Runner.Found > 10, $"{target.Target.Name} found {target.Runner.Found}."));
+        Assert.All(run.Progress, target => Assert.True(target.Runner.Found > 5, $"{target.Target.Name} found {target.Runner.Found}."));
     }
 
     private static FuzzRun Run(params FuzzTarget[] targets)
