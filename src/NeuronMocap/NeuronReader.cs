@@ -47,6 +47,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly bool _isPlayback;
     private Timer? _watchdog;
     private int _started;
+    private int _begun;
     private int _disposed;
     private int _tellingThread;
 
@@ -114,8 +115,8 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     }
 
     /// <summary>
-    /// Called with every change of the connection's state, in order and one at a time, on one of the reader's threads, or on the thread that
-    /// disposes of a reader that never started. A handler may do anything, dispose of the reader included, but should not take long.
+    /// Called with every change of the connection's state, in order and one at a time, on one of the reader's threads or the pool's, or on the thread
+    /// that disposes of a reader that never started. A handler may do anything, dispose of the reader included, but should not take long.
     /// </summary>
     public event Action<ConnectionStatus>? StatusChanged
     {
@@ -235,16 +236,33 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
             _metrics.Dispose();
             _watchdog?.Dispose();
             _discovery?.Dispose();
-            _stop.Cancel();
             if (Interlocked.Exchange(ref _started, 1) == 0)
-                _ = EndAsync(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller."));
+                End();
+            else
+                _ = DedicatedThread.RunAsync("NeuronMocap stop", End);
         }
 
         return [_completion.Task, _reporter.Over];
     }
 
+    // What waits goes on in here as far as it can, down to the handlers of the last status, so that no end needs a pool thread: in a busy process
+    // there may be none for a while. On a thread of its own, because those handlers may take longer than a stop.
+    private void End()
+    {
+        _stop.Cancel();
+        if (Interlocked.Exchange(ref _begun, 1) == 0)
+            _ = EndAsync(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, LinkEnd.Requested.Message));
+    }
+
     private async Task RunAsync()
     {
+        // Stopped before a pool thread had time for the start.
+        if (Interlocked.Exchange(ref _begun, 1) != 0)
+        {
+            _watchdog?.Dispose();
+            return;
+        }
+
         ConnectionStatus last;
         try
         {
@@ -285,7 +303,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     }
 
     // When the handlers of Stopped, the last status, have run.
-    private void End(ConnectionStatus last)
+    private void Complete(ConnectionStatus last)
     {
         _connected.TrySetException(new NeuronConnectionException(last.Reason, last.Message));
         _ = _connected.Task.Exception; // observed: most programs never wait for the connection
@@ -311,7 +329,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _statusHandlers.Invoke(status);
         _tellingThread = 0;
         if (status.State == ConnectionState.Stopped)
-            End(status);
+            Complete(status);
     }
 
     private void OnFormatLearnt()

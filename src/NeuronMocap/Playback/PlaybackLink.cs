@@ -25,7 +25,7 @@ internal sealed class PlaybackLink(RecordingPlayer player) : Link
     private async Task<LinkEnd> RunAsync(Func<PlaybackRun, LinkEnd> action)
     {
         LinkEnd end = LinkEnd.Requested;
-        await DedicatedThread.RunAsync("NeuronMocap playback", Run).ConfigureAwait(false);
+        await DedicatedThread.RunAsync("NeuronMocap playback", Run, TaskCreationOptions.None).ConfigureAwait(false);
         return _isClosed ? LinkEnd.Requested : end;
 
         void Run()

@@ -62,11 +62,14 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
         }
     }
 
-    // Once, when nothing more is received: what no report told yet. The thread may be one that stops the reader, so it does not wait here.
+    // Once, when nothing more is received: what no report told yet. Whoever is just making a report is waited for on a thread of its own: this one
+    // may be a handler's, and the pool's are not always free.
     public Task EndAsync(long now)
     {
         _ended = true;
-        return TryEnd(now, TimeSpan.Zero) ? Task.CompletedTask : Task.Run(() => TryEnd(now, Patience));
+        return TryEnd(now, TimeSpan.Zero)
+            ? Task.CompletedTask
+            : DedicatedThread.RunAsync("NeuronMocap last report", () => TryEnd(now, Patience), TaskCreationOptions.None);
     }
 
     private bool TryEnd(long now, TimeSpan patience)
