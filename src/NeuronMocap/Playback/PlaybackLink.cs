@@ -19,7 +19,7 @@ internal sealed class PlaybackLink(RecordingPlayer player) : Link
     public override void Close()
     {
         _isClosed = true;
-        player.Wake();
+        player.Control.Wake();
     }
 
     private async Task<LinkEnd> RunAsync(Func<PlaybackRun, LinkEnd> action)
