@@ -31,6 +31,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly NeuronReaderOptions _options;
     private readonly CancellationTokenSource _stop = new();
     private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly TaskCompletionSource<bool> _stopped = new();
     private readonly TaskCompletionSource<bool> _connected = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private readonly FrameFormat _format;
     private readonly ReaderMetrics _metrics;
@@ -203,19 +204,24 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     /// </summary>
     public void Dispose()
     {
-        // Not for both in one task: that would complete on a thread of the pool, and in a busy process there may be none for a while.
-        Task[] stopped = Stop();
+        // Not for both in one task, nor for Completion: that would take a thread of the pool, and in a busy process there may be none for a while.
+        Stop();
         if (!IsHandlerThread)
-            Task.WaitAll(stopped, StopTimeout);
+            Task.WaitAll([_stopped.Task, _reporter.Over], StopTimeout);
     }
 
     /// <summary>As <see cref="Dispose"/>, without blocking the thread.</summary>
     /// <returns>A task that completes when the reader has stopped, or after 2 s.</returns>
     public async ValueTask DisposeAsync()
     {
-        Task[] stopped = Stop();
-        if (!IsHandlerThread)
-            await Task.WhenAny(Task.WhenAll(stopped), Task.Delay(StopTimeout)).ConfigureAwait(false);
+        Stop();
+        if (IsHandlerThread)
+            return;
+
+        // What follows is the caller's, and not for a thread of the reader.
+        Task stopped = Task.WhenAll(_stopped.Task, _reporter.Over).ContinueWith(
+            static _ => { }, CancellationToken.None, TaskContinuationOptions.RunContinuationsAsynchronously, TaskScheduler.Default);
+        await Task.WhenAny(stopped, Task.Delay(StopTimeout)).ConfigureAwait(false);
     }
 
     // Only the thread itself can find its own number here, so no barrier is needed.
@@ -228,7 +234,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         }
     }
 
-    private Task[] Stop()
+    private void Stop()
     {
         if (Interlocked.Exchange(ref _disposed, 1) == 0)
         {
@@ -241,8 +247,6 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
             else
                 _ = DedicatedThread.RunAsync("NeuronMocap stop", End);
         }
-
-        return [_completion.Task, _reporter.Over];
     }
 
     // What waits goes on in here as far as it can, down to the handlers of the last status, so that no end needs a pool thread: in a busy process
@@ -309,6 +313,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _ = _connected.Task.Exception; // observed: most programs never wait for the connection
         _pipeline.End();
         _completion.TrySetResult(true);
+        _stopped.TrySetResult(true);
     }
 
     private Link CreateLink() => _options.Transport == TransportKind.Tcp ? new TcpLink(_options.Link) : new UdpLink(_options.Link, _senders);

@@ -26,7 +26,7 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
     private readonly object _lock = new();
     private readonly StatusLevels _levels = new();
     private readonly Dictionary<(ReaderEventId Id, string? Subject), ThrottledCount> _counts = [];
-    private readonly TaskCompletionSource<bool> _over = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly TaskCompletionSource<bool> _over = new();
     private readonly HashSet<StreamRecorder> _recorders = [];
     private long _droppedTold;
     private volatile Exception? _failure;
@@ -35,7 +35,7 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
     // Whether the calling thread is making a report, so that a handler calls.
     public bool IsReporting => Monitor.IsEntered(_lock);
 
-    // Completes after the end, when no report runs any more.
+    // Completes after the end, when no report runs any more, and lets those who wait go on without a thread of the pool.
     public Task Over => _over.Task;
 
     // One thread at a time, in the order of the changes.

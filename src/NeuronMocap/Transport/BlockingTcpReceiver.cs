@@ -17,7 +17,7 @@ internal sealed class BlockingTcpReceiver(Action? released = null) : TcpReceiver
     private Action? _released = released;
 
     public override Task ConnectAsync(Socket socket, IPEndPoint remote) =>
-        DedicatedThread.RunAsync("NeuronMocap TCP connect", () => socket.Connect(remote), TaskCreationOptions.None);
+        DedicatedThread.RunAsync("NeuronMocap TCP connect", () => TcpConnect.Run(socket, remote), TaskCreationOptions.None);
 
     public override Task ReceiveAsync(Socket socket, PacketAssembler assembler) =>
         DedicatedThread.RunAsync("NeuronMocap TCP receive", () => Receive(socket, assembler), TaskCreationOptions.None);
