@@ -35,8 +35,12 @@ public sealed class MonoReaderTests(ITestOutputHelper output)
         using Broadcaster udp = await BroadcastToAsync(asking);
         await SendInTurnsAsync(closing);
 
+        string[] lines = await run;
         string all = $"{Frames} {SumOf(SourceValues())} 0 0";
-        Assert.Equal(["tcp " + all, "udp " + all, $"again {Frames} {SumOf(TestPacketValues())} 0 0", $"{Connections - 1}"], await run);
+        Assert.Equal(["tcp " + all, "udp " + all, $"again {Frames} {SumOf(TestPacketValues())} 0 0"], lines[..^1]);
+
+        // The last one may have been made once more.
+        Assert.InRange(int.Parse(lines[^1], CultureInfo.InvariantCulture), Connections - 1, Connections);
     }
 
     [Fact]

@@ -14,17 +14,12 @@ internal static class StarvedPool
         Assert.True(ThreadPool.SetMaxThreads(Environment.ProcessorCount, completers));
         try
         {
-            // What was queued before still runs; then these take thread after thread.
+            // What was queued before still runs; then these take thread after thread, and those that come back from something else.
             do
-            {
-                left.AddCount();
-                ThreadPool.QueueUserWorkItem(_ =>
-                {
-                    free.WaitOne();
-                    left.Signal();
-                });
-            }
+                Block();
             while (HasFreeThread());
+            for (int i = 0; i < Environment.ProcessorCount; i++)
+                Block();
 
             action();
         }
@@ -34,6 +29,16 @@ internal static class StarvedPool
             free.Set();
             left.Signal();
             left.Wait();
+        }
+
+        void Block()
+        {
+            left.AddCount();
+            ThreadPool.QueueUserWorkItem(_ =>
+            {
+                free.WaitOne();
+                left.Signal();
+            });
         }
     }
 
