@@ -1,5 +1,3 @@
-global using System;
-global using System.Collections.Generic;
-global using System.IO;
-global using System.Linq;
-global using System.Threading;
+global using UnityEngine;
+global using UnityEngine.StandIn;
+global using Object = UnityEngine.Object;
