@@ -1,0 +1,15 @@
+namespace NeuronMocap.UnityPackager.Checks;
+
+/// <summary>Everything that is wrong with a package, in words that say where.</summary>
+internal static class PackageLint
+{
+    public static IReadOnlyList<string> Check(StagedPackage package) =>
+    [
+        .. MetaCheck.Check(package),
+        .. ManifestCheck.Check(package),
+        .. AssemblyDefinitionCheck.Check(package),
+        .. SourceCheck.Check(package),
+        .. LibraryCheck.Check(package),
+        .. SceneCheck.Check(package),
+    ];
+}
