@@ -1,5 +1,4 @@
 using System.Reflection;
-using UnityEngine;
 
 namespace UnityEditor;
 
@@ -16,7 +15,7 @@ public sealed class SerializedObject : IDisposable
     public SerializedObject(UnityEngine.Object[] objs)
     {
         if (objs.Length == 0 || objs.Any(static item => item == null))
-            throw new ArgumentException("Object at index 0 is null");
+            throw new ArgumentException("Object at index 0 is null", nameof(objs));
 
         targetObjects = objs;
     }
