@@ -9,6 +9,8 @@ public class EditorApplication
     public static CallbackFunction? update;
     public static CallbackFunction? delayCall;
 
+    private static double _time;
+
     static EditorApplication() => PlayMode.Changed += Follow;
 
     public static event Action<PlayModeStateChange>? playModeStateChanged;
@@ -35,7 +37,7 @@ public class EditorApplication
 
     public static bool isPlayingOrWillChangePlaymode { get; private set; }
 
-    public static double timeSinceStartup => Time.realtimeSinceStartupAsDouble;
+    public static double timeSinceStartup => _time;
 
     public static void EnterPlaymode() => isPlaying = true;
 
@@ -52,8 +54,9 @@ public class EditorApplication
     public static bool ExecuteMenuItem(string menuItemPath) => MenuItems.Execute(menuItemPath);
 
     /// <summary>One turn of the editor's own loop: delayed calls, then update.</summary>
-    internal static void Tick()
+    internal static void Tick(double seconds)
     {
+        _time += seconds;
         CallbackFunction? delayed = delayCall;
         delayCall = null;
         delayed?.Invoke();
@@ -118,7 +121,7 @@ public class EditorApplication
         (update, delayCall, playModeStateChanged, pauseStateChanged) = (null, null, null, null);
         (hierarchyChanged, projectChanged, quitting) = (null, null, null);
         AssemblyReloadEvents.Forget();
-        Undo.Forget();
+        Undo.ClearAll();
         Selection.Forget();
     }
 
@@ -138,14 +141,6 @@ public class EditorApplication
             }
         }
     }
-}
-
-public enum PlayModeStateChange
-{
-    EnteredEditMode,
-    ExitingEditMode,
-    EnteredPlayMode,
-    ExitingPlayMode,
 }
 
 public enum PauseState

@@ -30,14 +30,3 @@ internal static class MenuItems
         from entry in method.GetCustomAttributes<MenuItem>()
         select (entry, method);
 }
-
-public sealed class MenuCommand(Object? inContext, int inUserData)
-{
-    public Object? context = inContext;
-    public int userData = inUserData;
-
-    public MenuCommand(Object? inContext)
-        : this(inContext, 0)
-    {
-    }
-}

@@ -1,0 +1,99 @@
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Retargeting;
+
+/// <summary>
+/// How much of the actor's motion each bone takes over, from 0 to 1: the weight of its part of the body times its own. A joint of weight 0.5
+/// bends half as far as the actor's; what hangs from it bends, relative to it, as it would otherwise. A bone of weight 0 is not driven
+/// (<see cref="RetargetedPose.IsDriven"/>), so that an animation or a headset may move it. All weights are 1 at first. Not thread-safe.
+/// </summary>
+public sealed class BoneWeights
+{
+    private const int PartCount = 9;
+
+    private readonly float[] _parts = new float[PartCount];
+    private readonly float[] _humanoid = new float[HumanoidBones.Count];
+    private readonly float[] _bones = new float[BoneHierarchy.BoneCount];
+
+    /// <summary>Makes weights that are all 1.</summary>
+    public BoneWeights() => Reset();
+
+    /// <summary>The weight of a bone of a Humanoid rig, apart from that of its part.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone, or the weight is not within 0 and 1.</exception>
+    public float this[HumanoidBone bone]
+    {
+        get => _humanoid[HumanoidBones.CheckedIndex(bone)];
+        set => _humanoid[HumanoidBones.CheckedIndex(bone)] = Checked(value);
+    }
+
+    /// <summary>The weight of a bone of a generic rig, apart from that of its part.</summary>
+    /// <param name="bone">A bone.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone, or the weight is not within 0 and 1.</exception>
+    public float this[Bone bone]
+    {
+        get => _bones[BoneHierarchy.CheckedIndex(bone)];
+        set => _bones[BoneHierarchy.CheckedIndex(bone)] = Checked(value);
+    }
+
+    /// <summary>A mask: some parts with weight 1, the others with weight 0.</summary>
+    /// <param name="parts">The parts to drive.</param>
+    /// <returns>New weights.</returns>
+    public static BoneWeights Only(BodyParts parts)
+    {
+        var weights = new BoneWeights();
+        weights.SetPart(BodyParts.All & ~parts, 0);
+        return weights;
+    }
+
+    /// <summary>The mask for a headset that turns the head: everything is driven but the head itself. The neck is driven.</summary>
+    /// <returns>New weights.</returns>
+    public static BoneWeights HeadLeftToHeadset() => new() { [HumanoidBone.Head] = 0, [Bone.Head] = 0 };
+
+    /// <summary>Sets every weight to 1.</summary>
+    public void Reset()
+    {
+        Array.Fill(_parts, 1);
+        Array.Fill(_humanoid, 1);
+        Array.Fill(_bones, 1);
+    }
+
+    /// <summary>Sets the weight of one or more parts of the body.</summary>
+    /// <param name="parts">The parts.</param>
+    /// <param name="weight">From 0 to 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The weight is not within 0 and 1.</exception>
+    public void SetPart(BodyParts parts, float weight)
+    {
+        Checked(weight);
+        for (int part = 0; part < PartCount; part++)
+        {
+            if (((int)parts & (1 << part)) != 0)
+                _parts[part] = weight;
+        }
+    }
+
+    /// <summary>The weight of a part of the body.</summary>
+    /// <param name="part">One of the nine parts.</param>
+    /// <returns>From 0 to 1.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">Not one part.</exception>
+    public float GetPart(BodyParts part) => _parts[PartIndex(part)];
+
+    internal static int PartIndex(BodyParts part)
+    {
+        for (int i = 0; i < PartCount; i++)
+        {
+            if ((int)part == 1 << i)
+                return i;
+        }
+
+        throw new ArgumentOutOfRangeException(nameof(part), part, "One of the nine parts of the body.");
+    }
+
+    internal float OfHumanoid(int part, int bone) => _parts[part] * _humanoid[bone];
+
+    internal float OfBone(int part, int bone) => _parts[part] * _bones[bone];
+
+    private static float Checked(float weight) => weight is >= 0 and <= 1
+        ? weight
+        : throw new ArgumentOutOfRangeException(nameof(weight), weight, "A weight is a number from 0 to 1.");
+}

@@ -1,0 +1,57 @@
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Retargeting;
+
+/// <summary>
+/// Which bone of the stream a Humanoid bone follows. The stream has more bones than a Humanoid rig: a target bone stands for a group of
+/// them and follows the last of its group, so that all rotations of the group arrive. 50 of the 55 have a source; toes, eyes and jaw have none.
+/// </summary>
+public static class HumanoidMap
+{
+    /// <summary>The bone of the stream whose turn in the world a Humanoid bone takes over.</summary>
+    /// <param name="bone">A bone of the target.</param>
+    /// <param name="variant">How the stream divides spine and neck.</param>
+    /// <param name="present">
+    /// The bones that the target has: the topmost one of spine, chest and upper chest follows the bone that the shoulders hang from.
+    /// </param>
+    /// <returns>A bone of the stream, or null for toes, eyes and jaw, which stay at rest.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    public static Bone? GetSource(HumanoidBone bone, SkeletonVariant variant, HumanoidBoneSet present)
+    {
+        Bone topOfSpine = variant == SkeletonVariant.Spine3 ? Bone.Neck : Bone.Spine2;
+        bool hasChest = present.Contains(HumanoidBone.Chest);
+        bool hasUpperChest = present.Contains(HumanoidBone.UpperChest);
+        return (HumanoidBone)HumanoidBones.CheckedIndex(bone) switch
+        {
+            HumanoidBone.Hips => Bone.Hips,
+            HumanoidBone.Spine => hasChest || hasUpperChest ? Bone.Spine : topOfSpine,
+            HumanoidBone.Chest => hasUpperChest ? Bone.Spine1 : topOfSpine,
+            HumanoidBone.UpperChest => topOfSpine,
+            HumanoidBone.Neck => Bone.Neck1,
+            HumanoidBone.Head => Bone.Head,
+            HumanoidBone.LeftUpperLeg => Bone.LeftUpLeg,
+            HumanoidBone.LeftLowerLeg => Bone.LeftLeg,
+            HumanoidBone.LeftFoot => Bone.LeftFoot,
+            HumanoidBone.RightUpperLeg => Bone.RightUpLeg,
+            HumanoidBone.RightLowerLeg => Bone.RightLeg,
+            HumanoidBone.RightFoot => Bone.RightFoot,
+            HumanoidBone.LeftShoulder => Bone.LeftShoulder,
+            HumanoidBone.LeftUpperArm => Bone.LeftArm,
+            HumanoidBone.LeftLowerArm => Bone.LeftForeArm,
+            HumanoidBone.LeftHand => Bone.LeftHand,
+            HumanoidBone.RightShoulder => Bone.RightShoulder,
+            HumanoidBone.RightUpperArm => Bone.RightArm,
+            HumanoidBone.RightLowerArm => Bone.RightForeArm,
+            HumanoidBone.RightHand => Bone.RightHand,
+            _ when HumanoidBones.IsFinger(bone) => GetFinger(bone - HumanoidBone.LeftThumbProximal),
+            _ => null,
+        };
+    }
+
+    // Three bones a finger, five fingers a hand, the left hand first. In the stream a palm bone stands before each finger but the thumb.
+    private static Bone GetFinger(int index)
+    {
+        Bone thumb = index < 15 ? Bone.LeftHandThumb1 : Bone.RightHandThumb1;
+        return thumb + (index % 15 / 3 * 4) + (index % 3);
+    }
+}

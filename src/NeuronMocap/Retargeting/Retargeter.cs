@@ -1,0 +1,168 @@
+using System.Numerics;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Retargeting;
+
+/// <summary>
+/// Puts poses of the stream onto a character of any rest pose and any proportions. Each bone is turned in the world as the actor's bone is, away
+/// from its own rest rotation; the hips go the actor's way in the measure of the character's legs. docs/retargeting.md says why.
+/// Allocates nothing for a frame. Not thread-safe: one thread at a time.
+/// </summary>
+public sealed class Retargeter
+{
+    private readonly Quaternion[] _turns = new Quaternion[BoneHierarchy.BoneCount];
+    private RetargetLink[] _links = [];
+    private float _sourceHipsHeight;
+    private float _naturalScale;
+
+    /// <summary>Connects an actor to a character.</summary>
+    /// <param name="rig">The character.</param>
+    /// <param name="body">The actor's body: its variant has to be that of the stream; its sizes give the measure of the ways.</param>
+    /// <param name="options">Null: everything as the actor does it.</param>
+    public Retargeter(TargetRig rig, SkeletonBody body, RetargetOptions? options = null)
+    {
+        ArgumentNullException.ThrowIfNull(rig);
+        ArgumentNullException.ThrowIfNull(body);
+        Rig = rig;
+        Body = body;
+        Options = options ?? new RetargetOptions();
+        SetBody(body);
+    }
+
+    /// <summary>The character.</summary>
+    public TargetRig Rig { get; }
+
+    /// <summary>The actor.</summary>
+    public SkeletonBody Body { get; private set; }
+
+    /// <summary>Read for each frame.</summary>
+    public RetargetOptions Options { get; }
+
+    /// <summary>
+    /// How far the character goes for one metre of the actor's: <see cref="RetargetOptions.Scale"/>, or else the ratio of the lengths of the legs,
+    /// where the rig has none that of the heights of the hips, and 1 where that is none either.
+    /// </summary>
+    public float Scale => Options.Scale ?? _naturalScale;
+
+    /// <summary>How many frames were rejected.</summary>
+    public long RejectedCount { get; private set; }
+
+    /// <summary>Goes on with a body of other sizes, or of another variant.</summary>
+    /// <param name="body">The actor's body.</param>
+    public void SetBody(SkeletonBody body)
+    {
+        ArgumentNullException.ThrowIfNull(body);
+        if (_links.Length == 0 || body.Variant != Body.Variant)
+            _links = RetargetLinks.Create(Rig, body.Variant);
+
+        Body = body;
+        Span<BoneTransform> rest = stackalloc BoneTransform[BoneHierarchy.BoneCount];
+        body.CopyRestPose(rest);
+        ForwardKinematics.ToWorld(rest, rest, body.Variant);
+        _sourceHipsHeight = (rest[0].Position.Y - JointPositions.GetLowest(rest, body).Y) / 100;
+        float legs = (Length(body, Bone.LeftLeg) + Length(body, Bone.LeftFoot) + Length(body, Bone.RightLeg) + Length(body, Bone.RightFoot)) / 200;
+        _naturalScale = Rig.LegLength > 0 && legs > 0 ? Rig.LegLength / legs
+            : Rig.HipsHeight > 0 && _sourceHipsHeight > 0 ? Rig.HipsHeight / _sourceHipsHeight
+            : 1;
+    }
+
+    /// <summary>Puts a pose onto the character.</summary>
+    /// <param name="localPose">
+    /// 59 transforms relative to the parent, in <see cref="Bone"/> order; centimetres. Only the hips' position counts: the character keeps the lengths of
+    /// its own bones, with displacement or without.
+    /// </param>
+    /// <param name="result">Receives the pose. Unchanged when the frame is rejected.</param>
+    /// <param name="reference">What the hips are relative to: the stream's Reference node, which turns and moves the body as a whole; null: nothing.</param>
+    /// <returns>False when a number of the pose is infinite or none, or a rotation has no direction; counted by <see cref="RejectedCount"/>.</returns>
+    /// <exception cref="ArgumentException">There are fewer than 59 transforms, or the result is of another rig.</exception>
+    public bool TryRetarget(ReadOnlySpan<BoneTransform> localPose, RetargetedPose result, BoneTransform? reference = null)
+    {
+        ArgumentNullException.ThrowIfNull(result);
+        ForwardKinematics.CheckPose(localPose, nameof(localPose));
+        if (result.Rig != Rig)
+            throw new ArgumentException("The result is a pose of another rig.", nameof(result));
+
+        BoneTransform hips = reference is { } outer ? outer.Apply(localPose[0]) : localPose[0];
+        if (!TryTurn(localPose, hips))
+        {
+            RejectedCount++;
+            return false;
+        }
+
+        foreach (ref readonly RetargetLink link in _links.AsSpan())
+            Apply(link, result);
+
+        MoveHips(hips.Position, result);
+        return true;
+    }
+
+    private static float Length(SkeletonBody body, Bone bone) => body.GetOffset(bone).Length();
+
+    // How every bone of the stream is turned in the world, away from its rest rotation, which is none; in Unity's axes.
+    private bool TryTurn(ReadOnlySpan<BoneTransform> localPose, in BoneTransform hips)
+    {
+        ReadOnlySpan<sbyte> parents = BoneHierarchy.ParentIndices(Body.Variant);
+        for (int bone = 0; bone < _turns.Length; bone++)
+        {
+            BoneTransform local = bone == 0 ? hips : localPose[bone];
+            float length = local.Rotation.Length();
+            if (!(length > 1e-3f) || !Numbers.IsFinite(length) || !Numbers.IsFinite(local.Position))
+                return false;
+
+            Quaternion turn = UnityAxes.ToUnityRotation(local.Rotation) * (1 / length);
+            _turns[bone] = bone == 0 ? turn : _turns[parents[bone]] * turn;
+        }
+
+        return true;
+    }
+
+    private void Apply(in RetargetLink link, RetargetedPose result)
+    {
+        float weight = GetWeight(link);
+        result.SetDriven(link.Node, weight > 0);
+        if (weight == 0)
+        {
+            result.SetLocalRotation(link.Node, Rig.LocalRest[link.Node]);
+            return;
+        }
+
+        Quaternion bend = link.SourceAbove < 0 ? _turns[link.Source] : Quaternion.Conjugate(_turns[link.SourceAbove]) * _turns[link.Source];
+        if (weight < 1)
+            bend = Part(bend, weight);
+
+        result.SetLocalRotation(link.Node, Handedness.Apply(link.Handedness, link.Before * bend * link.After));
+    }
+
+    private void MoveHips(Vector3 position, RetargetedPose result)
+    {
+        Vector3 way = (UnityAxes.ToUnityPosition(position) - new Vector3(0, _sourceHipsHeight, 0)) * Scale;
+        way *= Options.RootMotion switch
+        {
+            RootMotion.Horizontal => new Vector3(1, 0, 1),
+            RootMotion.InPlace => Vector3.UnitY,
+            _ => Vector3.One,
+        };
+        way.Y += Options.HeightOffset;
+        Vector3 rest = Rig.RestPositions[Rig.HipsNode];
+        result.HipsLocalPosition = Rig.ToHipsParent(rest + (Vector3.Transform(way, Rig.Facing) * GetWeight(_links[0])));
+    }
+
+    private float GetWeight(in RetargetLink link) => Rig.IsHumanoid
+        ? Options.Weights.OfHumanoid(link.Part, link.Bone)
+        : Options.Weights.OfBone(link.Part, link.Bone);
+
+    // A part of a turn, the shorter way round.
+    private static Quaternion Part(Quaternion turn, float part)
+    {
+        if (turn.W < 0)
+            turn = Quaternion.Negate(turn);
+
+        var axis = new Vector3(turn.X, turn.Y, turn.Z);
+        float sine = axis.Length();
+        if (sine < 1e-6f)
+            return Quaternion.Identity;
+
+        float half = MathF.Atan2(sine, turn.W) * part;
+        return new Quaternion(axis * (MathF.Sin(half) / sine), MathF.Cos(half));
+    }
+}

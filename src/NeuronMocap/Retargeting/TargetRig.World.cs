@@ -1,0 +1,106 @@
+using System.Numerics;
+
+namespace NeuronMocap.Retargeting;
+
+// From local values to the character's root. A node's matrix is its rotation times its scale as long as every scale that others hang from is
+// the same along all axes, but for signs; the product of all scales above is then a constant. Other scales shear: there places go through
+// matrices, and rotations are, as in Unity, the product of the rotations.
+public sealed partial class TargetRig
+{
+    private readonly Quaternion[] _localRest;
+    private readonly Vector3[] _handedness;
+    private readonly Vector3[] _scales;
+    private readonly Vector3[] _offsets;
+    private readonly int[] _subtreeEnds;
+    private readonly Matrix4x4 _hipsParentBack;
+
+    /// <summary>Whether scales that differ from axis to axis turn with the bones below them, so that the character is sheared.</summary>
+    public bool IsSheared { get; }
+
+    internal ReadOnlySpan<Quaternion> LocalRest => _localRest;
+
+    internal Matrix4x4[]? RestMatrices { get; }
+
+    // Behind the last node that hangs from this one.
+    internal int SubtreeEnd(int node) => _subtreeEnds[node];
+
+    internal Vector3 HandednessAt(int node) => _handedness[node];
+
+    internal Vector3 ToHipsParent(Vector3 position) => Vector3.Transform(position, _hipsParentBack);
+
+    internal void ComputeWorld(
+        ReadOnlySpan<Quaternion> local,
+        Vector3 hipsPosition,
+        Span<Vector3> positions,
+        Span<Quaternion> rotations,
+        Matrix4x4[]? matrices,
+        int first,
+        int end)
+    {
+        for (int node = first; node < end; node++)
+        {
+            int parent = _nodes[node].Parent;
+            bool moved = node == HipsNode;
+            Quaternion rotation = Handedness.Apply(_handedness[node], local[node]);
+            if (matrices is not null)
+            {
+                Matrix4x4 matrix = Matrix4x4.CreateScale(_nodes[node].Scale) * Matrix4x4.CreateFromQuaternion(local[node]);
+                matrix.Translation = moved ? hipsPosition : _nodes[node].Position;
+                matrices[node] = parent == None ? matrix : matrix * matrices[parent];
+                positions[node] = matrices[node].Translation;
+                rotations[node] = parent == None ? rotation : rotations[parent] * rotation;
+            }
+            else if (parent == None)
+            {
+                positions[node] = moved ? hipsPosition : _offsets[node];
+                rotations[node] = rotation;
+            }
+            else
+            {
+                Vector3 offset = moved ? hipsPosition * _scales[parent] : _offsets[node];
+                positions[node] = positions[parent] + Vector3.Transform(offset, rotations[parent]);
+                rotations[node] = rotations[parent] * rotation;
+            }
+        }
+    }
+
+    // Whether the rig is sheared.
+    private bool MeasureScales()
+    {
+        bool sheared = false;
+        for (int node = 0; node < _nodes.Length; node++)
+        {
+            int parent = _nodes[node].Parent;
+            Vector3 above = parent == None ? Vector3.One : _scales[parent];
+            _handedness[node] = Handedness.FromScale(above);
+            _offsets[node] = above * _nodes[node].Position;
+            _scales[node] = above * _nodes[node].Scale;
+            sheared |= !IsUniform(above);
+            _subtreeEnds[node] = node + 1;
+            for (int ancestor = parent; ancestor != None; ancestor = _nodes[ancestor].Parent)
+                _subtreeEnds[ancestor] = node + 1;
+        }
+
+        return sheared;
+    }
+
+    private static bool IsUniform(Vector3 scale)
+    {
+        Vector3 size = Vector3.Abs(scale);
+        float difference = Math.Max(Math.Abs(size.X - size.Y), Math.Abs(size.X - size.Z));
+        return difference <= 1e-6f * size.X;
+    }
+
+    private Matrix4x4 InvertHipsParent(string nodes)
+    {
+        Matrix4x4 above = Matrix4x4.Identity;
+        for (int node = _nodes[HipsNode].Parent; node != None; node = _nodes[node].Parent)
+        {
+            Matrix4x4 matrix = Matrix4x4.CreateScale(_nodes[node].Scale) * Matrix4x4.CreateFromQuaternion(_nodes[node].Rotation);
+            matrix.Translation = _nodes[node].Position;
+            above *= matrix;
+        }
+
+        return Matrix4x4.Invert(above, out Matrix4x4 back) ? back : throw new ArgumentException("The hips hang from a scale of zero.", nodes);
+    }
+}
