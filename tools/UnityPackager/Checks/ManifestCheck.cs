@@ -6,28 +6,36 @@ namespace NeuronMocap.UnityPackager.Checks;
 /// <summary>package.json is what the package manager takes, and tells of samples that are there, and of all.</summary>
 internal static partial class ManifestCheck
 {
+    private const string Manifest = "package.json";
+
     private static readonly string[] Texts = ["name", "version", "displayName", "description", "unity", "license"];
 
-    public static IEnumerable<string> Check(StagedPackage package)
+    /// <summary>Why there is nothing to check, or null.</summary>
+    public static string? FindUnreadable(StagedPackage package)
     {
-        if (!package.Files.TryGetValue("package.json", out byte[]? text))
-            return ["package.json is missing"];
+        if (!package.Files.TryGetValue(Manifest, out byte[]? text))
+            return $"{Manifest} is missing";
 
         try
         {
             using var manifest = JsonDocument.Parse(text);
-            return [.. CheckTexts(manifest.RootElement), .. CheckSamples(manifest.RootElement, package), .. CheckFiles(package)];
+            string? missing = Array.Find(Texts, name => GetText(manifest.RootElement, name).Length == 0);
+            return missing is null ? null : $"{Manifest}: {missing} is missing";
         }
         catch (JsonException exception)
         {
-            return [$"package.json: {exception.Message}"];
+            return $"{Manifest}: {exception.Message}";
         }
+    }
+
+    public static IReadOnlyList<string> Check(StagedPackage package)
+    {
+        using var manifest = JsonDocument.Parse(package.Files[Manifest]);
+        return [.. CheckTexts(manifest.RootElement), .. CheckSamples(manifest.RootElement, package), .. CheckFiles(package)];
     }
 
     private static IEnumerable<string> CheckTexts(JsonElement manifest)
     {
-        foreach (string name in Texts.Where(name => string.IsNullOrWhiteSpace(GetText(manifest, name))))
-            yield return $"package.json: {name} is missing";
         if (!Name().IsMatch(GetText(manifest, "name")))
             yield return "package.json: name has to be small letters with dots between them";
         if (!SemanticVersion().IsMatch(GetText(manifest, "version")))
@@ -65,7 +73,7 @@ internal static partial class ManifestCheck
             .Select(static path => $"{path} is missing");
 
     private static string GetText(JsonElement element, string name) =>
-        element.TryGetProperty(name, out JsonElement value) && value.ValueKind == JsonValueKind.String ? value.GetString()! : string.Empty;
+        element.ValueKind == JsonValueKind.Object && element.TryGetProperty(name, out JsonElement value) && value.ValueKind == JsonValueKind.String ? value.GetString()! : string.Empty;
 
     [GeneratedRegex(@"^[a-z][a-z0-9-]*(\.[a-z][a-z0-9-]*){2,}$", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
     private static partial Regex Name();
