@@ -7,4 +7,6 @@ public class ModelImporter : AssetImporter
     public ModelImporterAvatarSetup avatarSetup { get; set; }
 
     public bool optimizeGameObjects { get; set; }
+
+    public HumanDescription humanDescription { get; set; }
 }

@@ -49,6 +49,10 @@ public sealed class SerializedObject : IDisposable
         return property;
     }
 
+    public SerializedProperty GetIterator() => new(this, [.. SerializedFields.Of(targetObject.GetType())
+        .Where(static field => !field.IsDefined(typeof(HideInInspector), inherit: false))
+        .Select(field => FindProperty(field.Name))]);
+
     public bool ApplyModifiedProperties()
     {
         if (hasModifiedProperties)
