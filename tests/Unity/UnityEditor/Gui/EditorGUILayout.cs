@@ -1,6 +1,3 @@
-using UnityEngine;
-using UnityEngine.StandIn;
-
 namespace UnityEditor;
 
 public static class EditorGUILayout

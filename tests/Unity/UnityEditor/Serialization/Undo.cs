@@ -1,5 +1,4 @@
 using System.Reflection;
-using UnityEngine;
 
 namespace UnityEditor;
 
@@ -9,6 +8,11 @@ public static class Undo
     private static readonly List<(int Group, string Name, Action Back)> Steps = [];
     private static int _group;
     private static string _groupName = "";
+
+    public delegate void UndoRedoCallback();
+
+    // A field in Unity; used in the same way.
+    public static event UndoRedoCallback? undoRedoPerformed;
 
     /// <summary>For tests: the names of the steps that can be taken back, the oldest first.</summary>
     public static IReadOnlyList<string> Names => [.. Steps.Select(static step => step.Name)];
@@ -73,6 +77,8 @@ public static class Undo
             Steps.RemoveAt(i);
             back();
         }
+
+        undoRedoPerformed?.Invoke();
     }
 
     public static void ClearAll()

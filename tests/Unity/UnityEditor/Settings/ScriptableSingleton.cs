@@ -1,7 +1,5 @@
 using System.Globalization;
 using System.Reflection;
-using UnityEngine.StandIn;
-using UnityEngine;
 
 namespace UnityEditor;
 

@@ -1,4 +1,0 @@
-namespace UnityEditor;
-
-[AttributeUsage(AttributeTargets.Class)]
-public sealed class InitializeOnLoadAttribute : Attribute;
