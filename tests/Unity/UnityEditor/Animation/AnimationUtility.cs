@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace UnityEditor;
 
 public static class AnimationUtility

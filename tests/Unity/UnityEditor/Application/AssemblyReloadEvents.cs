@@ -1,5 +1,3 @@
-using UnityEngine.StandIn;
-
 namespace UnityEditor;
 
 public static class AssemblyReloadEvents

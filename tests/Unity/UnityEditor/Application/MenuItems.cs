@@ -1,5 +1,4 @@
 using System.Reflection;
-using UnityEngine.StandIn;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;

@@ -1,4 +1,3 @@
-using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;

@@ -1,6 +1,3 @@
-using UnityEngine;
-using UnityEngine.StandIn;
-
 namespace UnityEditor;
 
 // What OnDrawGizmos adds to the scene view.

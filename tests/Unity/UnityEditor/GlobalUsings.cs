@@ -1,0 +1,2 @@
+global using UnityEngine;
+global using UnityEngine.StandIn;
