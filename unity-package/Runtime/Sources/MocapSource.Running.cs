@@ -24,6 +24,9 @@ namespace NeuronMocap.Unity
         private ConnectionStatus _status;
 
         [NonSerialized]
+        private bool _isDue;
+
+        [NonSerialized]
         private bool _isChanged;
 
         [NonSerialized]
@@ -121,9 +124,13 @@ namespace NeuronMocap.Unity
             return false;
         }
 
-        /// <summary>Opens the source; returns at once. Done when the component is enabled. Opening again does nothing.</summary>
+        /// <summary>
+        /// Opens the source; returns at once. Done in the first frame after the component was enabled, before the Start of other scripts, so that a script that
+        /// adds the component can set it first. Opening again does nothing.
+        /// </summary>
         public void Open()
         {
+            _isDue = false;
             if (_connection != null)
                 return;
 
@@ -142,6 +149,7 @@ namespace NeuronMocap.Unity
         /// <summary>Closes the source; returns at once. Done when the component is disabled. Closing again does nothing.</summary>
         public void Close()
         {
+            _isDue = false;
             if (_connection is { } connection)
             {
                 _connection = null;
@@ -164,7 +172,13 @@ namespace NeuronMocap.Unity
         private void OnEnable()
         {
             Enabled.Add(this);
-            Open();
+            _isDue = true;
+        }
+
+        private void Start()
+        {
+            if (_isDue)
+                Open();
         }
 
         private void OnDisable()
@@ -183,6 +197,9 @@ namespace NeuronMocap.Unity
 
         private void Update()
         {
+            // Enabled again, or carried over by the editor into new scripts.
+            if (_isDue)
+                Open();
             if (_connection is null)
                 return;
             if (_isChanged)
