@@ -1,7 +1,7 @@
 #nullable enable
 
 using System;
-using System.Threading.Tasks;
+using NeuronMocap.Diagnostics;
 using UnityEditor;
 using UnityEngine;
 
@@ -13,18 +13,15 @@ namespace NeuronMocap.Unity.EditorTools
         public const string Ask = "Why Is Nothing Arriving?";
         public const string Cancel = "Cancel";
 
-        private readonly Func<NeuronReaderOptions, Task, DiagnosisJob> _start;
         private DiagnosisJob? _job;
         private DiagnosisReport? _report;
         private PausedSources? _paused;
 
-        public DiagnosisPanel(Func<NeuronReaderOptions, Task, DiagnosisJob>? start = null)
-        {
-            _start = start ?? ((options, after) => new DiagnosisJob(options, after));
+        // What runs in the pool would go on in the old domain.
+        public DiagnosisPanel() => AssemblyReloadEvents.beforeAssemblyReload += Dispose;
 
-            // What runs in the pool would go on in the old domain.
-            AssemblyReloadEvents.beforeAssemblyReload += Dispose;
-        }
+        // How to look; null for the library's way.
+        internal static DiagnosisOptions? Options { get; set; }
 
         public bool IsRunning => _job?.IsRunning == true;
 
@@ -71,7 +68,7 @@ namespace NeuronMocap.Unity.EditorTools
         {
             NeuronReaderOptions options = DiagnosisRequest.OptionsOf(source);
             _paused = PausedSources.SharingUdpPort(options);
-            _job = _start(options, SourceConnections.Closed);
+            _job = new DiagnosisJob(options, SourceConnections.Closed, Options);
             _report = null;
         }
 

@@ -1,6 +1,4 @@
 namespace UnityEditor;
 
 [AttributeUsage(AttributeTargets.Class)]
-public class InitializeOnLoadAttribute : Attribute
-{
-}
+public sealed class InitializeOnLoadAttribute : Attribute;
