@@ -1,3 +1,6 @@
+using UnityEngine;
+using UnityEngine.StandIn;
+
 namespace UnityEditor;
 
 // What OnDrawGizmos adds to the scene view.

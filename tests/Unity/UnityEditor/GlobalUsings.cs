@@ -1,2 +1,0 @@
-global using UnityEngine;
-global using UnityEngine.StandIn;
