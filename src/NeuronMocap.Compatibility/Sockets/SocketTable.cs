@@ -37,6 +37,12 @@ internal static class SocketTable
             return Sockets.TryGetValue(handle, out VendorSocket? socket) ? socket : null;
     }
 
+    public static VendorSocket[] GetAll()
+    {
+        lock (Lock)
+            return [.. Sockets.Values];
+    }
+
     public static void Remove(VendorSocket socket)
     {
         lock (Lock)

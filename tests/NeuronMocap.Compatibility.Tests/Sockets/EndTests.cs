@@ -225,7 +225,7 @@ public sealed class EndTests
     }
 
     // In an orderly way or not: that depends on what was under way.
-    private static bool HasEnded(Socket socket)
+    internal static bool HasEnded(Socket socket)
     {
         try
         {

@@ -1,0 +1,71 @@
+using System.Diagnostics;
+using NeuronDataReaderWraper;
+using NeuronMocap.Compatibility.Tests.Infrastructure;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Compatibility.Tests.Sockets;
+
+// What a host does when it ends a program and goes on itself.
+public sealed class SessionTests
+{
+    private static readonly TimeSpan Bound = TimeSpan.FromSeconds(10);
+
+    [Fact]
+    public async Task Ending_closes_everything_of_both_namespaces_and_tells_nobody()
+    {
+        using var log = new CallbackLog();
+        using PacketServer server = await PacketServer.ConnectAsync(log);
+        using var other = new TestServer();
+        IntPtr managed = NeuronDataReaderManaged.NeuronDataReader.BRConnectTo("127.0.0.1", other.Port);
+        using TestConnection connection = await other.AcceptAsync();
+        IntPtr service = log.Listen(FreePort.Udp());
+        Assert.Equal(SocketStatus.CS_Running, NeuronDataReader.BRGetSocketStatus(service));
+        int told = log.Statuses.Count;
+
+        Assert.True(VendorSession.End(Bound));
+
+        Assert.All((IntPtr[])[server.Socket, managed, service], static socket =>
+            Assert.Equal(SocketStatus.CS_OffWork, NeuronDataReader.BRGetSocketStatus(socket)));
+        await Limits.UntilAsync(() => EndTests.HasEnded(connection.Socket));
+        Assert.Equal(told, log.Statuses.Count);
+        Assert.Null(NeuronDataReader.frameDataReceivedCallback);
+        Assert.Null(NeuronDataReaderManaged.NeuronDataReader.socketStatusChangedCallback);
+        Assert.True(VendorSession.End(TimeSpan.Zero));
+    }
+
+    [Fact]
+    public async Task After_the_end_a_new_program_can_begin()
+    {
+        using var first = new CallbackLog();
+        using PacketServer server = await PacketServer.ConnectAsync(first);
+        IntPtr old = server.Socket;
+        VendorSession.End(Bound);
+
+        using var log = new CallbackLog();
+        await server.ReconnectAsync(log);
+        await server.SendAsync(TestPackets.Motion(1));
+        await log.FramesAsync(1);
+
+        Assert.NotEqual(old, server.Socket);
+        Assert.Empty(first.Frames);
+    }
+
+    [Fact]
+    public async Task A_busy_callback_is_waited_for_no_longer_than_asked()
+    {
+        using var log = new CallbackLog();
+        using var release = new ManualResetEventSlim();
+        using PacketServer server = await PacketServer.ConnectAsync(log);
+        log.OnFrame = _ => release.Wait(Limits.Unexpected);
+        await server.SendAsync(TestPackets.Motion(1), TestPackets.Motion(2));
+        await log.FramesAsync(1);
+        long start = Stopwatch.GetTimestamp();
+
+        Assert.False(VendorSession.End(TimeSpan.FromMilliseconds(50)));
+
+        Assert.True(Stopwatch.GetElapsedTime(start) < TimeSpan.FromSeconds(1.5));
+        Assert.Equal(SocketStatus.CS_OffWork, NeuronDataReader.BRGetSocketStatus(server.Socket));
+        release.Set();
+        Assert.Single(log.Frames);
+    }
+}

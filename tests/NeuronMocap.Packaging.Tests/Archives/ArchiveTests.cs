@@ -1,0 +1,91 @@
+using System.Text;
+using NeuronMocap.Packaging.Tests.Infrastructure;
+using NeuronMocap.UnityPackager;
+using NeuronMocap.UnityPackager.Archives;
+using NeuronMocap.UnityPackager.Checks;
+
+namespace NeuronMocap.Packaging.Tests.Archives;
+
+public sealed class ArchiveTests
+{
+    private static readonly byte[] Tarball = UpmTarball.Create(ThePackage.Staged);
+    private static readonly byte[] AssetPackage = UnityPackageArchive.Create(ThePackage.Staged);
+
+    [Fact]
+    public void The_tarball_opened_again_is_the_package_and_nothing_is_wrong_with_it()
+    {
+        StagedPackage opened = UpmTarball.Read(Tarball);
+
+        Assert.Equal(ThePackage.Staged.Files, opened.Files);
+        Assert.Empty(PackageLint.Check(opened));
+        Assert.Equal($"org.neuronmocap.unity-{ThePackage.Staged.Version}.tgz", UpmTarball.NameOf(opened));
+    }
+
+    [Fact]
+    public void The_asset_package_opened_again_holds_the_same_files()
+    {
+        IReadOnlyDictionary<string, byte[]> opened = UnityPackageArchive.Read(AssetPackage);
+
+        foreach ((string path, byte[] content) in ThePackage.Staged.Files)
+            Assert.Equal(content, opened[$"Assets/NeuronMocap/{path.Replace("~", "", StringComparison.Ordinal)}"]);
+
+        // Unity wants a meta for all it imports: only those of what is hidden in the other one come in addition.
+        string[] added = [.. opened.Keys.Except(ThePackage.Staged.Files.Keys.Select(static path => $"Assets/NeuronMocap/{path.Replace("~", "", StringComparison.Ordinal)}"))];
+        Assert.Contains("Assets/NeuronMocap.meta", added);
+        Assert.Contains("Assets/NeuronMocap/Samples.meta", added);
+        Assert.Contains("Assets/NeuronMocap/Documentation/index.md.meta", added);
+        Assert.All(added, static path => Assert.EndsWith(".meta", path, StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Everything_in_the_asset_package_has_a_meta_and_a_guid_of_its_own()
+    {
+        IReadOnlyDictionary<string, byte[]> opened = UnityPackageArchive.Read(AssetPackage);
+        string[] assets = [.. opened.Keys.Where(static path => !AssetPath.IsMeta(path))];
+        string[] wanted = [.. assets.Concat(AssetPath.FoldersOf(assets)).Where(static path => path != "Assets").Distinct().Order(StringComparer.Ordinal)];
+
+        Assert.Equal(wanted, opened.Keys.Where(AssetPath.IsMeta).Select(AssetPath.AssetOf).Order(StringComparer.Ordinal));
+        Assert.Equal(wanted.Length, opened.Where(static file => AssetPath.IsMeta(file.Key)).Select(static file => MetaFile.FindGuid(Encoding.UTF8.GetString(file.Value))).Distinct().Count());
+    }
+
+    [Fact]
+    public void Nothing_in_the_asset_package_is_hidden_from_Unity() => Assert.DoesNotContain(
+        UnityPackageArchive.Read(AssetPackage).Keys,
+        static path => path.Split('/').Any(static name => name.EndsWith('~') || name.StartsWith('.')));
+
+    [Fact]
+    public void The_same_package_makes_the_same_bytes()
+    {
+        StagedPackage again = ThePackage.With(static _ => { });
+        Assert.Equal(Tarball, UpmTarball.Create(again));
+        Assert.Equal(AssetPackage, UnityPackageArchive.Create(again));
+    }
+
+    // A changed byte, a missing meta and a foreign place are seen when an archive is opened.
+    [Fact]
+    public void A_broken_archive_is_refused()
+    {
+        Assert.Throws<PackagerException>(() => UpmTarball.Read(TarGz.Create([("other/package.json", [1])])));
+        Assert.Throws<PackagerException>(() => UpmTarball.Read(TarGz.Create([("package/a", [1]), ("package/a", [2])])));
+        Assert.Throws<PackagerException>(() => UnityPackageArchive.Read(TarGz.Create([("0123/asset", [1])])));
+        byte[] meta = Encoding.UTF8.GetBytes(MetaFile.Create("a", isFolder: false, MetaFile.DeriveGuid("a")));
+        Assert.Throws<PackagerException>(() => UnityPackageArchive.Read(TarGz.Create([("0123/asset.meta", meta), ("0123/pathname", [65])])));
+    }
+
+    [Fact]
+    public async Task The_systems_own_tar_reads_both()
+    {
+        Assert.SkipUnless(Tool.Exists("tar"), "There is no tar.");
+        using var folder = new TemporaryFolder();
+        foreach ((byte[] archive, int files) in new[] { (Tarball, ThePackage.Staged.Files.Count), (AssetPackage, 0) })
+        {
+            await File.WriteAllBytesAsync(folder.PathOf("archive"), archive, TestContext.Current.CancellationToken);
+            string listing = await Tool.RunAsync(folder.Path, "tar", "-tvzf", "archive");
+            string[] lines = listing.Split('\n');
+            if (files > 0)
+                Assert.Equal(files, lines.Length);
+
+            Assert.All(lines, static line => Assert.Matches("^[-d]rw[-x]r-[-x]r-[-x] 0/0 ", line));
+        }
+    }
+}

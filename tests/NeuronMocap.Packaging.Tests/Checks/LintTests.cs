@@ -1,0 +1,137 @@
+using System.Text;
+using NeuronMocap.Packaging.Tests.Infrastructure;
+using NeuronMocap.UnityPackager;
+using NeuronMocap.UnityPackager.Checks;
+
+namespace NeuronMocap.Packaging.Tests.Checks;
+
+// A check that cannot fail is none: each fault is put into the package, and is the one thing that is found.
+public sealed class LintTests
+{
+    private const string Definition = "Runtime/NeuronMocap.Unity.asmdef";
+    private const string Source = "Compatibility/ScriptSession.cs";
+    private const string Library = "Runtime/Libraries/NeuronMocap.dll";
+
+    public static TheoryData<string, string, string> Removals => new()
+    {
+        { $"{Definition}.meta", "Runtime/NeuronMocap.Unity.asmdef has no meta", "a file without a meta" },
+        { "Runtime.meta", "Runtime has no meta", "a folder without a meta" },
+        { "Samples~/QuickStart.meta", "Samples~/QuickStart has no meta", "a sample without a meta" },
+        { "CHANGELOG.md", "CHANGELOG.md.meta: there is no CHANGELOG.md", "a meta without its file" },
+        { "LICENSE.md", "LICENSE.md is missing", "no licence" },
+        { Library, "Runtime/Libraries/NeuronMocap.dll is missing", "no library" },
+        { Library, "there is no library NeuronMocap.dll", "a reference to a library that is not there" },
+        { "Runtime/Libraries/NeuronMocap.xml", "Runtime/Libraries/NeuronMocap.xml is missing", "no documentation" },
+        { "Runtime/Libraries/NeuronMocap.pdb", "Runtime/Libraries/NeuronMocap.pdb is missing", "no symbols" },
+        { "Compatibility/NeuronMocap.Unity.Compatibility.asmdef", "Compatibility/ScriptSession.cs belongs to no assembly", "a source of no assembly" },
+    };
+
+    public static TheoryData<string, string, string, string> Edits => new()
+    {
+        { $"{Definition}.meta", "guid: ", "guid: g", "asmdef.meta: no GUID" },
+        { $"{Definition}.meta", "AssemblyDefinitionImporter", "DefaultImporter", "asmdef.meta: DefaultImporter instead of AssemblyDefinitionImporter" },
+        { "Runtime.meta", "folderAsset: yes\n", "", "Runtime.meta: takes a file for a folder" },
+        { "Runtime.meta", "\n", "\r\n", "Runtime.meta: has line ends of Windows" },
+        { "package.json", "\"version\": \"", "\"version\": \"v", "version has to be like 1.2.3" },
+        { "package.json", "\"version\": \"", "\"version\": \"9", "package.json of 9" },
+        { "package.json", "org.neuronmocap.unity", "NeuronMocap", "name has to be small letters" },
+        { "package.json", "\"2021.3\"", "\"2021.3.1f1\"", "unity has to be like 2021.3" },
+        { "package.json", "\"displayName\": \"NeuronMocap\"", "\"displayName\": \"\"", "displayName is missing" },
+        { "package.json", "com.unity.modules.animation", "com.other.animation", "com.other.animation is no module" },
+        { "package.json", "Samples~/VrHead", "Samples~/VrHat", "there is no sample Samples~/VrHat" },
+        { "package.json", "Samples~/VrHead", "Samples~/VrHat", "does not list the sample Samples~/VrHead" },
+        { "package.json", "Samples~/VrHead", "Runtime", "there is no sample Runtime" },
+        { "package.json", "{", "", "package.json: " },
+        { Definition, "\"NeuronMocap.Unity\",", "\"Other\",", "is called Other" },
+        { Definition, "\"references\": []", "\"references\": [\"Missing\"]", "there is no assembly Missing" },
+        { Definition, "\"references\": []", "\"references\": [\"NeuronMocap.Unity.Editor\"]", "NeuronMocap.Unity.Editor is there only in the editor" },
+        { Definition, "\"references\": []", "\"references\": [\"NeuronMocap.Unity.Tests.PlayMode\"]", "is a test" },
+        { Definition, "\"references\": []", "\"references\": [\"UnityEngine.TestRunner\"]", "there is no assembly UnityEngine.TestRunner" },
+        { Definition, "\"NeuronMocap.dll\"", "\"Other.dll\"", "there is no library Other.dll" },
+        { Definition, "\"overrideReferences\": true", "\"overrideReferences\": false", "would be given every library" },
+        { "Editor/NeuronMocap.Unity.Editor.asmdef", "\"Editor\"\n", "", "would be part of applications" },
+        { "Tests/PlayMode/NeuronMocap.Unity.Tests.PlayMode.asmdef", "UNITY_INCLUDE_TESTS", "OTHER", "tests are under Tests" },
+        { "Tests/PlayMode/NeuronMocap.Unity.Tests.PlayMode.asmdef", "\"autoReferenced\": false", "\"autoReferenced\": true", "not referenced automatically" },
+        { Source, "#nullable enable", "", "does not say #nullable enable" },
+        { Source, "namespace NeuronMocap.Unity", "namespace Other", "is in no namespace of the package" },
+        { Source, "#if UNITY_EDITOR", "#if DEBUG", "uses the editor outside #if UNITY_EDITOR" },
+        { Source, "#if UNITY_EDITOR", "#if UNITY_EDITOR || DEBUG", "uses the editor outside #if UNITY_EDITOR" },
+        { Source, "#if UNITY_EDITOR", "#if UNITY_EDITOR\n#else", "uses the editor outside #if UNITY_EDITOR" },
+    };
+
+    [Theory]
+    [MemberData(nameof(Removals))]
+    public void What_is_missing_is_found(string path, string finding, string what)
+    {
+        StagedPackage package = ThePackage.With(files => Assert.True(files.Remove(path), path));
+
+        Assert.True(Finds(package, finding), what);
+    }
+
+    [Theory]
+    [MemberData(nameof(Edits))]
+    public void What_is_written_wrongly_is_found(string path, string before, string after, string finding)
+    {
+        StagedPackage package = ThePackage.With(files =>
+        {
+            string text = Encoding.UTF8.GetString(files[path]);
+            Assert.Contains(before, text, StringComparison.Ordinal);
+            files[path] = Encoding.UTF8.GetBytes(text.Replace(before, after, StringComparison.Ordinal));
+        });
+
+        Assert.True(Finds(package, finding), string.Join('\n', PackageLint.Check(package)));
+    }
+
+    [Fact]
+    public void A_guid_used_twice_is_found()
+    {
+        StagedPackage package = ThePackage.With(static files => files["Editor.meta"] = files["Runtime.meta"]);
+        Assert.Equal(["Runtime.meta: the GUID is that of Editor"], PackageLint.Check(package));
+    }
+
+    [Theory]
+    [InlineData("Runtime/Libraries/System.Memory.dll")]
+    [InlineData("Runtime/Libraries/NeuronMocap.so")]
+    [InlineData("Editor/NeuronMocap.dll")]
+    public void A_foreign_library_is_found(string path)
+    {
+        StagedPackage package = ThePackage.With(files =>
+        {
+            files[path] = files[Library];
+            files[$"{path}.meta"] = Encoding.UTF8.GetBytes(MetaFile.Create(path, isFolder: false, MetaFile.DeriveGuid(path)));
+        });
+        Assert.Equal([$"{path}: is none of our libraries"], PackageLint.Check(package));
+    }
+
+    [Fact]
+    public void A_library_that_needs_another_is_found()
+    {
+        StagedPackage package = ThePackage.With(static files => files[Library] = File.ReadAllBytes(typeof(LintTests).Assembly.Location));
+        Assert.Contains(PackageLint.Check(package), static problem => problem.Contains("needs System.Runtime", StringComparison.Ordinal));
+        Assert.Contains(PackageLint.Check(package), static problem => problem.Contains("needs xunit", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void A_path_of_this_machine_in_symbols_is_found()
+    {
+        string symbols = Path.ChangeExtension(typeof(LintTests).Assembly.Location, ".pdb");
+        StagedPackage package = ThePackage.With(files => files["Runtime/Libraries/NeuronMocap.pdb"] = File.ReadAllBytes(symbols));
+        Assert.True(Finds(package, "a path of the machine it was built on"));
+    }
+
+    [Fact]
+    public void A_scene_that_refers_to_nothing_is_found()
+    {
+        const string path = "Samples~/QuickStart/Test.unity";
+        const string guid = "00112233445566778899aabbccddeeff";
+        StagedPackage package = ThePackage.With(files =>
+        {
+            files[path] = Encoding.UTF8.GetBytes($"m_Script: {{fileID: 11500000, guid: {guid}, type: 3}}\nm_Mesh: {{fileID: 1, guid: 0000000000000000e000000000000000, type: 0}}\n");
+            files[$"{path}.meta"] = Encoding.UTF8.GetBytes(MetaFile.Create(path, isFolder: false, MetaFile.DeriveGuid(path)));
+        });
+        Assert.Equal([$"{path}: refers to {guid}, which is nothing in the package"], PackageLint.Check(package));
+    }
+
+    private static bool Finds(StagedPackage package, string finding) =>
+        PackageLint.Check(package).Any(problem => problem.Contains(finding, StringComparison.Ordinal));
+}

@@ -1,0 +1,58 @@
+using NeuronMocap.Packaging.Tests.Infrastructure;
+using NeuronMocap.Tests.Infrastructure;
+using NeuronMocap.UnityPackager;
+using NeuronMocap.UnityPackager.Archives;
+
+namespace NeuronMocap.Packaging.Tests;
+
+public sealed class CommandTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public async Task Both_archives_are_written_and_named()
+    {
+        (int code, string output, string error) = await RunAsync("--configuration", ThePackage.Configuration, "--repository", Repository.Root, "--output", _folder.Path);
+
+        Assert.Equal((0, string.Empty), (code, error));
+        Assert.Equal(
+            [_folder.PathOf(UpmTarball.NameOf(ThePackage.Staged)), _folder.PathOf(UnityPackageArchive.NameOf(ThePackage.Staged))],
+            output.Split('\n', StringSplitOptions.RemoveEmptyEntries));
+        Assert.Equal(UpmTarball.Create(ThePackage.Staged), File.ReadAllBytes(_folder.PathOf(UpmTarball.NameOf(ThePackage.Staged))));
+        Assert.Equal(UnityPackageArchive.Create(ThePackage.Staged), File.ReadAllBytes(_folder.PathOf(UnityPackageArchive.NameOf(ThePackage.Staged))));
+    }
+
+    [Fact]
+    public async Task A_guid_is_printed_for_scenes()
+    {
+        (int code, string output, _) = await RunAsync("--repository", Repository.Root, "--guid", "Compatibility/ScriptSession.cs");
+        Assert.Equal((0, MetaFile.DeriveGuid("Compatibility/ScriptSession.cs")), (code, output.Trim()));
+    }
+
+    [Fact]
+    public async Task Libraries_that_were_not_built_are_named()
+    {
+        _folder.Write("unity-package/package.json", "{}");
+        _folder.Write("CHANGELOG.md", "");
+        _folder.Write("LICENSE", "");
+        (int code, _, string error) = await RunAsync("--repository", _folder.Path);
+        Assert.Equal(1, code);
+        Assert.Contains("NeuronMocap.dll is missing: build the libraries first", error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Help_ends_well_and_an_unknown_option_does_not()
+    {
+        (int code, string output, _) = await RunAsync("--help");
+        Assert.Equal(0, code);
+        Assert.Contains("--install", output, StringComparison.Ordinal);
+        (code, _, string error) = await RunAsync("--nonsense");
+        Assert.Equal(2, code);
+        Assert.Contains("--nonsense", error, StringComparison.Ordinal);
+    }
+
+    private Task<(int Code, string Output, string Error)> RunAsync(params string[] arguments) =>
+        Tool.TryRunAsync(_folder.Path, "dotnet", [typeof(PackageFolder).Assembly.Location, .. arguments]);
+}

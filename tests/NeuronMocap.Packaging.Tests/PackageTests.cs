@@ -1,0 +1,49 @@
+using System.Text.Json;
+using System.Xml.Linq;
+using NeuronMocap.Packaging.Tests.Infrastructure;
+using NeuronMocap.Tests.Infrastructure;
+using NeuronMocap.UnityPackager;
+using NeuronMocap.UnityPackager.Checks;
+
+namespace NeuronMocap.Packaging.Tests;
+
+public sealed class PackageTests
+{
+    [Fact]
+    public void Nothing_is_wrong_with_it() => Assert.Empty(PackageLint.Check(ThePackage.Staged));
+
+    [Fact]
+    public void Metas_are_committed_for_all_that_is_there() => Assert.Empty(new PackageFolder(ThePackage.Folder).OrphanMetas);
+
+    [Fact]
+    public void The_version_is_that_of_the_libraries()
+    {
+        var properties = XDocument.Load(Repository.PathOf("Directory.Build.props"));
+        Assert.Equal(properties.Descendants("VersionPrefix").Single().Value, ThePackage.Staged.Version);
+    }
+
+    [Fact]
+    public void The_changelog_and_the_licence_are_those_of_the_repository()
+    {
+        Assert.Equal(File.ReadAllText(Repository.PathOf("CHANGELOG.md")), ThePackage.Staged.ReadText("CHANGELOG.md"));
+        Assert.Equal(File.ReadAllText(Repository.PathOf("LICENSE")), ThePackage.Staged.ReadText("LICENSE.md"));
+    }
+
+    [Fact]
+    public void All_five_samples_are_listed()
+    {
+        using var manifest = JsonDocument.Parse(ThePackage.Staged.Files["package.json"]);
+        Assert.Equal(
+            ["QuickStart", "ManyPerformers", "VrHead", "RecordAndPlayBack", "Scripting"],
+            manifest.RootElement.GetProperty("samples").EnumerateArray().Select(static sample => AssetPath.NameOf(sample.GetProperty("path").GetString()!)));
+    }
+
+    // Unity takes the package's folder as it is from a clone: what it must not see does not lie there under a name that it looks at.
+    [Fact]
+    public void What_only_packing_needs_is_not_in_it()
+    {
+        Assert.True(File.Exists(Path.Combine(ThePackage.Folder, "pack")));
+        Assert.DoesNotContain("pack", ThePackage.Staged.Files.Keys);
+        Assert.DoesNotContain(ThePackage.Staged.Files.Keys, static path => path.Split('/').Any(static name => name.StartsWith('.')));
+    }
+}

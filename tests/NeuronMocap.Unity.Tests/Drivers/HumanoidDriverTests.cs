@@ -1,0 +1,256 @@
+using NeuronMocap.Retargeting;
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Unity.Tests.Infrastructure;
+
+namespace NeuronMocap.Unity.Tests.Drivers;
+
+public sealed class HumanoidDriverTests : SourceFixture
+{
+    private static readonly Bone[] SomeBones = [Bone.Hips, Bone.Spine2, Bone.Head, Bone.LeftArm, Bone.LeftForeArm, Bone.RightHand, Bone.LeftHandThumb2, Bone.RightFoot];
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void Every_bone_of_a_strange_rig_turns_in_the_world_as_the_performer_s(int seed)
+    {
+        TestFigure figure = TestFigure.Build("Figure", seed);
+        HumanoidDriver driver = figure.Drive(AddSimulator());
+        Loop.RunUntil(() => driver.IsDriving);
+        Loop.RunFor(0.3f);
+
+        foreach (Bone bone in SomeBones)
+            AssertNear(driver.Performer!.GetRotation(bone), figure.Turn(bone), bone);
+
+        Assert.Equal(string.Empty, driver.Problem);
+        Assert.Equal(string.Empty, driver.RestPoseNote);
+        Assert.Empty(ConsoleLog.Entries);
+    }
+
+    [Fact]
+    public void The_hips_go_the_performer_s_way_in_the_measure_of_the_legs()
+    {
+        TestFigure figure = TestFigure.Build("Figure", size: 0.5f);
+        HumanoidDriver driver = figure.Drive(AddSimulator());
+        Loop.RunUntil(() => driver.IsDriving);
+        AssertNear(driver.Performer!.GetPosition(Bone.Hips) * 0.5f, InRoot(figure, Bone.Hips));
+
+        driver.AutomaticScale = false;
+        driver.Scale = 0;
+        driver.HeightOffset = 0.25f;
+        Loop.Frame();
+        AssertNear(new Vector3(0, (SkeletonBody.Default().GetOffset(Bone.Hips).Y * 0.005f) + 0.25f, 0), InRoot(figure, Bone.Hips));
+        driver.RootMotion = RootMotion.InPlace;
+        driver.AutomaticScale = true;
+        Loop.Frame();
+        Vector3 place = InRoot(figure, Bone.Hips);
+        Assert.Equal(0, place.x, 0.001f);
+        Assert.Equal(0, place.z, 0.001f);
+    }
+
+    [Fact]
+    public void Transforms_agree_with_the_retargeter_s_own_output()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = figure.Drive(AddSimulator());
+        Loop.RunUntil(() => driver.IsDriving);
+
+        TargetRig rig = driver.TargetRig!;
+        var pose = new RetargetedPose(rig);
+        Assert.True(new Retargeter(rig, driver.Performer!.Body).TryRetarget(driver.Performer.LocalPose, pose));
+        pose.UpdateWorld();
+        foreach (Bone bone in SomeBones)
+        {
+            int node = IndexOf(rig, figure[bone].name);
+            AssertNear(figure.Root.transform.rotation * pose.WorldRotations[node].ToUnity(), figure[bone].rotation, bone);
+            AssertNear(figure.Root.transform.TransformPoint(pose.WorldPositions[node].ToUnity()), figure[bone].position);
+        }
+    }
+
+    [Fact]
+    public void Two_figures_follow_two_performers()
+    {
+        MocapSource source = AddSimulator(2);
+        HumanoidDriver first = TestFigure.Build("A").Drive(null);
+        TestFigure other = TestFigure.Build("B");
+        HumanoidDriver second = other.Drive(source);
+        second.PerformerChoice = PerformerChoice.ByName;
+        second.PerformerName = "char01";
+        Loop.RunUntil(() => first.IsDriving && second.IsDriving);
+
+        Assert.Same(source, first.ActiveSource);
+        Assert.Equal(0, first.Performer!.AvatarIndex);
+        Assert.Equal(1, second.Performer!.AvatarIndex);
+        AssertNear(second.Performer.GetRotation(Bone.Hips), other.Turn(Bone.Hips), Bone.Hips);
+        Assert.Equal(1, SourceConnections.Count);
+    }
+
+    [Fact]
+    public void What_is_missing_is_said_with_the_setting_to_change()
+    {
+        HumanoidDriver driver = new GameObject("Empty").AddComponent<HumanoidDriver>();
+        Loop.Frame();
+        Assert.Contains("no Animator", driver.Problem, StringComparison.Ordinal);
+
+        TestFigure figure = TestFigure.Build("Figure");
+        driver.Animator = figure.Animator;
+        Loop.Frame();
+        Assert.Contains("no mocap source", driver.Problem, StringComparison.Ordinal);
+
+        MocapSource source = Add(source => source.Port = FreePort());
+        Loop.RunUntil(() => source.State == SourceState.Waiting);
+        Loop.Frame();
+        Assert.Equal(source.StatusMessage, driver.Problem);
+
+        source.Kind = SourceKind.Simulator;
+        driver.PerformerIndex = 3;
+        WaitForPose(source);
+        Loop.RunUntil(() => source.State == SourceState.Receiving);
+        Loop.Frame();
+        Assert.Equal("There is no performer 3. Change Performer Index to one of these: Char00 (0).", driver.Problem);
+        driver.PerformerChoice = PerformerChoice.ByName;
+        driver.PerformerName = "Anna";
+        Loop.Frame();
+        Assert.Equal("No performer is called \"Anna\". Change Performer Name to one of these: Char00 (0).", driver.Problem);
+
+        driver.Source = source;
+        source.enabled = false;
+        Loop.Frame();
+        Assert.Contains("disabled", driver.Problem, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void An_avatar_that_is_not_Humanoid_is_refused_in_words()
+    {
+        var root = new GameObject("Thing");
+        Animator animator = root.AddComponent<Animator>();
+        HumanoidDriver driver = root.AddComponent<HumanoidDriver>();
+        Loop.Frame();
+        Assert.Contains("no avatar", driver.Problem, StringComparison.Ordinal);
+        animator.avatar = AvatarBuilder.BuildGenericAvatar(root, string.Empty);
+        driver.Rebind();
+        Loop.Frame();
+        Assert.Contains("not Humanoid", driver.Problem, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Enabled_again_it_has_the_same_rest_pose()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = figure.Drive(AddSimulator());
+        for (int i = 0; i < 3; i++)
+        {
+            Loop.RunUntil(() => driver.IsDriving);
+            Loop.RunFor(0.1f);
+            foreach (Bone bone in SomeBones)
+                AssertNear(driver.Performer!.GetRotation(bone), figure.Turn(bone), bone);
+
+            driver.enabled = false;
+            figure[Bone.LeftArm].localRotation = Quaternion.Euler(10 * i, 20, 30);
+            driver.enabled = true;
+        }
+    }
+
+    [Fact]
+    public void A_part_without_weight_is_left_alone_and_goes_to_rest_when_nobody_takes_it()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = figure.Drive(AddSimulator());
+        Loop.RunUntil(() => driver.IsDriving);
+        Assert.True(Quaternion.Angle(figure.Turn(Bone.RightArm), Quaternion.identity) > 5);
+
+        driver.PartWeights.Set(BodyParts.Arms | BodyParts.Fingers | BodyParts.Head, 0);
+        Loop.Frame();
+        AssertNear(figure.Turn(Bone.RightShoulder), figure.Turn(Bone.RightArm), Bone.RightArm);
+        AssertNear(driver.Performer!.GetRotation(Bone.Spine2), figure.Turn(Bone.Spine2), Bone.Spine2);
+
+        Quaternion headset = Quaternion.Euler(10, 20, 30);
+        figure[Bone.Head].localRotation = headset;
+        Loop.Frames(3);
+        AssertNear(headset, figure[Bone.Head].localRotation, Bone.Head);
+    }
+
+    [Fact]
+    public void A_part_of_the_weight_mixes_with_the_rest_pose_and_does_not_creep()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = figure.Drive(AddSimulator(motion: SimulatedMotion.TPose));
+        Loop.RunUntil(() => driver.IsDriving);
+        driver.RootMotion = RootMotion.InPlace;
+        driver.HeightOffset = 0.4f;
+        driver.Weight = 0.5f;
+        Loop.Frame();
+        float height = InRoot(figure, Bone.Hips).y;
+        float rest = SkeletonBody.Default().GetOffset(Bone.Hips).Y * 0.008f;
+        Assert.Equal(rest + 0.2f, height, 0.001f);
+        Loop.Frames(10);
+        Assert.Equal(rest + 0.2f, InRoot(figure, Bone.Hips).y, 0.001f);
+    }
+
+    [Theory]
+    [InlineData(IdleBehaviour.Hold)]
+    [InlineData(IdleBehaviour.BlendToRest)]
+    public void When_data_stops_it_holds_its_pose_or_goes_to_rest(IdleBehaviour behaviour)
+    {
+        Broadcaster server = Serve(new SyntheticActor());
+        MocapSource source = Add(server, static source => (source.IdleTimeout, source.GoneTimeout) = (0.1f, 0.3f));
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = figure.Drive(source);
+        (driver.WhenIdle, driver.IdleBlendTime) = (behaviour, 0.2f);
+        Loop.RunUntil(() => driver.IsDriving);
+        server.Dispose();
+        Loop.RunUntil(() => !driver.IsDriving && source.Performers.Count == 0);
+        Quaternion last = figure[Bone.LeftArm].localRotation;
+        Loop.RunFor(0.3f);
+
+        Assert.NotEmpty(driver.Problem);
+        Assert.True(Quaternion.Angle(figure.Turn(Bone.LeftArm), Quaternion.identity) > 5 == (behaviour == IdleBehaviour.Hold));
+        if (behaviour == IdleBehaviour.Hold)
+            AssertNear(last, figure[Bone.LeftArm].localRotation, Bone.LeftArm);
+        else
+            AssertNear(Quaternion.identity, figure.Turn(Bone.LeftArm), Bone.LeftArm);
+    }
+
+    [Fact]
+    public void Feet_that_stand_do_not_slide()
+    {
+        TestFigure figure = TestFigure.Build("Figure", size: 0.7f);
+        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], Calculation = CalculationSynthesizer.Write });
+        HumanoidDriver driver = figure.Drive(Add(server));
+        driver.GroundFeet = true;
+        driver.HeightOffset = 0.02f;
+        Loop.RunUntil(() => driver.IsDriving);
+        Loop.RunFor(0.3f);
+        Vector3? held = null;
+        int frames = 0;
+        float farthest = 0;
+        Loop.RunUntil(() =>
+        {
+            Vector3 foot = InRoot(figure, Bone.LeftFoot);
+            held = driver.Performer!.Contacts.Left ? held ?? foot : null;
+            farthest = Math.Max(farthest, held is { } place ? new Vector3(foot.x - place.x, 0, foot.z - place.z).magnitude : 0);
+            return ++frames > 100;
+        });
+        Assert.InRange(farthest, 0, 0.005f);
+    }
+
+    private static Vector3 InRoot(TestFigure figure, Bone bone) => figure.Root.transform.InverseTransformPoint(figure[bone].position);
+
+    private static int IndexOf(TargetRig rig, string name)
+    {
+        for (int i = 0; i < rig.Nodes.Length; i++)
+        {
+            if (rig.Nodes[i].Name == name)
+                return i;
+        }
+
+        return -1;
+    }
+
+    private static void AssertNear(Vector3 expected, Vector3 actual) => Assert.True((expected - actual).magnitude < 1e-3f, $"{expected} {actual}");
+
+    private static void AssertNear(Quaternion expected, Quaternion actual, Bone bone) =>
+        Assert.True(Quaternion.Angle(expected, actual) < 0.1f, $"{bone}: {expected} {actual}, {Quaternion.Angle(expected, actual)} degrees");
+}

@@ -1,0 +1,85 @@
+using System.Diagnostics;
+using System.Net;
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
+
+namespace NeuronMocap.Unity.Tests.Infrastructure;
+
+/// <summary>A scene, servers for it, and at the end the proof that nothing is left running.</summary>
+public abstract class SourceFixture : IDisposable
+{
+    private readonly List<Broadcaster> _servers = [];
+
+    internal PlayerLoop Loop { get; private protected set; } = new();
+
+    public virtual void Dispose()
+    {
+        Loop.Dispose();
+        Assert.Equal(0, SourceConnections.Count);
+        Assert.Empty(MocapSource.All);
+
+        // Ends when receive threads, playbacks and broadcasters have.
+        Assert.True(SourceConnections.Closed.Wait(Limits.Unexpected));
+        foreach (Broadcaster server in _servers)
+            server.Dispose();
+
+        GC.SuppressFinalize(this);
+    }
+
+    internal Broadcaster Serve(params MotionSource[] performers) => Serve(new BroadcasterOptions { Sources = performers });
+
+    internal Broadcaster Serve(BroadcasterOptions options)
+    {
+        options.Port ??= 0;
+        if (options.Port == NeuronMocap.Protocol.ProtocolConstants.DefaultPort)
+            options.Port = 0;
+
+        var server = new Broadcaster(options);
+        server.Start();
+        _servers.Add(server);
+        return server;
+    }
+
+    internal static MocapSource Add(Broadcaster server, Action<MocapSource>? set = null) =>
+        Add(source =>
+        {
+            source.Port = server.LocalEndPoint!.Port;
+            set?.Invoke(source);
+        });
+
+    internal static MocapSource Add(Action<MocapSource> set)
+    {
+        MocapSource source = new GameObject("Source").AddComponent<MocapSource>();
+        set(source);
+        return source;
+    }
+
+    internal static MocapSource AddSimulator(int performers = 1, SimulatedMotion motion = SimulatedMotion.WalkAndGestures) => Add(source =>
+    {
+        source.Kind = SourceKind.Simulator;
+        source.PerformerCount = performers;
+        source.Motion = motion;
+    });
+
+    internal Performer WaitForPose(MocapSource source, int performer = 0)
+    {
+        Performer? found = null;
+        Loop.RunUntil(() => source.TryGetPerformer(performer, out found) && found.HasPose);
+        return found!;
+    }
+
+    /// <summary>Closing is not to be noticed in a game; the bound is wide because of machines that are busy.</summary>
+    internal static void AssertQuick(Action action)
+    {
+        var watch = Stopwatch.StartNew();
+        action();
+        Assert.InRange(watch.Elapsed.TotalMilliseconds, 0, 100);
+    }
+
+    internal static int FreePort()
+    {
+        using var listener = new System.Net.Sockets.TcpListener(IPAddress.Loopback, 0);
+        listener.Start();
+        return ((IPEndPoint)listener.LocalEndpoint).Port;
+    }
+}

@@ -1,0 +1,26 @@
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Unity.Tests.Infrastructure;
+
+/// <summary>A performance of which a test writes the values of the packets itself.</summary>
+internal sealed class ValuesSource(Action<long, ChannelLayout, float[]> write, bool hasDisplacement = true) : MotionSource
+{
+    public override double FrameRate => 100;
+
+    public override long? FrameCount => null;
+
+    public override bool HasDisplacement => hasDisplacement;
+
+    public override void GetPose(long frame, Span<BoneTransform> pose) => SkeletonBody.Default().CopyRestPose(pose);
+
+    public override FootContacts GetFootContacts(long frame) => new(frame % 2 == 0, false);
+
+    public override void WriteValues(long frame, ChannelLayout layout, RotationOrder order, Span<float> values)
+    {
+        base.WriteValues(frame, layout, order, values);
+        float[] copy = values[..layout.ValueCount].ToArray();
+        write(frame, layout, copy);
+        copy.CopyTo(values);
+    }
+}

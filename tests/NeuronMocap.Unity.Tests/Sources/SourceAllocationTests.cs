@@ -1,0 +1,91 @@
+using NeuronMocap.Frames;
+using NeuronMocap.Kinematics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Retargeting;
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Unity.Tests.Drivers;
+using NeuronMocap.Unity.Tests.Infrastructure;
+
+namespace NeuronMocap.Unity.Tests.Sources;
+
+public sealed class SourceAllocationTests : SourceFixture
+{
+    [Fact]
+    public void A_rendered_frame_allocates_nothing()
+    {
+        Broadcaster server = Serve(new BroadcasterOptions
+        {
+            Sources = [new SyntheticActor(), new SyntheticActor(avatar: 1)],
+            Calculation = CalculationSynthesizer.Write,
+        });
+        MocapSource source = Add(server);
+        HumanoidDriver byIndex = TestFigure.Build("A").Drive(source);
+        HumanoidDriver byName = TestFigure.Build("B").Drive(null);
+        (byName.PerformerChoice, byName.PerformerName, byName.GroundFeet, byName.Weight) = (PerformerChoice.ByName, "Char01", true, 0.5f);
+        byName.BoneWeights.Add(new HumanoidBoneWeight { Bone = HumanoidBone.Head, Weight = 0 });
+        HumanoidDriver lost = TestFigure.Build("C").Drive(source);
+        lost.PerformerIndex = 7;
+        Loop.RunUntil(() => byIndex.IsDriving && byName.IsDriving && lost.Problem.Length > 0);
+        Loop.RunFor(0.3f);
+
+        Action update = Method(source, "Update");
+        Action[] drive = [Method(byIndex, "LateUpdate"), Method(byName, "LateUpdate"), Method(lost, "LateUpdate")];
+        Allocations.AssertNone(() =>
+        {
+            update();
+            foreach (Action action in drive)
+                action();
+
+            _ = source.FrameRate;
+            _ = source.LostFrames;
+        });
+        Assert.True(byIndex.IsDriving && byName.IsDriving);
+    }
+
+    [Fact]
+    public void A_received_frame_allocates_nothing()
+    {
+        var streams = new AvatarStreams();
+        float[] values = new float[354];
+        var frame = new MotionFrame(new MotionHeader { FrameIndex = 1 }, values);
+        streams.OnMotion(frame);
+        streams.All[0].Attach(new PoseBuffer());
+        var contacts = new CalculationFrame(new CalculationHeader(), new float[946]);
+        Allocations.AssertNone(() =>
+        {
+            streams.OnMotion(frame);
+            streams.OnCalculation(contacts);
+        });
+        Assert.True(streams.All[0].Frames > 100);
+    }
+
+    [Fact]
+    public void Made_up_avatars_do_not_fill_the_memory()
+    {
+        var streams = new AvatarStreams();
+        float[] values = new float[354];
+        for (uint avatar = 0; avatar < 1000; avatar++)
+            streams.OnMotion(new MotionFrame(new MotionHeader { AvatarIndex = avatar }, values));
+
+        Assert.Equal(256, streams.All.Length);
+        Assert.Contains(streams.All, static stream => stream.AvatarIndex == 999);
+        foreach (AvatarStream stream in streams.All)
+            stream.Attach(new PoseBuffer());
+
+        streams.OnMotion(new MotionFrame(new MotionHeader { AvatarIndex = 5000 }, values));
+        Assert.DoesNotContain(streams.All, static stream => stream.AvatarIndex == 5000);
+    }
+
+    private static Action Method(MonoBehaviour script, string name)
+    {
+        for (Type? type = script.GetType(); type is not null; type = type.BaseType)
+        {
+            if (type.GetMethod(name, System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic | System.Reflection.BindingFlags.DeclaredOnly) is { } method)
+                return method.CreateDelegate<Action>(script);
+        }
+
+        throw new MissingMethodException(script.GetType().Name, name);
+    }
+}

@@ -1,0 +1,20 @@
+namespace UnityEditor;
+
+public static class EditorUtility
+{
+    /// <summary>For tests: what the user chooses in the next file dialog; empty for Cancel.</summary>
+    public static string NextFile { get; set; } = "";
+
+    /// <summary>For tests: what was shown in the system's file manager.</summary>
+    public static List<string> Revealed { get; } = [];
+
+    public static bool IsPersistent(UnityEngine.Object target) => AssetDatabase.Contains(target);
+
+    public static void SetDirty(UnityEngine.Object target)
+    {
+    }
+
+    public static string OpenFilePanel(string title, string directory, string extension) => NextFile;
+
+    public static void RevealInFinder(string path) => Revealed.Add(path);
+}

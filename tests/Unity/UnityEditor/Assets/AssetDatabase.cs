@@ -1,0 +1,17 @@
+namespace UnityEditor;
+
+/// <summary>The project's assets: what tests put there.</summary>
+public static partial class AssetDatabase
+{
+    private static readonly Dictionary<string, List<UnityEngine.Object>> Files = [];
+
+    /// <summary>For tests: puts the objects of a file into the project.</summary>
+    public static void Add(string path, params UnityEngine.Object[] objects) => Files[path] = [.. objects];
+
+    public static bool Contains(UnityEngine.Object obj) => GetAssetPath(obj).Length > 0;
+
+    public static string GetAssetPath(UnityEngine.Object? assetObject) =>
+        Files.FirstOrDefault(file => file.Value.Any(item => ReferenceEquals(item, assetObject))).Key ?? "";
+
+    public static UnityEngine.Object[] LoadAllAssetsAtPath(string assetPath) => Files.TryGetValue(assetPath, out List<UnityEngine.Object>? found) ? [.. found] : [];
+}

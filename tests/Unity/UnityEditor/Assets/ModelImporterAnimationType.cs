@@ -1,0 +1,9 @@
+namespace UnityEditor;
+
+public enum ModelImporterAnimationType
+{
+    None,
+    Legacy,
+    Generic,
+    Human,
+}

@@ -1,0 +1,8 @@
+namespace UnityEditor;
+
+public enum ModelImporterAvatarSetup
+{
+    NoAvatar,
+    CreateFromThisModel,
+    CopyFromOther,
+}

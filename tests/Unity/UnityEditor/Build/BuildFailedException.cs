@@ -1,0 +1,3 @@
+namespace UnityEditor.Build;
+
+public class BuildFailedException(string message) : Exception(message);

@@ -1,0 +1,4 @@
+using System.Runtime.CompilerServices;
+
+// The package itself must not see how the stand-in is driven.
+[assembly: InternalsVisibleTo("NeuronMocap.Unity.Tests")]

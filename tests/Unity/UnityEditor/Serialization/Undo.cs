@@ -1,0 +1,120 @@
+using System.Reflection;
+using UnityEngine;
+
+namespace UnityEditor;
+
+/// <summary>Keeps how things were, in groups; PerformUndo takes the newest group back.</summary>
+public static class Undo
+{
+    private static readonly List<(int Group, string Name, Action Back)> Steps = [];
+    private static int _group;
+    private static string _groupName = "";
+
+    public delegate void UndoRedoCallback();
+
+    // A field in Unity; used in the same way.
+    public static event UndoRedoCallback? undoRedoPerformed;
+
+    /// <summary>For tests: the names of the steps that can be taken back, the oldest first.</summary>
+    public static IReadOnlyList<string> Names => [.. Steps.Select(static step => step.Name)];
+
+    public static int GetCurrentGroup() => _group;
+
+    public static void SetCurrentGroupName(string name) => _groupName = name;
+
+    public static string GetCurrentGroupName() => _groupName;
+
+    // In the editor every event of the user begins a new group.
+    public static void IncrementCurrentGroup() => _group++;
+
+    public static void CollapseUndoOperations(int groupIndex)
+    {
+        for (int i = 0; i < Steps.Count; i++)
+        {
+            if (Steps[i].Group > groupIndex)
+                Steps[i] = (groupIndex, Steps[i].Name, Steps[i].Back);
+        }
+    }
+
+    public static void RecordObject(UnityEngine.Object objectToUndo, string name) => RecordObjects([objectToUndo], name);
+
+    public static void RecordObjects(UnityEngine.Object[] objectsToUndo, string name)
+    {
+        foreach (UnityEngine.Object item in objectsToUndo)
+            Steps.Add((_group, name, Remember(item)));
+    }
+
+    public static void RegisterCompleteObjectUndo(UnityEngine.Object objectToUndo, string name) => RecordObject(objectToUndo, name);
+
+    public static void RegisterFullObjectHierarchyUndo(UnityEngine.Object objectToUndo, string name)
+    {
+        GameObject root = objectToUndo as GameObject ?? ((Component)objectToUndo).gameObject;
+        RecordObjects([.. root.GetComponentsInChildren<Transform>(true)], name);
+    }
+
+    public static void RegisterCreatedObjectUndo(UnityEngine.Object objectToUndo, string name) =>
+        Steps.Add((_group, name, () => UnityEngine.Object.DestroyImmediate(objectToUndo)));
+
+    public static T AddComponent<T>(GameObject gameObject)
+        where T : Component
+    {
+        T added = gameObject.AddComponent<T>();
+        RegisterCreatedObjectUndo(added, $"Add {typeof(T).Name}");
+        return added;
+    }
+
+    public static void PerformUndo()
+    {
+        if (Steps.Count == 0)
+            return;
+
+        int newest = Steps.Max(static step => step.Group);
+        for (int i = Steps.Count - 1; i >= 0; i--)
+        {
+            if (Steps[i].Group != newest)
+                continue;
+
+            Action back = Steps[i].Back;
+            Steps.RemoveAt(i);
+            back();
+        }
+
+        undoRedoPerformed?.Invoke();
+    }
+
+    public static void ClearAll()
+    {
+        Steps.Clear();
+        _group = 0;
+    }
+
+    private static Action Remember(UnityEngine.Object item)
+    {
+        if (item is Transform transform)
+        {
+            (Vector3 position, Quaternion rotation, Vector3 scale) = (transform.localPosition, transform.localRotation, transform.localScale);
+            return () =>
+            {
+                transform.localPosition = position;
+                transform.localRotation = rotation;
+                transform.localScale = scale;
+            };
+        }
+
+        (FieldInfo Field, object? Value)[] fields = [.. SerializedFields.Of(item.GetType()).Select(field => (field, field.GetValue(item)))];
+
+        // Engine types keep their state behind properties.
+        (PropertyInfo Property, object? Value)[] properties = item.GetType().Assembly != typeof(UnityEngine.Object).Assembly
+            ? []
+            : [.. item.GetType().GetProperties(BindingFlags.Instance | BindingFlags.Public | BindingFlags.DeclaredOnly)
+                .Where(static property => property.CanRead && property.SetMethod?.IsPublic == true && property.GetIndexParameters().Length == 0)
+                .Select(property => (property, property.GetValue(item)))];
+        return () =>
+        {
+            foreach ((FieldInfo field, object? value) in fields)
+                field.SetValue(item, value);
+            foreach ((PropertyInfo property, object? value) in properties)
+                property.SetValue(item, value);
+        };
+    }
+}

@@ -1,0 +1,23 @@
+using NUnit.Framework;
+
+namespace UnityEngine.TestTools;
+
+/// <summary>A test that goes on in later frames: it returns an IEnumerator.</summary>
+[AttributeUsage(AttributeTargets.Method)]
+public sealed class UnityTestAttribute : CombiningStrategyAttribute, NUnit.Framework.Interfaces.IImplyFixture
+{
+    public UnityTestAttribute()
+        : base(new NUnit.Framework.Internal.Builders.CombinatorialStrategy(), new NUnit.Framework.Internal.Builders.ParameterDataSourceProvider())
+    {
+    }
+}
+
+[AttributeUsage(AttributeTargets.Method)]
+public sealed class UnitySetUpAttribute : NUnitAttribute
+{
+}
+
+[AttributeUsage(AttributeTargets.Method)]
+public sealed class UnityTearDownAttribute : NUnitAttribute
+{
+}

@@ -1,0 +1,143 @@
+using UnityEngine.StandIn;
+
+namespace UnityEngine;
+
+public class Animator : Behaviour
+{
+    private static readonly List<Animator> _animated = [];
+
+    private Avatar? _avatar;
+    private HumanBones? _bones;
+
+    public Avatar? avatar
+    {
+        get
+        {
+            Check();
+            return _avatar;
+        }
+
+        set
+        {
+            Check();
+            _avatar = value;
+            Rebind();
+        }
+    }
+
+    public bool isHuman => avatar is { isHuman: true, isValid: true };
+
+    public bool hasRootMotion => false;
+
+    public bool applyRootMotion { get; set; }
+
+    public float humanScale => isHuman ? Bones!.HipsHeight : 1;
+
+    public float speed { get; set; } = 1;
+
+    public RuntimeAnimatorController? runtimeAnimatorController { get; set; }
+
+    public AnimatorUpdateMode updateMode { get; set; }
+
+    public AnimatorCullingMode cullingMode { get; set; }
+
+    public bool isInitialized => isActiveAndEnabled;
+
+    public Vector3 rootPosition
+    {
+        get => transform.position;
+        set => transform.position = value;
+    }
+
+    public Quaternion rootRotation
+    {
+        get => transform.rotation;
+        set => transform.rotation = value;
+    }
+
+    public float leftFeetBottomHeight => 0.08f;
+
+    public float rightFeetBottomHeight => 0.08f;
+
+    /// <summary>What a controller does between Update and LateUpdate: writes all that it animates.</summary>
+    internal Action? Animating
+    {
+        get;
+
+        set
+        {
+            field = value;
+            _animated.Remove(this);
+            if (value is not null)
+                _animated.Add(this);
+        }
+    }
+
+    private HumanBones? Bones => _bones ??= _avatar is { isHuman: true, isValid: true } ? new HumanBones(_avatar, transform) : null;
+
+    /// <returns>Null for what is not mapped.</returns>
+    /// <exception cref="InvalidOperationException">The avatar is none, or not human.</exception>
+    public Transform? GetBoneTransform(HumanBodyBones humanBoneId)
+    {
+        Check();
+        if (humanBoneId is < HumanBodyBones.Hips or >= HumanBodyBones.LastBone)
+            throw new IndexOutOfRangeException("humanBoneId must be between 0 and " + HumanBodyBones.LastBone);
+
+        if (_avatar == null)
+            throw new InvalidOperationException("Avatar is null.");
+
+        if (!_avatar.isValid || !_avatar.isHuman)
+            throw new InvalidOperationException("Avatar is not valid or not of type humanoid.");
+
+        Transform? bone = Bones?.Get(humanBoneId);
+        return bone != null ? bone : null;
+    }
+
+    public void Rebind()
+    {
+        Check();
+        _bones = null;
+    }
+
+    public void Update(float deltaTime) => Animating?.Invoke();
+
+    internal static void RunAll()
+    {
+        _animated.RemoveAll(static animator => animator.IsDestroyed);
+        foreach (Animator animator in _animated)
+        {
+            if (animator.IsRunning)
+                animator.Animating!();
+        }
+    }
+
+    public void SetFloat(string name, float value)
+    {
+    }
+
+    public void SetBool(string name, bool value)
+    {
+    }
+
+    public void SetTrigger(string name)
+    {
+    }
+}
+
+public class RuntimeAnimatorController : Object
+{
+}
+
+public enum AnimatorUpdateMode
+{
+    Normal,
+    AnimatePhysics,
+    UnscaledTime,
+}
+
+public enum AnimatorCullingMode
+{
+    AlwaysAnimate,
+    CullUpdateTransforms,
+    CullCompletely,
+}

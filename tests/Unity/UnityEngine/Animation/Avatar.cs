@@ -1,0 +1,21 @@
+namespace UnityEngine;
+
+public class Avatar : Object
+{
+    internal Avatar(bool isValid, bool isHuman, HumanDescription description)
+    {
+        this.isValid = isValid;
+        this.isHuman = isHuman;
+        humanDescription = description;
+    }
+
+    private Avatar()
+    {
+    }
+
+    public bool isValid { get; }
+
+    public bool isHuman { get; }
+
+    public HumanDescription humanDescription { get; }
+}

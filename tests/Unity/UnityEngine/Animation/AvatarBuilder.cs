@@ -1,0 +1,20 @@
+using UnityEngine.StandIn;
+
+namespace UnityEngine;
+
+public class AvatarBuilder
+{
+    /// <summary>Never null: an avatar that is not valid says why in the log.</summary>
+    public static Avatar BuildHumanAvatar(GameObject go, HumanDescription humanDescription)
+    {
+        go.Check();
+        List<string> faults = AvatarRules.Find(go.transform, humanDescription);
+        foreach (string fault in faults)
+            Debug.LogError($"AvatarBuilder '{go.name}': {fault}");
+
+        bool isValid = faults.Count == 0;
+        return new Avatar(isValid, isValid, humanDescription) { name = go.name + "Avatar" };
+    }
+
+    public static Avatar BuildGenericAvatar(GameObject go, string rootMotionTransformName) => new(true, false, default) { name = go.name };
+}

@@ -1,0 +1,46 @@
+namespace UnityEngine;
+
+/// <summary>
+/// The limits of what is known outside the editor: the body is the hips' place and turn over the height of the hips, each muscle an angle of the
+/// bone's own axes. A pose that was got and set again is the same; muscle values are not Unity's.
+/// </summary>
+public sealed class HumanPoseHandler : IDisposable
+{
+    private readonly Transform _root;
+    private readonly StandIn.HumanBones _bones;
+
+    public HumanPoseHandler(Avatar avatar, Transform root)
+    {
+        if (avatar is null || !avatar.isValid || !avatar.isHuman)
+            throw new ArgumentException("Avatar is not valid or not human.", nameof(avatar));
+
+        _root = root != null ? root : throw new ArgumentNullException(nameof(root));
+        _bones = new StandIn.HumanBones(avatar, root);
+    }
+
+    public void GetHumanPose(ref HumanPose humanPose)
+    {
+        if (humanPose.muscles?.Length != HumanTrait.MuscleCount)
+            humanPose.muscles = new float[HumanTrait.MuscleCount];
+
+        Transform hips = _bones.Get(HumanBodyBones.Hips)!;
+        humanPose.bodyPosition = _root.InverseTransformPoint(hips.position) / _bones.HipsHeight;
+        humanPose.bodyRotation = Quaternion.Inverse(_root.rotation) * hips.rotation;
+        StandIn.Muscles.Read(_bones, humanPose.muscles);
+    }
+
+    public void SetHumanPose(ref HumanPose humanPose)
+    {
+        if (humanPose.muscles?.Length != HumanTrait.MuscleCount)
+            throw new ArgumentException("Bad array size for HumanPose.muscles.", nameof(humanPose));
+
+        Transform hips = _bones.Get(HumanBodyBones.Hips)!;
+        hips.position = _root.TransformPoint(humanPose.bodyPosition * _bones.HipsHeight);
+        hips.rotation = _root.rotation * humanPose.bodyRotation;
+        StandIn.Muscles.Write(_bones, humanPose.muscles);
+    }
+
+    public void Dispose()
+    {
+    }
+}

@@ -1,0 +1,28 @@
+using System.Collections.Concurrent;
+using UnityEngine.StandIn;
+
+namespace UnityEngine;
+
+/// <summary>Where a script goes on after an await: on the main thread, in the next frame.</summary>
+internal sealed class UnitySynchronizationContext : SynchronizationContext
+{
+    private readonly ConcurrentQueue<(SendOrPostCallback Callback, object? State)> _posted = new();
+
+    public override void Post(SendOrPostCallback d, object? state) => _posted.Enqueue((d, state));
+
+    public override void Send(SendOrPostCallback d, object? state)
+    {
+        if (!MainThread.IsCurrent)
+            throw new NotSupportedException("Nothing of this stand-in waits for the main thread.");
+
+        d(state);
+    }
+
+    public override SynchronizationContext CreateCopy() => this;
+
+    internal void Run()
+    {
+        for (int count = _posted.Count; count > 0 && _posted.TryDequeue(out (SendOrPostCallback Callback, object? State) item); count--)
+            ScriptCallbacks.Run(() => item.Callback(item.State), null!);
+    }
+}

@@ -1,0 +1,87 @@
+using System.Reflection;
+
+namespace UnityEngine.StandIn;
+
+/// <summary>Copies of objects with all below them, as Instantiate makes them.</summary>
+internal static class Cloning
+{
+    public static T Clone<T>(T original, Action<Transform>? place, Action<GameObject> prepare)
+        where T : Object
+    {
+        MainThread.Check("Instantiate");
+        if (original is null || original.IsDestroyed)
+            throw new ArgumentException("The Object you want to instantiate is null.", nameof(original));
+
+        GameObject? source = original switch { GameObject own => own, Component part => part.gameObject, _ => null };
+        if (source is null)
+            return (T)CloneAsset(original);
+
+        var copies = new Dictionary<Object, Object>();
+        GameObject copy = CloneTree(source, copies);
+        copy.name = source.name + "(Clone)";
+        foreach ((Object from, Object to) in copies)
+        {
+            if (from is Component)
+                CopyComponent(from, to, item => copies.TryGetValue(item, out Object? inside) ? inside : item);
+        }
+
+        prepare(copy);
+        place?.Invoke(copy.transform);
+        Wake(copy.GetComponentsInChildren<MonoBehaviour>(true));
+        copy.RefreshActivity();
+        return (T)copies[original];
+    }
+
+    /// <summary>Awake and OnEnable in the order of execution, as when a scene is loaded.</summary>
+    public static void Wake(IEnumerable<MonoBehaviour> scripts)
+    {
+        foreach (MonoBehaviour script in scripts.OrderBy(static script => script.State.Order).ToArray())
+        {
+            if (!script.IsDestroyed)
+                script.RefreshActivity();
+        }
+    }
+
+    private static Object CloneAsset(Object original)
+    {
+        var copy = (Object)Activator.CreateInstance(original.GetType(), nonPublic: true)!;
+        CopyComponent(original, copy, static item => item);
+        copy.name = original.name + "(Clone)";
+        return copy;
+    }
+
+    private static GameObject CloneTree(GameObject source, Dictionary<Object, Object> copies)
+    {
+        // Inactive until all is in place: no script may run before.
+        var copy = new GameObject(source.name) { layer = source.layer, tag = source.tag };
+        copy.SetActiveQuietly(false);
+        copies.Add(source, copy);
+        copies.Add(source.transform, copy.transform);
+        foreach (Component item in source.Components.Skip(1))
+            copies.Add(item, copy.Create(item.GetType()));
+
+        foreach (Transform child in source.transform.Children)
+            CloneTree(child.gameObject, copies).transform.SetParent(copy.transform, false);
+
+        copy.SetActiveQuietly(source.activeSelf);
+        return copy;
+    }
+
+    // Scripts: what Unity keeps. Parts of the engine: all that they hold, but for who they are and where.
+    private static void CopyComponent(Object from, Object to, Func<Object, Object> map)
+    {
+        for (Type? type = from.GetType(); type is not null && type != typeof(Component) && type != typeof(Object); type = type.BaseType)
+        {
+            if (type.Assembly != typeof(Object).Assembly || type == typeof(MonoBehaviour))
+                continue;
+
+            foreach (FieldInfo field in type.GetFields(BindingFlags.DeclaredOnly | BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))
+            {
+                if (!field.IsDefined(typeof(NonSerializedAttribute)))
+                    field.SetValue(to, field.GetValue(from) is Object item ? map(item) : field.GetValue(from));
+            }
+        }
+
+        Serialization.CopyFields(from, to, map);
+    }
+}

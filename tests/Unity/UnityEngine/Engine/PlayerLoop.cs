@@ -1,0 +1,186 @@
+using System.Diagnostics;
+using UnityEngine.SceneManagement;
+
+namespace UnityEngine.StandIn;
+
+/// <summary>
+/// The engine's frames, run by a test: one project with one scene. Everything happens on the calling thread, which is the main thread from then on.
+/// </summary>
+internal sealed class PlayerLoop : IDisposable
+{
+    private static readonly Action<MonoBehaviour> _start = static script => script.State.Start();
+
+    private static readonly Action<MonoBehaviour> _fixedUpdate = static script => Run(script, script.State.FixedUpdate);
+
+    private static readonly Action<MonoBehaviour> _update = static script => Run(script, script.State.Update);
+
+    private static readonly Action<MonoBehaviour> _lateUpdate = static script => Run(script, script.State.LateUpdate);
+
+    private readonly UnitySynchronizationContext _context = new();
+    private readonly Stopwatch _clock = Stopwatch.StartNew();
+    private double _physics;
+    private TimeSpan _lastFrame;
+
+    /// <summary>Starts with an empty scene.</summary>
+    /// <param name="play">False to stay in edit mode.</param>
+    public PlayerLoop(bool play = true)
+    {
+        MainThread.Claim();
+        Reset();
+        PlayMode.Loop = this;
+        PlayMode.Start(play);
+    }
+
+    /// <summary>Whether gizmos are drawn, as in the scene view, and for which selected object.</summary>
+    public bool DrawsGizmos { get; set; }
+
+    public GameObject? Selected { get; set; }
+
+    /// <summary>Runs one frame.</summary>
+    /// <param name="seconds">How long the one before took.</param>
+    public void Frame(float seconds = 1 / 60f)
+    {
+        MainThread.Claim();
+        SynchronizationContext? outside = SynchronizationContext.Current;
+        SynchronizationContext.SetSynchronizationContext(_context);
+        try
+        {
+            Time.Advance(seconds);
+            GizmoLog.Clear();
+            if (SceneManager.Requested is { } scene)
+                SceneManager.Change(scene, null);
+
+            RunPhases(seconds);
+        }
+        finally
+        {
+            SynchronizationContext.SetSynchronizationContext(outside);
+        }
+    }
+
+    public void Frames(int count, float seconds = 1 / 60f)
+    {
+        for (int i = 0; i < count; i++)
+            Frame(seconds);
+    }
+
+    /// <summary>Runs frames in real time until something is so.</summary>
+    /// <exception cref="TimeoutException">It is not after a minute.</exception>
+    public void RunUntil(Func<bool> condition)
+    {
+        var limit = Stopwatch.StartNew();
+        _lastFrame = _clock.Elapsed;
+        while (!condition())
+        {
+            if (limit.Elapsed > TimeSpan.FromSeconds(60))
+                throw new TimeoutException("What was waited for has not come after a minute of frames; see the log: " + string.Join("; ", ConsoleLog.Entries.Select(static entry => entry.Message)));
+
+            Thread.Sleep(1);
+            TimeSpan now = _clock.Elapsed;
+            float seconds = (float)(now - _lastFrame).TotalSeconds;
+            _lastFrame = now;
+            Frame(seconds);
+        }
+    }
+
+    /// <summary>Runs frames in real time for a while.</summary>
+    public void RunFor(float seconds)
+    {
+        TimeSpan end = _clock.Elapsed + TimeSpan.FromSeconds(seconds);
+        RunUntil(() => _clock.Elapsed >= end);
+    }
+
+    /// <summary>Leaves the scene for another one.</summary>
+    /// <param name="name">What the other one is called.</param>
+    /// <param name="build">Makes what the other one holds.</param>
+    public void ChangeScene(string name = "Next", Action? build = null) => SceneManager.Change(name, build);
+
+    /// <summary>From edit mode to play mode, as the editor does.</summary>
+    public void EnterPlayMode(bool reloadDomain = true) => PlayMode.Enter(reloadDomain);
+
+    /// <summary>From play mode to edit mode: objects are disabled and destroyed, and the scene is as it was before.</summary>
+    public void ExitPlayMode() => PlayMode.Exit();
+
+    /// <summary>As when scripts are compiled anew while the game runs: disabled, statics gone, enabled again.</summary>
+    public void ReloadDomain() => PlayMode.Reload();
+
+    /// <summary>The application comes to the front or goes to the back.</summary>
+    public void Focus(bool isFocused)
+    {
+        Application.RaiseFocus(isFocused);
+        foreach (MonoBehaviour script in World.Objects.OfType<MonoBehaviour>().Where(static item => item.State.IsEnabled).ToArray())
+            script.SendMessage(isFocused ? "OnApplicationFocus" : "OnApplicationPause");
+    }
+
+    /// <summary>Makes an asset: its objects are in no scene and its scripts do not run; copies of it do.</summary>
+    public GameObject CreatePrefab(string name, Action<GameObject>? build = null)
+    {
+        World.IsMakingAsset = true;
+        try
+        {
+            var prefab = new GameObject(name);
+            build?.Invoke(prefab);
+            return prefab;
+        }
+        finally
+        {
+            World.IsMakingAsset = false;
+        }
+    }
+
+    public void Dispose()
+    {
+        MainThread.Claim();
+        if (World.IsPlaying)
+            PlayMode.Exit();
+
+        Reset();
+        PlayMode.Loop = null;
+    }
+
+    private static void Reset()
+    {
+        World.Clear();
+        ScriptList.Clear();
+        PlayMode.ForgetListeners();
+        ConsoleLog.Clear();
+        GizmoLog.Clear();
+        Input.Clear();
+        Resources.Assets.Clear();
+        Time.Restart();
+    }
+
+    private static void Run(MonoBehaviour script, Action? callback)
+    {
+        if (callback is null)
+            return;
+
+        // One that was enabled in mid-frame starts before its first step.
+        script.State.Start();
+        if (script.State.IsEnabled)
+            ScriptCallbacks.Run(callback, script);
+    }
+
+    private void RunPhases(float seconds)
+    {
+        ScriptList.ForEach(_start);
+        for (_physics += seconds * Time.timeScale; World.IsPlaying && _physics >= Time.fixedDeltaTime; _physics -= Time.fixedDeltaTime)
+        {
+            ScriptList.ForEach(_fixedUpdate);
+            ScriptList.RunCoroutines(FrameMoment.AfterFixedUpdate);
+        }
+
+        _context.Run();
+        ScriptList.ForEach(_update);
+        ScriptList.RunCoroutines(FrameMoment.AfterUpdate);
+        Animator.RunAll();
+        ScriptList.ForEach(_lateUpdate);
+        if (DrawsGizmos)
+            GizmoDrawing.Draw(Selected);
+
+        ScriptList.RunCoroutines(FrameMoment.EndOfFrame);
+        World.DestroyDue(Time.time);
+        Input.EndFrame();
+        PlayMode.Follow();
+    }
+}

@@ -1,0 +1,56 @@
+namespace UnityEngine.StandIn;
+
+/// <summary>All that lives: objects, scripts in the order in which they run, what waits to be destroyed.</summary>
+internal static class World
+{
+    private static readonly List<Object> _objects = [];
+    private static readonly List<(Object Object, float Time)> _doomed = [];
+    private static int _lastId;
+
+    public static IReadOnlyList<Object> Objects => _objects;
+
+    public static bool IsPlaying { get; set; }
+
+    /// <summary>What is made meanwhile is an asset, such as a prefab: it is in no scene and its scripts do not run.</summary>
+    public static bool IsMakingAsset { get; set; }
+
+    public static int Add(Object item)
+    {
+        _objects.Add(item);
+        return --_lastId;
+    }
+
+    public static void Remove(Object item) => _objects.Remove(item);
+
+    public static IEnumerable<GameObject> GetRoots() =>
+        _objects.OfType<GameObject>().Where(static item => !item.IsAsset && item.transform.parent is null);
+
+    public static void DestroyLater(Object item, float time) => _doomed.Add((item, time));
+
+    /// <summary>Destroys what is due, in the order in which it was asked for.</summary>
+    public static void DestroyDue(float time)
+    {
+        for (int i = 0; i < _doomed.Count; i++)
+        {
+            (Object item, float due) = _doomed[i];
+            if (due > time)
+                continue;
+
+            _doomed.RemoveAt(i--);
+            if (!item.IsDestroyed)
+                item.DestroyNow();
+        }
+    }
+
+    /// <summary>Forgets everything, without a word to anybody: the next test starts with an empty project.</summary>
+    public static void Clear()
+    {
+        foreach (Object item in _objects)
+            item.MarkDestroyed();
+
+        _objects.Clear();
+        _doomed.Clear();
+        IsPlaying = false;
+        IsMakingAsset = false;
+    }
+}

@@ -1,0 +1,9 @@
+namespace UnityEngine;
+
+public enum FontStyle
+{
+    Normal,
+    Bold,
+    Italic,
+    BoldAndItalic,
+}

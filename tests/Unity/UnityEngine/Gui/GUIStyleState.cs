@@ -1,0 +1,6 @@
+namespace UnityEngine;
+
+public sealed class GUIStyleState
+{
+    public Color textColor { get; set; } = Color.black;
+}

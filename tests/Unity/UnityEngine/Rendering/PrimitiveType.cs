@@ -1,0 +1,11 @@
+namespace UnityEngine;
+
+public enum PrimitiveType
+{
+    Sphere,
+    Capsule,
+    Cylinder,
+    Cube,
+    Plane,
+    Quad,
+}

@@ -1,0 +1,9 @@
+namespace UnityEngine.Rendering;
+
+public enum ShadowCastingMode
+{
+    Off,
+    On,
+    TwoSided,
+    ShadowsOnly,
+}

@@ -1,0 +1,86 @@
+using UnityEngine.Events;
+using UnityEngine.StandIn;
+
+namespace UnityEngine.SceneManagement;
+
+public class SceneManager
+{
+    public static event UnityAction<Scene, LoadSceneMode>? sceneLoaded;
+
+    public static event UnityAction<Scene>? sceneUnloaded;
+
+    public static event UnityAction<Scene, Scene>? activeSceneChanged;
+
+    public static int sceneCount => 1;
+
+    internal static string ActiveName { get; set; } = "Untitled";
+
+    internal static string? Requested { get; set; }
+
+    public static Scene GetActiveScene() => new(ActiveName);
+
+    public static Scene GetSceneAt(int index) => GetActiveScene();
+
+    /// <summary>The scene changes with the next frame, as in the engine.</summary>
+    public static void LoadScene(string sceneName) => Requested = sceneName;
+
+    /// <summary>Destroys what the scene holds and makes what the other one does.</summary>
+    internal static void Change(string name, Action? build)
+    {
+        Scene left = GetActiveScene();
+        foreach (GameObject root in World.GetRoots().Where(static item => !item.IsKept).ToArray())
+        {
+            if (!root.IsDestroyed)
+                root.DestroyNow();
+        }
+
+        sceneUnloaded?.Invoke(left);
+        ActiveName = name;
+        Requested = null;
+        activeSceneChanged?.Invoke(left, GetActiveScene());
+        build?.Invoke();
+        sceneLoaded?.Invoke(GetActiveScene(), LoadSceneMode.Single);
+    }
+
+    internal static void ForgetListeners()
+    {
+        (sceneLoaded, sceneUnloaded, activeSceneChanged) = (null, null, null);
+        ActiveName = "Untitled";
+        Requested = null;
+    }
+}
+
+public enum LoadSceneMode
+{
+    Single,
+    Additive,
+}
+
+public readonly struct Scene : IEquatable<Scene>
+{
+    internal Scene(string name) => this.name = name;
+
+    public string name { get; }
+
+    public string path => name.Length == 0 ? "" : $"Assets/{name}.unity";
+
+    public bool isLoaded => IsValid();
+
+    public static bool operator ==(Scene lhs, Scene rhs) => lhs.Equals(rhs);
+
+    public static bool operator !=(Scene lhs, Scene rhs) => !lhs.Equals(rhs);
+
+    public bool IsValid() => !string.IsNullOrEmpty(name);
+
+    public GameObject[] GetRootGameObjects()
+    {
+        Scene scene = this;
+        return [.. World.GetRoots().Where(item => item.scene == scene)];
+    }
+
+    public override bool Equals(object? other) => other is Scene scene && Equals(scene);
+
+    public bool Equals(Scene other) => name == other.name;
+
+    public override int GetHashCode() => StringComparer.Ordinal.GetHashCode(name ?? "");
+}

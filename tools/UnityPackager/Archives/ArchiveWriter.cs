@@ -1,0 +1,31 @@
+namespace NeuronMocap.UnityPackager.Archives;
+
+/// <summary>Writes both archives, and opens what was written again.</summary>
+internal static class ArchiveWriter
+{
+    /// <exception cref="PackagerException">What was written is not what was meant.</exception>
+    public static void Write(StagedPackage package, string folder)
+    {
+        Directory.CreateDirectory(folder);
+        string tarball = Write(Path.Combine(folder, UpmTarball.NameOf(package)), UpmTarball.Create(package));
+        Compare(package.Files, UpmTarball.Read(File.ReadAllBytes(tarball)).Files, tarball);
+        string assets = Write(Path.Combine(folder, UnityPackageArchive.NameOf(package)), UnityPackageArchive.Create(package));
+        Compare(UnityPackageArchive.FilesOf(package), UnityPackageArchive.Read(File.ReadAllBytes(assets)), assets);
+    }
+
+    private static string Write(string path, byte[] archive)
+    {
+        File.WriteAllBytes(path, archive);
+        Console.WriteLine(path);
+        return path;
+    }
+
+    private static void Compare(IReadOnlyDictionary<string, byte[]> expected, IReadOnlyDictionary<string, byte[]> actual, string archive)
+    {
+        if (expected.Keys.Union(actual.Keys).FirstOrDefault(path => !AreEqual(path, expected, actual)) is { } different)
+            throw new PackagerException($"{archive}: {different} is missing, too much or not what it was.");
+    }
+
+    private static bool AreEqual(string path, IReadOnlyDictionary<string, byte[]> expected, IReadOnlyDictionary<string, byte[]> actual) =>
+        expected.TryGetValue(path, out byte[]? first) && actual.TryGetValue(path, out byte[]? second) && first.AsSpan().SequenceEqual(second);
+}

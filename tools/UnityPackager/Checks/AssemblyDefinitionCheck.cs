@@ -1,0 +1,65 @@
+using System.Text.Json;
+
+namespace NeuronMocap.UnityPackager.Checks;
+
+/// <summary>Every source belongs to an assembly whose references are there, and an application gets none of the editor's or the tests'.</summary>
+internal static class AssemblyDefinitionCheck
+{
+    private static readonly string[] TestAssemblies = ["UnityEngine.TestRunner", "UnityEditor.TestRunner"];
+    private const string TestLibrary = "nunit.framework.dll";
+
+    public static IEnumerable<string> Check(StagedPackage package)
+    {
+        IReadOnlyList<AssemblyDefinition> definitions;
+        try
+        {
+            definitions = AssemblyDefinition.FindAll(package);
+        }
+        catch (Exception exception) when (exception is JsonException or KeyNotFoundException or InvalidOperationException)
+        {
+            return [$"an .asmdef cannot be read: {exception.Message}"];
+        }
+
+        return [.. definitions.SelectMany(definition => CheckOne(definition, definitions, package)), .. CheckSources(definitions, package)];
+    }
+
+    private static IEnumerable<string> CheckOne(AssemblyDefinition definition, IReadOnlyList<AssemblyDefinition> all, StagedPackage package)
+    {
+        string path = definition.Path;
+        if (AssetPath.NameOf(path) != $"{definition.Name}.asmdef")
+            yield return $"{path}: is called {definition.Name}";
+        if (all.Count(other => other.Name == definition.Name) > 1)
+            yield return $"{path}: another assembly has this name, too";
+        if (!definition.OverrideReferences)
+            yield return $"{path}: would be given every library of a project (overrideReferences)";
+
+        foreach (string reference in definition.References)
+        {
+            AssemblyDefinition? target = all.FirstOrDefault(other => other.Name == reference);
+            if (target is null && !(definition.IsTest && TestAssemblies.Contains(reference)))
+                yield return $"{path}: there is no assembly {reference}";
+            if (target is { IsEditorOnly: true } && !definition.IsEditorOnly)
+                yield return $"{path}: {reference} is there only in the editor";
+            if (target is { IsTest: true })
+                yield return $"{path}: {reference} is a test";
+        }
+
+        foreach (string library in definition.PrecompiledReferences)
+        {
+            if (!package.Files.ContainsKey($"{MirroredFile.Libraries}/{library}") && !(definition.IsTest && library == TestLibrary))
+                yield return $"{path}: there is no library {library}";
+        }
+
+        if (definition.IsTest && (definition.AutoReferenced || !definition.PrecompiledReferences.Contains(TestLibrary)))
+            yield return $"{path}: a test names {TestLibrary} and is not referenced automatically";
+        if (path.StartsWith("Tests/", StringComparison.Ordinal) != definition.IsTest)
+            yield return $"{path}: tests are under Tests, and only there";
+        if (path.StartsWith("Editor/", StringComparison.Ordinal) && !definition.IsEditorOnly)
+            yield return $"{path}: would be part of applications";
+    }
+
+    private static IEnumerable<string> CheckSources(IReadOnlyList<AssemblyDefinition> definitions, StagedPackage package) => package.AssetFiles
+        .Where(static path => path.EndsWith(".cs", StringComparison.Ordinal))
+        .Where(path => AssemblyDefinition.Owning(path, definitions) is null)
+        .Select(static path => $"{path} belongs to no assembly");
+}

@@ -1,0 +1,66 @@
+using System.Reflection.Metadata;
+using System.Reflection.PortableExecutable;
+
+namespace NeuronMocap.UnityPackager.Checks;
+
+/// <summary>The libraries are ours and no other, stand on netstandard alone, are of the manifest's version, and tell nothing of where they were built.</summary>
+internal static class LibraryCheck
+{
+    // What the projects map their root to in symbols.
+    private const string MappedRoot = "/_/";
+
+    public static IEnumerable<string> Check(StagedPackage package) =>
+    [
+        .. package.Files.Keys.Where(IsForeign).Select(static path => $"{path}: is none of our libraries"),
+        .. MirroredFile.Assemblies.SelectMany(assembly => CheckAssembly(assembly, package)),
+    ];
+
+    private static bool IsForeign(string path) =>
+        Path.GetExtension(path) is ".dll" or ".so" or ".dylib" or ".bundle" or ".a" or ".exe" && !MirroredFile.All.Any(file => file.Path == path);
+
+    private static IEnumerable<string> CheckAssembly(string assembly, StagedPackage package)
+    {
+        string path = $"{MirroredFile.Libraries}/{assembly}";
+        foreach (string missing in ((string[])[".dll", ".pdb", ".xml"]).Where(extension => !package.Files.ContainsKey(path + extension)))
+            yield return $"{path}{missing} is missing";
+
+        if (package.Files.TryGetValue(path + ".dll", out byte[]? library))
+        {
+            foreach (string problem in CheckReferences(library, package.Version))
+                yield return $"{path}.dll: {problem}";
+        }
+
+        if (package.Files.TryGetValue(path + ".pdb", out byte[]? symbols))
+        {
+            foreach (string problem in CheckSymbols(symbols))
+                yield return $"{path}.pdb: {problem}";
+        }
+    }
+
+    private static IEnumerable<string> CheckReferences(byte[] library, string version)
+    {
+        using var file = new PEReader(new MemoryStream(library));
+        MetadataReader metadata = file.GetMetadataReader();
+        foreach (AssemblyReferenceHandle handle in metadata.AssemblyReferences)
+        {
+            string name = metadata.GetString(metadata.GetAssemblyReference(handle).Name);
+            if (name != "netstandard" && !MirroredFile.Assemblies.Contains(name))
+                yield return $"needs {name}, which Unity may not have, or may have twice";
+        }
+
+        Version actual = metadata.GetAssemblyDefinition().Version;
+        if (!version.StartsWith(actual.ToString(3), StringComparison.Ordinal))
+            yield return $"is of version {actual.ToString(3)}, package.json of {version}";
+    }
+
+    private static IEnumerable<string> CheckSymbols(byte[] symbols)
+    {
+        using MetadataReaderProvider provider = MetadataReaderProvider.FromPortablePdbStream(new MemoryStream(symbols));
+        MetadataReader metadata = provider.GetMetadataReader();
+        return [.. metadata.Documents
+            .Select(handle => metadata.GetString(metadata.GetDocument(handle).Name))
+            .Where(static name => !name.StartsWith(MappedRoot, StringComparison.Ordinal))
+            .Take(1)
+            .Select(static name => $"tells of {name}, a path of the machine it was built on")];
+    }
+}

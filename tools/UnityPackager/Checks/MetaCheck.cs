@@ -1,0 +1,36 @@
+namespace NeuronMocap.UnityPackager.Checks;
+
+/// <summary>Every file and folder that Unity imports has a meta of the right kind, with a GUID of its own, and there is no other meta.</summary>
+internal static class MetaCheck
+{
+    public static IEnumerable<string> Check(StagedPackage package)
+    {
+        HashSet<string> folders = [.. package.AssetFolders];
+        HashSet<string> assets = [.. package.AssetFiles, .. folders];
+        Dictionary<string, string> owners = [];
+        foreach (string path in assets.Order(StringComparer.Ordinal))
+        {
+            if (package.ReadMeta(path) is not { } meta)
+            {
+                yield return $"{path} has no meta: run unity-package/pack --metas";
+                continue;
+            }
+
+            if (MetaFile.FindGuid(meta) is not { } guid)
+                yield return $"{path}.meta: no GUID";
+            else if (!owners.TryAdd(guid, path))
+                yield return $"{path}.meta: the GUID is that of {owners[guid]}";
+
+            string expected = MetaFile.Create(path, folders.Contains(path), guid: string.Empty);
+            if (MetaFile.FindImporter(meta) != MetaFile.FindImporter(expected))
+                yield return $"{path}.meta: {MetaFile.FindImporter(meta) ?? "no importer"} instead of {MetaFile.FindImporter(expected)}";
+            if (meta.Contains("folderAsset: yes", StringComparison.Ordinal) != folders.Contains(path))
+                yield return $"{path}.meta: takes a file for a folder, or a folder for a file";
+            if (meta.Contains('\r', StringComparison.Ordinal))
+                yield return $"{path}.meta: has line ends of Windows";
+        }
+
+        foreach (string meta in package.Files.Keys.Where(AssetPath.IsMeta).Where(meta => !assets.Contains(AssetPath.AssetOf(meta))))
+            yield return $"{meta}: there is no {AssetPath.AssetOf(meta)}, or it needs no meta";
+    }
+}

@@ -1,0 +1,28 @@
+using System.Text.RegularExpressions;
+
+namespace NeuronMocap.UnityPackager.Checks;
+
+/// <summary>Scenes, prefabs and other assets in text form refer only to what is in the package or in Unity itself.</summary>
+internal static partial class SceneCheck
+{
+    private static readonly string[] Extensions = [".unity", ".prefab", ".asset", ".mat", ".controller", ".anim"];
+
+    // Unity's default and extra resources.
+    private static readonly string[] BuiltIn = ["0000000000000000e000000000000000", "0000000000000000f000000000000000"];
+
+    public static IEnumerable<string> Check(StagedPackage package)
+    {
+        HashSet<string> known = [.. BuiltIn, .. package.Files.Keys.Where(AssetPath.IsMeta).Select(path => MetaFile.FindGuid(package.ReadText(path))).OfType<string>()];
+        foreach (string path in package.AssetFiles.Where(static path => Extensions.Contains(Path.GetExtension(path))))
+        {
+            foreach (string guid in Reference().Matches(package.ReadText(path)).Select(static match => match.Groups["guid"].Value).Distinct(StringComparer.Ordinal))
+            {
+                if (!known.Contains(guid))
+                    yield return $"{path}: refers to {guid}, which is nothing in the package";
+            }
+        }
+    }
+
+    [GeneratedRegex("guid: (?<guid>[0-9a-f]{32})", RegexOptions.None, matchTimeoutMilliseconds: 1000)]
+    private static partial Regex Reference();
+}

@@ -1,0 +1,69 @@
+using System.Text.RegularExpressions;
+
+namespace NeuronMocap.UnityPackager.Checks;
+
+/// <summary>What goes into an application uses the editor only inside #if UNITY_EDITOR; sources are nullable, and in one of the package's namespaces.</summary>
+internal static partial class SourceCheck
+{
+    public static IEnumerable<string> Check(StagedPackage package)
+    {
+        IReadOnlyList<AssemblyDefinition> definitions = AssemblyDefinition.FindAll(package);
+        foreach (string path in package.AssetFiles.Where(static path => path.EndsWith(".cs", StringComparison.Ordinal)))
+        {
+            string[] lines = package.ReadText(path).Split('\n');
+            if (!lines.Contains("#nullable enable"))
+                yield return $"{path}: does not say #nullable enable";
+            if (!Array.Exists(lines, static line => line.StartsWith("namespace NeuronMocap.Unity", StringComparison.Ordinal)) && !IsAssemblyInfo(lines))
+                yield return $"{path}: is in no namespace of the package";
+            if (AssemblyDefinition.Owning(path, definitions) is { IsEditorOnly: false } && FindUnguarded(lines) is { } number)
+                yield return $"{path}:{number}: uses the editor outside #if UNITY_EDITOR";
+        }
+    }
+
+    private static bool IsAssemblyInfo(string[] lines) => Array.Exists(lines, static line => line.StartsWith("[assembly:", StringComparison.Ordinal));
+
+    // The number of the first line, from 1.
+    private static int? FindUnguarded(string[] lines)
+    {
+        var guards = new Stack<Guard>();
+        for (int i = 0; i < lines.Length; i++)
+        {
+            string line = lines[i].Trim();
+            if (line.StartsWith("#if", StringComparison.Ordinal))
+                guards.Push(GuardOf(line));
+            else if (line.StartsWith("#elif", StringComparison.Ordinal) && guards.TryPop(out _))
+                guards.Push(GuardOf(line));
+            else if (line.StartsWith("#else", StringComparison.Ordinal) && guards.TryPop(out Guard before))
+                guards.Push(before switch { Guard.Editor => Guard.Player, Guard.Player => Guard.Editor, _ => Guard.Other });
+            else if (line.StartsWith("#endif", StringComparison.Ordinal))
+                guards.TryPop(out _);
+            else if (!guards.Contains(Guard.Editor) && EditorName().IsMatch(Comment().Replace(line, string.Empty)))
+                return i + 1;
+        }
+
+        return null;
+    }
+
+    // "UNITY_EDITOR || X" also holds outside the editor.
+    private static Guard GuardOf(string condition)
+    {
+        if (!condition.Contains("UNITY_EDITOR", StringComparison.Ordinal) || condition.Contains("||", StringComparison.Ordinal))
+            return Guard.Other;
+
+        return condition.Contains("!UNITY_EDITOR", StringComparison.Ordinal) ? Guard.Player : Guard.Editor;
+    }
+
+    // What a condition says of the lines below it.
+    private enum Guard
+    {
+        Other,
+        Editor,
+        Player,
+    }
+
+    [GeneratedRegex(@"\bUnityEditor\b", RegexOptions.None, matchTimeoutMilliseconds: 1000)]
+    private static partial Regex EditorName();
+
+    [GeneratedRegex("//.*$", RegexOptions.None, matchTimeoutMilliseconds: 1000)]
+    private static partial Regex Comment();
+}

@@ -1,0 +1,67 @@
+namespace NeuronMocap.UnityPackager;
+
+/// <summary>The folder unity-package of the repository: what is in it, and the metas of all that has one.</summary>
+internal sealed class PackageFolder
+{
+    private readonly string _root;
+
+    public PackageFolder(string root)
+    {
+        _root = root;
+        Files = [.. Directory.EnumerateFiles(root, "*", SearchOption.AllDirectories)
+            .Select(file => Path.GetRelativePath(root, file).Replace(Path.DirectorySeparatorChar, '/'))
+            .Where(AssetPath.IsPacked)
+            .Order(StringComparer.Ordinal)];
+        IEnumerable<string> assets = Files.Where(static file => !AssetPath.IsMeta(file)).Union(MirroredFile.All.Select(static file => file.Path), StringComparer.Ordinal);
+        AssetFiles = [.. assets.Where(AssetPath.IsAsset).Order(StringComparer.Ordinal)];
+        AssetFolders = [.. AssetPath.FoldersOf(AssetFiles).Where(AssetPath.IsAsset).Order(StringComparer.Ordinal)];
+    }
+
+    /// <summary>All files, metas and hidden folders included.</summary>
+    public IReadOnlyList<string> Files { get; }
+
+    /// <summary>The files that have a meta, mirrored ones included, whether or not they are there.</summary>
+    public IReadOnlyList<string> AssetFiles { get; }
+
+    /// <summary>The folders that have a meta.</summary>
+    public IReadOnlyList<string> AssetFolders { get; }
+
+    /// <summary>Metas of files and folders that are not there.</summary>
+    public IEnumerable<string> OrphanMetas =>
+        Files.Where(AssetPath.IsMeta).Where(meta => !AssetFiles.Concat(AssetFolders).Contains(AssetPath.AssetOf(meta), StringComparer.Ordinal));
+
+    public string FullPath(string path) => Path.Combine(_root, path);
+
+    /// <summary>Writes the metas that are missing. Those that exist, moved together with their files or edited, stay as they are.</summary>
+    /// <returns>The paths of the new ones.</returns>
+    public IReadOnlyList<string> AddMissingMetas()
+    {
+        HashSet<string> guids = [.. Files.Where(AssetPath.IsMeta).Select(ReadGuid).OfType<string>()];
+        List<string> added = [];
+        foreach (string path in AssetFolders.Concat(AssetFiles).Where(path => !File.Exists(FullPath(AssetPath.MetaOf(path)))))
+        {
+            string guid = ChooseGuid(path, guids);
+            string meta = FullPath(AssetPath.MetaOf(path));
+            Directory.CreateDirectory(Path.GetDirectoryName(meta)!);
+            File.WriteAllText(meta, MetaFile.Create(path, AssetFolders.Contains(path), guid));
+            added.Add(AssetPath.MetaOf(path));
+        }
+
+        return added;
+    }
+
+    /// <summary>The GUID of an asset: that of its meta, or the one that it would be given.</summary>
+    public string GuidOf(string path) => ReadGuid(AssetPath.MetaOf(path)) ?? MetaFile.DeriveGuid(path);
+
+    private string? ReadGuid(string meta) => File.Exists(FullPath(meta)) ? MetaFile.FindGuid(File.ReadAllText(FullPath(meta))) : null;
+
+    // A file that stands where another one stood before that was moved away must not get that one's.
+    private static string ChooseGuid(string path, HashSet<string> taken)
+    {
+        string guid = MetaFile.DeriveGuid(path);
+        for (int number = 2; !taken.Add(guid); number++)
+            guid = MetaFile.DeriveGuid($"{path}#{number}");
+
+        return guid;
+    }
+}

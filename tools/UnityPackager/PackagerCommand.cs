@@ -1,0 +1,63 @@
+using System.CommandLine;
+
+namespace NeuronMocap.UnityPackager;
+
+/// <summary>The options of the program.</summary>
+internal sealed class PackagerCommand : RootCommand
+{
+    public PackagerCommand()
+        : base("Makes the Unity package out of the folder unity-package and the netstandard2.1 libraries: NeuronMocap-VERSION.unitypackage and a "
+            + "UPM tarball. What it makes is checked, and read again. Without an option both archives, into artifacts/unity.")
+    {
+        foreach (Option option in (Option[])[Output, Install, InPlace, Branch, Metas, Guid, Configuration, Repository])
+            Add(option);
+    }
+
+    public Option<DirectoryInfo?> Output { get; } = new("--output")
+    {
+        HelpName = "FOLDER",
+        Description = "Where to write the two archives.",
+    };
+
+    public Option<DirectoryInfo?> Install { get; } = new("--install")
+    {
+        HelpName = "PROJECT",
+        Description = "Put the package into a Unity project, under Packages. One that is there is replaced.",
+    };
+
+    public Option<bool> InPlace { get; } = new("--in-place")
+    {
+        Description = "Put libraries, changelog and licence into unity-package itself, for projects that name that folder (\"file:../../unity-package\").",
+    };
+
+    public Option<string?> Branch { get; } = new("--branch")
+    {
+        HelpName = "NAME",
+        Description = "Commit the complete package to this branch of the repository, for git URLs. The work tree stays as it is.",
+    };
+
+    public Option<bool> Metas { get; } = new("--metas")
+    {
+        Description = "Write the metas that are missing, remove those whose files are gone, and do nothing else.",
+    };
+
+    public Option<string?> Guid { get; } = new("--guid")
+    {
+        HelpName = "PATH",
+        Description = "Print the GUID of a file of the package, such as Runtime/Sources/MocapSource.cs, and do nothing else.",
+    };
+
+    public Option<string> Configuration { get; } = new("--configuration")
+    {
+        HelpName = "NAME",
+        Description = "Which build of the libraries to take. Default: Release.",
+        DefaultValueFactory = static _ => "Release",
+    };
+
+    public Option<DirectoryInfo> Repository { get; } = new("--repository")
+    {
+        HelpName = "FOLDER",
+        Description = "The root of the repository. Default: the current folder.",
+        DefaultValueFactory = static _ => new DirectoryInfo("."),
+    };
+}

@@ -1,0 +1,49 @@
+#nullable enable
+using System;
+using UnityEditor;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // Saves the takes of clip recorders as assets.
+    [InitializeOnLoad]
+    internal static class ClipSaver
+    {
+        private const string Assets = "Assets";
+        private const string Extension = ".anim";
+
+        static ClipSaver() => ClipRecorder.Saver = Save;
+
+        private static string Save(ClipRecorder recorder, ClipTake take)
+        {
+            string folder = MakeFolder(recorder.Folder);
+            string character = recorder.Animator != null ? recorder.Animator.name : recorder.name;
+            string path = TakeFileName.Create(folder, recorder.FileName, character, DateTime.Now, Extension).Replace('\\', '/') + Extension;
+            AssetDatabase.CreateAsset(ClipWriter.Create(take, recorder.KeyTolerance), AssetDatabase.GenerateUniqueAssetPath(path));
+            AssetDatabase.SaveAssets();
+            Debug.Log($"Animation clip saved: {path} ({take.FrameCount} frames, {take.Length:0.0} s)", recorder);
+            return path;
+        }
+
+        // The asset database makes one level at a time.
+        private static string MakeFolder(string below)
+        {
+            string folder = Assets;
+            foreach (string part in below.Split(new[] { '/', '\\' }, StringSplitOptions.RemoveEmptyEntries))
+            {
+                if (part == ".." || part == ".")
+                    throw new ArgumentException($"The folder \"{below}\" is not below Assets.");
+                if (part == Assets && folder == Assets)
+                    continue;
+
+                string next = folder + "/" + part;
+                if (!AssetDatabase.IsValidFolder(next))
+                    AssetDatabase.CreateFolder(folder, part);
+
+                folder = next;
+            }
+
+            return folder;
+        }
+    }
+}

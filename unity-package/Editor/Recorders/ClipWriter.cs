@@ -1,0 +1,93 @@
+#nullable enable
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    /// <summary>Makes an <see cref="AnimationClip"/> of what a <see cref="ClipRecorder"/> recorded.</summary>
+    public static class ClipWriter
+    {
+        // A quaternion's components change by half the angle, in radians.
+        private const float QuaternionPerDegree = Mathf.Deg2Rad / 2;
+
+        // Muscles run from -1 to 1.
+        private const float MusclePerPercent = 0.02f;
+        private const float MetresPerCentimetre = 0.01f;
+
+        /// <summary>Makes a clip, in memory.</summary>
+        /// <param name="take">The take; of one frame at least.</param>
+        /// <param name="keyTolerance">Error that keys may be left out for: percent of a muscle's range, degrees or centimetres. 0 keeps all.</param>
+        /// <returns>A clip that nobody else owns.</returns>
+        public static AnimationClip Create(ClipTake take, float keyTolerance)
+        {
+            var clip = new AnimationClip { frameRate = take.FrameRate };
+            int first = 0;
+            foreach (ClipProperty property in take.Properties)
+            {
+                IReadOnlyList<int> kept = Reduce(take, property, first, keyTolerance);
+                for (int i = 0; i < property.Components.Count; i++)
+                {
+                    var binding = EditorCurveBinding.FloatCurve(
+                        property.Path,
+                        property.IsTransform ? typeof(Transform) : typeof(Animator),
+                        property.Name + property.Components[i]);
+                    AnimationUtility.SetEditorCurve(clip, binding, new AnimationCurve(CreateKeys(take, first + i, kept)));
+                }
+
+                first += property.Components.Count;
+            }
+
+            if (take.IsHumanoid)
+                KeepPlace(clip);
+
+            return clip;
+        }
+
+        private static IReadOnlyList<int> Reduce(ClipTake take, ClipProperty property, int first, float tolerance)
+        {
+            float unit = property.IsRotation ? QuaternionPerDegree
+                : property.Components.Count == 3 ? MetresPerCentimetre
+                : MusclePerPercent;
+            return KeyReduction.Keep(
+                take.FrameCount,
+                property.Components.Count,
+                take.GetTime,
+                (frame, value) => take.GetValue(frame, first + value),
+                tolerance * unit);
+        }
+
+        // Straight from key to key: the take is dense, and curves that overshoot would let feet slide.
+        private static Keyframe[] CreateKeys(ClipTake take, int value, IReadOnlyList<int> kept)
+        {
+            var keys = new Keyframe[kept.Count];
+            float inSlope = 0;
+            for (int i = 0; i < keys.Length; i++)
+            {
+                float time = take.GetTime(kept[i]);
+                float number = take.GetValue(kept[i], value);
+                float outSlope = 0;
+                if (i + 1 < keys.Length)
+                {
+                    float duration = take.GetTime(kept[i + 1]) - time;
+                    outSlope = duration > 0 ? (take.GetValue(kept[i + 1], value) - number) / duration : 0;
+                }
+
+                keys[i] = new Keyframe(time, number, i == 0 ? outSlope : inSlope, i + 1 < keys.Length ? outSlope : inSlope);
+                inSlope = outSlope;
+            }
+
+            return keys;
+        }
+
+        // Without it Unity moves the character so that it starts at the origin, facing forward.
+        private static void KeepPlace(AnimationClip clip)
+        {
+            AnimationClipSettings settings = AnimationUtility.GetAnimationClipSettings(clip);
+            settings.keepOriginalOrientation = true;
+            settings.keepOriginalPositionXZ = true;
+            settings.keepOriginalPositionY = true;
+            AnimationUtility.SetAnimationClipSettings(clip, settings);
+        }
+    }
+}

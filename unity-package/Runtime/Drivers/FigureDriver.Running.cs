@@ -1,0 +1,195 @@
+#nullable enable
+
+using System;
+using NeuronMocap.Retargeting;
+using UnityEngine;
+
+namespace NeuronMocap.Unity
+{
+    // The work of each rendered frame. [NonSerialized]: see MocapSource.
+    public abstract partial class FigureDriver
+    {
+        private const float RebindPeriod = 1; // s
+
+        [NonSerialized]
+        private FigureRig? _rig;
+
+        [NonSerialized]
+        private string? _rigProblem;
+
+        [NonSerialized]
+        private float _rebindTime;
+
+        [NonSerialized]
+        private int _body;
+
+        [NonSerialized]
+        private Performer? _retargeted;
+
+        [NonSerialized]
+        private bool _hasPose;
+
+        [NonSerialized]
+        private float _presence = 1;
+
+        private protected FigureRig? Rig => _rig;
+
+        // The figure and its rest pose, or the problem that there is with it.
+        private protected abstract FigureRig? CreateRig(out string problem);
+
+        private protected abstract void CopyBoneWeights(BoneWeights weights);
+
+        private protected void Awake() => TryBind();
+
+        private protected void OnEnable()
+        {
+            _rigProblem = null;
+            _presence = 1;
+        }
+
+        private protected void OnDisable()
+        {
+            IsDriving = false;
+            Performer = null;
+            ActiveSource = null;
+            _retargeted = null;
+            _hasPose = false;
+        }
+
+        private protected void OnValidate() => _rigProblem = null;
+
+        private void Update()
+        {
+            if (_driveTime == DriveTime.Update)
+                Drive();
+        }
+
+        private void LateUpdate()
+        {
+            if (_driveTime == DriveTime.LateUpdate)
+                Drive();
+        }
+
+        private void Drive()
+        {
+            IsDriving = false;
+            if (!TryBind())
+            {
+                Problem = _rigProblem!;
+                return;
+            }
+
+            Performer = FindPerformer();
+            bool isLive = Performer is { IsLive: true, HasPose: true };
+            if (Performer is { HasPose: true } performer)
+                Retarget(performer, _rig!);
+
+            Blend(isLive);
+            if (_hasPose)
+                _rig!.Writer.Write(_rig.Pose, Mathf.Clamp01(_weight) * _presence);
+
+            IsDriving = isLive && _hasPose;
+            Problem = Explain();
+        }
+
+        private bool TryBind()
+        {
+            if (_rig != null)
+                return true;
+            if (_rigProblem != null && Time.unscaledTime < _rebindTime)
+                return false;
+
+            _rebindTime = Time.unscaledTime + RebindPeriod;
+            _rig = CreateRig(out string problem);
+            _rigProblem = _rig is null ? problem : null;
+            _retargeted = null;
+            _hasPose = false;
+            return _rig != null;
+        }
+
+        private Performer? FindPerformer()
+        {
+            ActiveSource = FindSource();
+            if (ActiveSource == null)
+                return null;
+
+            Performer? found;
+            return _performerChoice == PerformerChoice.ByName
+                ? ActiveSource.TryGetPerformer(_performerName, out found) ? found : null
+                : ActiveSource.TryGetPerformer(_performerIndex, out found) ? found : null;
+        }
+
+        private MocapSource? FindSource()
+        {
+            if (_source != null)
+                return _source;
+
+            // One that was found stays: which is the first may change.
+            if (ActiveSource != null && ActiveSource.isActiveAndEnabled)
+                return ActiveSource;
+
+            for (Transform? above = transform; above != null; above = above.parent)
+            {
+                if (above.TryGetComponent(out MocapSource own) && own.isActiveAndEnabled)
+                    return own;
+            }
+
+            return MocapSource.All.Count > 0 ? MocapSource.All[0] : null;
+        }
+
+        private void Retarget(Performer performer, FigureRig rig)
+        {
+            if (_retargeted != performer || _body != performer.BodyVersion)
+            {
+                rig.SetBody(performer.Body);
+                if (_retargeted != performer)
+                    rig.ForgetFeet();
+
+                _retargeted = performer;
+                _body = performer.BodyVersion;
+            }
+
+            RetargetOptions options = rig.Options;
+            options.RootMotion = _rootMotion;
+            options.HeightOffset = float.IsFinite(_heightOffset) ? _heightOffset : 0;
+            options.Scale = _automaticScale || !(_scale >= 0 && float.IsFinite(_scale)) ? (float?)null : _scale;
+            options.Weights.Reset();
+            _partWeights.CopyTo(options.Weights);
+            CopyBoneWeights(options.Weights);
+            if (!rig.TryRetarget(performer.LocalPose))
+                return;
+
+            _hasPose = true;
+            PlantFeet(performer, rig);
+        }
+
+        // A figure that walks where it stands has to slide.
+        private void PlantFeet(Performer performer, FigureRig rig)
+        {
+            if (!_groundFeet || _rootMotion == RootMotion.InPlace)
+            {
+                rig.ForgetFeet();
+                return;
+            }
+
+            FootPlanterOptions options = rig.FootOptions;
+            options.GroundHeight = float.IsFinite(_groundHeight) ? _groundHeight : 0;
+            options.BlendIn = options.BlendOut = _footBlendTime >= 0 ? Math.Min(_footBlendTime, 1) : 0;
+            options.FootRotation = _footRotation;
+            rig.PlantFeet(performer.Contacts, performer.Time);
+        }
+
+        // How much of the pose there is while data comes and goes.
+        private void Blend(bool isLive)
+        {
+            float target = isLive || _whenIdle == IdleBehaviour.Hold ? 1 : 0;
+            _presence = _idleBlendTime > 0 ? Mathf.MoveTowards(_presence, target, Time.unscaledDeltaTime / _idleBlendTime) : target;
+        }
+
+        private void RestoreRest()
+        {
+            _rig?.Writer.Restore();
+            _hasPose = false;
+        }
+    }
+}

@@ -1,0 +1,57 @@
+#nullable enable
+
+using System;
+using NeuronMocap.Retargeting;
+using NeuronMocap.Skeleton;
+using UnityEngine;
+
+namespace NeuronMocap.Unity
+{
+    // A figure's transforms, and what turns poses of a performer into poses of theirs.
+    internal sealed class FigureRig
+    {
+        private readonly Retargeter _retargeter;
+        private readonly FootPlanter _planter;
+        private bool _isPlanting;
+
+        public FigureRig(TargetRig target, Transform[] nodes, string note)
+        {
+            Target = target;
+            Note = note;
+            Pose = new RetargetedPose(target);
+            Writer = new PoseWriter(nodes, target);
+            _planter = new FootPlanter(target);
+            _retargeter = new Retargeter(target, SkeletonBody.Default(), new RetargetOptions());
+        }
+
+        public TargetRig Target { get; }
+
+        public string Note { get; }
+
+        public RetargetedPose Pose { get; }
+
+        public PoseWriter Writer { get; }
+
+        public RetargetOptions Options => _retargeter.Options;
+
+        public void SetBody(SkeletonBody body) => _retargeter.SetBody(body);
+
+        public bool TryRetarget(ReadOnlySpan<BoneTransform> pose) => _retargeter.TryRetarget(pose, Pose);
+
+        public FootPlanterOptions FootOptions => _planter.Options;
+
+        public void PlantFeet(FootContacts contacts, double seconds)
+        {
+            _planter.Plant(Pose, contacts, seconds);
+            _isPlanting = true;
+        }
+
+        public void ForgetFeet()
+        {
+            if (_isPlanting)
+                _planter.Reset();
+
+            _isPlanting = false;
+        }
+    }
+}

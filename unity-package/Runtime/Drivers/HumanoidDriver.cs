@@ -1,0 +1,99 @@
+#nullable enable
+
+using System;
+using System.Collections.Generic;
+using NeuronMocap.Retargeting;
+using UnityEngine;
+
+namespace NeuronMocap.Unity
+{
+    /// <summary>
+    /// Moves a Humanoid figure, any that has an Animator with a Humanoid avatar, as a performer moves. Its proportions and its rest pose may be any: the bones turn
+    /// as the performer's do, away from the T-pose of the avatar.
+    /// </summary>
+    [AddComponentMenu("NeuronMocap/Humanoid Driver")]
+    public sealed class HumanoidDriver : FigureDriver
+    {
+        [Header("Humanoid")]
+        [Tooltip("The figure. Empty: the Animator on this object, or the first one below it.")]
+        [SerializeField]
+        private Animator? _animator;
+
+        [Tooltip("Weights of single bones, on top of those of their parts.")]
+        [SerializeField]
+        private List<HumanoidBoneWeight> _boneWeights = new List<HumanoidBoneWeight>();
+
+        /// <summary>The figure; null for the Animator on this object, or the first one below it.</summary>
+        public Animator? Animator
+        {
+            get => _animator;
+            set
+            {
+                if (ReferenceEquals(_animator, value))
+                    return;
+
+                Rebind();
+                _animator = value;
+            }
+        }
+
+        /// <summary>Weights of single bones, on top of those of their parts; bones that are not listed have 1.</summary>
+        public IList<HumanoidBoneWeight> BoneWeights => _boneWeights;
+
+        private protected override FigureRig? CreateRig(out string problem)
+        {
+            Animator? animator = _animator != null ? _animator : GetComponentInChildren<Animator>(true);
+            problem = FindFault(animator);
+            if (problem.Length > 0)
+                return null;
+
+            Transform root = animator!.transform;
+            var bones = new Transform?[HumanoidBones.Count];
+            for (int bone = 0; bone < bones.Length; bone++)
+                bones[bone] = animator.GetBoneTransform((HumanBodyBones)bone);
+
+            if (bones[0] == null)
+            {
+                problem = "The figure's bones are not in the scene. In the model's import settings, tab Rig, switch Optimize Game Objects off.";
+                return null;
+            }
+
+            RestPose rest = RestPose.OfAvatar(root, animator.avatar!);
+            RigCapture capture = RigCapture.Take(root, bones, rest);
+            int[] nodeOf = Array.ConvertAll(bones, capture.IndexOf);
+            try
+            {
+                return new FigureRig(TargetRig.Humanoid(capture.Nodes, nodeOf), capture.Transforms, rest.Note);
+            }
+            catch (ArgumentException exception)
+            {
+                problem = $"The avatar cannot be driven: {exception.Message}";
+                return null;
+            }
+        }
+
+        private protected override void CopyBoneWeights(BoneWeights weights)
+        {
+            for (int i = 0; i < _boneWeights.Count; i++)
+            {
+                HumanoidBoneWeight bone = _boneWeights[i];
+                if ((uint)bone.Bone < HumanoidBones.Count)
+                    weights[bone.Bone] = Mathf.Clamp01(bone.Weight);
+            }
+        }
+
+        private static string FindFault(Animator? animator)
+        {
+            if (animator == null)
+                return "There is no Animator. Put this component on the figure, or assign the figure's Animator to Animator.";
+            if (animator.avatar == null)
+                return "The Animator has no avatar. In the model's import settings, tab Rig, choose Humanoid, and assign the avatar to the Animator.";
+            if (!animator.avatar.isValid)
+                return $"The avatar {animator.avatar.name} is not valid. In the model's import settings, tab Rig, open Configure and map the bones in red.";
+            if (!animator.avatar.isHuman)
+                return $"The avatar {animator.avatar.name} is not Humanoid. In the model's import settings, tab Rig, choose Humanoid, or use a Generic Rig Driver.";
+
+            return string.Empty;
+        }
+    }
+}

@@ -1,0 +1,103 @@
+#nullable enable
+
+using System;
+using NeuronMocap.Retargeting;
+using UnityEngine;
+using Quaternion = UnityEngine.Quaternion;
+using Vector3 = UnityEngine.Vector3;
+
+namespace NeuronMocap.Unity
+{
+    // Writes poses to transforms. With a weight below 1 they are mixed with what somebody else, usually an Animator, has written meanwhile; where nobody
+    // has, with the rest pose. Main thread.
+    internal sealed class PoseWriter
+    {
+        private readonly Transform[] _nodes;
+        private readonly int _hips;
+        private readonly Quaternion[] _rest;
+        private readonly Quaternion[] _written;
+        private readonly bool[] _isWritten;
+        private readonly Vector3 _hipsRest;
+        private Vector3 _hipsWritten;
+
+        public PoseWriter(Transform[] nodes, TargetRig rig)
+        {
+            _nodes = nodes;
+            _hips = rig.HipsNode;
+            _rest = new Quaternion[nodes.Length];
+            _isWritten = new bool[nodes.Length];
+            for (int node = 0; node < nodes.Length; node++)
+                _rest[node] = rig.Nodes[node].Rotation.ToUnity();
+
+            _written = (Quaternion[])_rest.Clone();
+            _hipsWritten = _hipsRest = rig.Nodes[_hips].Position.ToUnity();
+        }
+
+        public void Write(RetargetedPose pose, float weight)
+        {
+            Span<System.Numerics.Quaternion> rotations = pose.LocalRotations;
+            for (int node = 0; node < _nodes.Length; node++)
+            {
+                if (!pose.IsDriven(node))
+                    Release(node);
+                else if (_nodes[node] != null)
+                    Turn(node, rotations[node].ToUnity(), weight);
+            }
+
+            if (pose.IsDriven(_hips) && _nodes[_hips] != null)
+                Move(pose.HipsLocalPosition.ToUnity(), weight);
+        }
+
+        // What was driven goes back to rest.
+        public void Restore()
+        {
+            for (int node = 0; node < _nodes.Length; node++)
+                Release(node);
+        }
+
+        // A bone that is driven no more is somebody else's, and goes to rest where nobody has taken it.
+        private void Release(int node)
+        {
+            if (!_isWritten[node])
+                return;
+
+            _isWritten[node] = false;
+            Transform transform = _nodes[node];
+            if (transform == null)
+                return;
+
+            if (transform.localRotation == _written[node])
+                transform.localRotation = _rest[node];
+            if (node == _hips && transform.localPosition == _hipsWritten)
+                transform.localPosition = _hipsRest;
+            _written[node] = _rest[node];
+        }
+
+        private void Turn(int node, Quaternion rotation, float weight)
+        {
+            Transform transform = _nodes[node];
+            if (weight < 1)
+            {
+                Quaternion present = transform.localRotation;
+                rotation = Quaternion.Slerp(present == _written[node] ? _rest[node] : present, rotation, weight);
+            }
+
+            transform.localRotation = rotation;
+            _written[node] = rotation;
+            _isWritten[node] = true;
+        }
+
+        private void Move(Vector3 position, float weight)
+        {
+            Transform hips = _nodes[_hips];
+            if (weight < 1)
+            {
+                Vector3 present = hips.localPosition;
+                position = Vector3.Lerp(present == _hipsWritten ? _hipsRest : present, position, weight);
+            }
+
+            hips.localPosition = position;
+            _hipsWritten = position;
+        }
+    }
+}

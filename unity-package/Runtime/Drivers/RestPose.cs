@@ -1,0 +1,101 @@
+#nullable enable
+
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace NeuronMocap.Unity
+{
+    // Where a figure's transforms are at rest, relative to their parents: as its avatar says; else as its skin was bound; else as they stand now.
+    internal sealed class RestPose
+    {
+        public const string FromBindPose = "The avatar does not say how the figure stands at rest; its bind pose is taken instead.";
+
+        public const string FromPresent =
+            "The figure's rest pose is not known: it has no avatar that tells it, and no skin. How it stood at first is taken, which has to be the T-pose.";
+
+        private readonly Dictionary<string, SkeletonBone> _skeleton = new Dictionary<string, SkeletonBone>(StringComparer.Ordinal);
+        private readonly Dictionary<Transform, Matrix4x4> _bound = new Dictionary<Transform, Matrix4x4>();
+        private readonly Transform _root;
+
+        private RestPose(Transform root) => _root = root;
+
+        // What is to be said about it; empty when there is nothing.
+        public string Note { get; private set; } = string.Empty;
+
+        public static RestPose OfAvatar(Transform root, Avatar avatar)
+        {
+            var rest = new RestPose(root);
+            SkeletonBone[]? skeleton = avatar.humanDescription.skeleton;
+            if (skeleton is null || skeleton.Length == 0)
+            {
+                rest.TakeSkins(FromBindPose);
+                return rest;
+            }
+
+            // The first of a name: names of an avatar's transforms are unique, but those of props that hang from them need not be.
+            foreach (SkeletonBone bone in skeleton)
+                rest._skeleton.TryAdd(bone.name, bone);
+
+            return rest;
+        }
+
+        public static RestPose OfSkins(Transform root)
+        {
+            var rest = new RestPose(root);
+            rest.TakeSkins(string.Empty);
+            return rest;
+        }
+
+        public void Get(Transform transform, out Vector3 position, out Quaternion rotation, out Vector3 scale)
+        {
+            if (_skeleton.TryGetValue(transform.name, out SkeletonBone bone))
+            {
+                (position, rotation, scale) = (bone.position, bone.rotation, bone.scale);
+                return;
+            }
+
+            if (_bound.Count > 0 && _bound.TryGetValue(transform, out Matrix4x4 world))
+            {
+                Matrix4x4 local = WorldOf(transform.parent!).inverse * world;
+                (position, rotation, scale) = (local.GetColumn(3), local.rotation, local.lossyScale);
+                return;
+            }
+
+            (position, rotation, scale) = (transform.localPosition, transform.localRotation, transform.localScale);
+        }
+
+        // At rest, in the root's space.
+        private Matrix4x4 WorldOf(Transform transform)
+        {
+            if (transform == _root)
+                return Matrix4x4.identity;
+            if (_bound.TryGetValue(transform, out Matrix4x4 world))
+                return world;
+
+            Get(transform, out Vector3 position, out Quaternion rotation, out Vector3 scale);
+            return WorldOf(transform.parent!) * Matrix4x4.TRS(position, rotation, scale);
+        }
+
+        // A bind pose says where the mesh is in a bone's space.
+        private void TakeSkins(string note)
+        {
+            foreach (SkinnedMeshRenderer skin in _root.GetComponentsInChildren<SkinnedMeshRenderer>(true))
+            {
+                if (skin.sharedMesh == null)
+                    continue;
+
+                Matrix4x4[] poses = skin.sharedMesh.bindposes;
+                Transform[] bones = skin.bones;
+                Matrix4x4 mesh = _root.worldToLocalMatrix * skin.transform.localToWorldMatrix;
+                for (int i = 0; i < bones.Length && i < poses.Length; i++)
+                {
+                    if (bones[i] != null)
+                        _bound[bones[i]] = mesh * poses[i].inverse;
+                }
+            }
+
+            Note = _bound.Count > 0 ? note : FromPresent;
+        }
+    }
+}

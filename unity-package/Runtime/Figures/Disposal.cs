@@ -1,0 +1,20 @@
+#nullable enable
+using UnityEngine;
+
+namespace NeuronMocap.Unity
+{
+    internal static class Disposal
+    {
+        // Unity allows the delayed way in play mode only, and asks for it there.
+        public static void Destroy(Object? thing)
+        {
+            if (thing == null)
+                return;
+
+            if (Application.isPlaying)
+                Object.Destroy(thing);
+            else
+                Object.DestroyImmediate(thing);
+        }
+    }
+}

@@ -1,0 +1,134 @@
+#nullable enable
+using System;
+using NeuronMocap.Skeleton;
+using UnityEngine;
+
+namespace NeuronMocap.Unity
+{
+    /// <summary>
+    /// Builds a complete Humanoid character for a performer, of the performer's own sizes, and gives it to the <see cref="HumanoidDriver"/> on the same object:
+    /// no model is needed to see motion. Built again when the sizes change. The figure is a child of this object and ends with this component.
+    /// </summary>
+    [AddComponentMenu("NeuronMocap/Figure Builder")]
+    [RequireComponent(typeof(HumanoidDriver))]
+    [DefaultExecutionOrder(-50)]
+    [DisallowMultipleComponent]
+    public sealed class FigureBuilder : MonoBehaviour
+    {
+        // Sizes that are being learnt may change with every frame; a figure is a thousand objects' work.
+        private const float ShortestLife = 0.5f;
+
+        [SerializeField]
+        [Tooltip("Colours and material.")]
+        private FigureLook _look = new FigureLook();
+
+        [SerializeField]
+        [Tooltip("Show a figure of usual sizes in the T-pose before there is a performer.")]
+        private bool _showBeforeData = true;
+
+        private SkeletonBody? _refused;
+        private float _builtAt = float.NegativeInfinity;
+
+        /// <summary>A figure was built, for the first time or for other sizes. Main thread; the one before is about to be destroyed.</summary>
+        public event Action<HumanoidFigure>? Built;
+
+        /// <summary>Colours and material; of the next figure, or after <see cref="Rebuild"/>.</summary>
+        public FigureLook Look
+        {
+            get => _look;
+            set => _look = value ?? new FigureLook();
+        }
+
+        /// <summary>Whether there is a figure of usual sizes before there is a performer.</summary>
+        public bool ShowBeforeData
+        {
+            get => _showBeforeData;
+            set => _showBeforeData = value;
+        }
+
+        /// <summary>The figure; null before there is one. It is another one after sizes have changed.</summary>
+        public HumanoidFigure? Figure { get; private set; }
+
+        /// <summary>Moves the figure.</summary>
+        public HumanoidDriver Driver { get; private set; } = null!;
+
+        /// <summary>Why there is no figure of the performer's sizes; empty while all is well.</summary>
+        public string Problem { get; private set; } = "";
+
+        /// <summary>Builds the figure anew, with the look as it is now.</summary>
+        public void Rebuild() => Build(Driver.Performer?.Body ?? Figure?.Body ?? SkeletonBody.Default());
+
+        private void Awake() => Driver = GetComponent<HumanoidDriver>();
+
+        private void OnEnable()
+        {
+            if (_showBeforeData)
+                Build(SkeletonBody.Default());
+
+            _builtAt = float.NegativeInfinity;
+        }
+
+        private void Update()
+        {
+            if (!(Driver.Performer is { HasPose: true } performer))
+                return;
+
+            bool isBuilt = Figure is { IsDestroyed: false };
+            bool isRefused = ReferenceEquals(performer.Body, _refused);
+            if (isRefused || (isBuilt && ReferenceEquals(performer.Body, Figure!.Body)))
+                return;
+
+            if (!isBuilt || Time.unscaledTime - _builtAt >= ShortestLife)
+                Build(performer.Body);
+        }
+
+        private void OnDisable()
+        {
+            Release();
+            _refused = null;
+        }
+
+        private void Build(SkeletonBody body)
+        {
+            HumanoidFigure figure;
+            try
+            {
+                figure = HumanoidFigure.Build(body, _look, transform);
+            }
+            catch (ArgumentException exception)
+            {
+                // The same body would fail in every frame; the figure before stays.
+                _refused = body;
+                Problem = exception.Message;
+                return;
+            }
+
+            HumanoidFigure? before = Figure;
+            Figure = figure;
+            Problem = "";
+            _refused = null;
+            _builtAt = Time.unscaledTime;
+            SetLayer(figure.Root.transform, gameObject.layer);
+            Driver.Animator = figure.Animator;
+            Built?.Invoke(figure);
+            before?.Dispose();
+        }
+
+        private void Release()
+        {
+            if (Driver != null)
+                Driver.Animator = null;
+
+            Figure?.Dispose();
+            Figure = null;
+        }
+
+        // As the builder's object, so that cameras that leave it out leave the figure out.
+        private static void SetLayer(Transform node, int layer)
+        {
+            node.gameObject.layer = layer;
+            for (int i = 0; i < node.childCount; i++)
+                SetLayer(node.GetChild(i), layer);
+        }
+    }
+}

@@ -1,0 +1,51 @@
+#nullable enable
+using NeuronMocap.Skeleton;
+using Vector2 = UnityEngine.Vector2;
+using Vector3 = UnityEngine.Vector3;
+
+namespace NeuronMocap.Unity
+{
+    // A capsule whose section is an ellipse that may change from end to end: a limb, a palm, a skull. Metres, in the axes of its bone.
+    internal readonly struct FigureShape
+    {
+        public FigureShape(Bone bone, Vector3 start, Vector3 end, Vector2 startRadii, Vector2 endRadii, Vector3 side, bool isAccent = false)
+        {
+            Bone = bone;
+            Start = start;
+            End = end;
+            StartRadii = startRadii;
+            EndRadii = endRadii;
+            Side = side;
+            IsAccent = isAccent;
+        }
+
+        public Bone Bone { get; }
+
+        // Centres of the two end sections; the round ends reach beyond them.
+        public Vector3 Start { get; }
+
+        public Vector3 End { get; }
+
+        // Half widths along Side, and across it.
+        public Vector2 StartRadii { get; }
+
+        public Vector2 EndRadii { get; }
+
+        public Vector3 Side { get; }
+
+        // Drawn in the second colour.
+        public bool IsAccent { get; }
+
+        public static FigureShape Round(Bone bone, Vector3 start, Vector3 end, float startRadius, float endRadius, bool isAccent = false) =>
+            new FigureShape(
+                bone,
+                start,
+                end,
+                new Vector2(startRadius, startRadius),
+                new Vector2(endRadius, endRadius),
+                Vector3.forward,
+                isAccent);
+
+        public static FigureShape Ball(Bone bone, float radius) => Round(bone, Vector3.zero, Vector3.zero, radius, radius, true);
+    }
+}

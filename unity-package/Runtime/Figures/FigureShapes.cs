@@ -1,0 +1,152 @@
+#nullable enable
+using System.Collections.Generic;
+using NeuronMocap.Skeleton;
+using UnityEngine;
+using Vector2 = UnityEngine.Vector2;
+using Vector3 = UnityEngine.Vector3;
+
+namespace NeuronMocap.Unity
+{
+    // What a figure looks like: a jointed doll. Lengths are the body's own; thicknesses are those of an adult, by stature.
+    internal sealed class FigureShapes
+    {
+        // Height of the default body's hips, in metres: the stature that the thicknesses below belong to.
+        private const float ReferenceHipsHeight = 0.841f;
+
+        private readonly List<FigureShape> _shapes = new List<FigureShape>(64);
+        private readonly SkeletonBody _body;
+        private readonly float _size;
+
+        private FigureShapes(SkeletonBody body)
+        {
+            _body = body;
+            float hipsHeight = Offset(Bone.Hips).y;
+            _size = hipsHeight > 0 ? hipsHeight / ReferenceHipsHeight : 1;
+        }
+
+        public static IReadOnlyList<FigureShape> Of(SkeletonBody body)
+        {
+            var shapes = new FigureShapes(body);
+            shapes.AddTrunk();
+            shapes.AddHead();
+            shapes.AddLeg(Bone.LeftUpLeg);
+            shapes.AddLeg(Bone.RightUpLeg);
+            shapes.AddArm(Bone.LeftShoulder);
+            shapes.AddArm(Bone.RightShoulder);
+            return shapes._shapes;
+        }
+
+        // Both variants have five bones from the hips up; where the shoulders hang decides which of them are the chest.
+        private void AddTrunk()
+        {
+            Vector2 waist = Radii(0.125f, 0.092f);
+            Vector2 chest = Radii(0.15f, 0.105f);
+            Vector2 top = Radii(0.13f, 0.085f);
+            Add(Bone.Hips, Vector3.zero, Offset(Bone.Spine), Radii(0.145f, 0.1f), waist);
+            Add(Bone.Spine, Vector3.zero, Offset(Bone.Spine1), waist, waist);
+            Add(Bone.Spine1, Vector3.zero, Offset(Bone.Spine2), waist, chest);
+
+            bool hasFourSpineBones = _body.Variant == SkeletonVariant.Spine3;
+            Bone shoulders = hasFourSpineBones ? Bone.Neck : Bone.Spine2;
+            if (hasFourSpineBones)
+                Add(Bone.Spine2, Vector3.zero, Offset(Bone.Neck), chest, chest);
+
+            // Ends below the collar bones, which the round end reaches.
+            float height = Mathf.Max(0, Offset(Bone.LeftShoulder).y - (0.03f * _size));
+            Add(shoulders, Vector3.zero, new Vector3(0, height, 0), chest, top);
+
+            float neck = 0.052f * _size;
+            for (Bone bone = shoulders + 1; bone < Bone.Head; bone++)
+                _shapes.Add(FigureShape.Round(bone, Vector3.zero, Offset(bone + 1), neck, neck));
+        }
+
+        private void AddHead()
+        {
+            Vector3 crown = End(Bone.Head);
+            float length = crown.magnitude;
+            Vector3 up = length > 0 ? crown / length : Vector3.up;
+            Vector2 jaw = new Vector2(0.33f, 0.42f) * length;
+            Vector2 skull = new Vector2(0.44f, 0.55f) * length;
+            Vector3 forward = Vector3.forward * (0.06f * length);
+            Add(Bone.Head, (up * (0.2f * length)) + forward, (up * (0.62f * length)) + forward, jaw, skull);
+
+            // A visor, so that one sees where the figure looks.
+            Vector3 eyes = (up * (0.5f * length)) + (Vector3.forward * (0.49f * length));
+            Vector3 half = Vector3.right * (0.2f * length);
+            var visor = new Vector2(0.11f, 0.13f) * length;
+            _shapes.Add(new FigureShape(Bone.Head, eyes - half, eyes + half, visor, visor, up, true));
+        }
+
+        private void AddLeg(Bone thigh)
+        {
+            Bone shin = thigh + 1;
+            Bone foot = thigh + 2;
+            float knee = 0.055f * _size;
+            float ankle = 0.04f * _size;
+            _shapes.Add(FigureShape.Round(thigh, Vector3.zero, Offset(shin), 0.085f * _size, knee));
+            _shapes.Add(FigureShape.Ball(shin, 0.06f * _size));
+            _shapes.Add(FigureShape.Round(shin, Vector3.zero, Offset(foot), knee, ankle));
+
+            // A sole on the ground, from behind the ankle to the toes, and what joins it to the ankle.
+            Vector3 toes = End(foot);
+            float half = Mathf.Min(0.028f * _size, Mathf.Abs(toes.y) / 2);
+            var ball = new Vector2(0.047f * _size, half);
+            Vector3 tip = toes + new Vector3(0, half, -half);
+            var heel = new Vector3(0, tip.y, -0.045f * _size);
+            Add(foot, heel, tip, new Vector2(0.038f * _size, half), ball);
+            _shapes.Add(FigureShape.Round(foot, Vector3.zero, Vector3.Lerp(heel, tip, 0.35f), ankle, ankle));
+        }
+
+        private void AddArm(Bone shoulder)
+        {
+            Bone upperArm = shoulder + 1;
+            Bone forearm = shoulder + 2;
+            Bone hand = shoulder + 3;
+            float elbow = 0.038f * _size;
+            float wrist = 0.026f * _size;
+            _shapes.Add(FigureShape.Round(shoulder, Vector3.zero, Offset(upperArm) * 0.85f, 0.05f * _size, 0.055f * _size));
+            _shapes.Add(FigureShape.Ball(upperArm, 0.06f * _size));
+            _shapes.Add(FigureShape.Round(upperArm, Vector3.zero, Offset(forearm), 0.05f * _size, elbow));
+            _shapes.Add(FigureShape.Ball(forearm, 0.042f * _size));
+            _shapes.Add(FigureShape.Round(forearm, Vector3.zero, Offset(hand), elbow, wrist));
+            AddHand(hand);
+        }
+
+        // The four fingers are a palm bone and three more each, the thumb three. The palm is one shape: its bones hardly move.
+        private void AddHand(Bone hand)
+        {
+            Bone thumb = hand + 1;
+            Bone index = hand + 4;
+            Vector3 knuckles = (FirstJoint(index) + FirstJoint(index + 12)) / 2;
+            float halfWidth = Vector3.Distance(FirstJoint(index), FirstJoint(index + 12)) / 2;
+            var palm = new Vector2(halfWidth + (0.008f * _size), 0.014f * _size);
+            Add(hand, knuckles * 0.25f, knuckles * 0.9f, new Vector2(0.026f, 0.016f) * _size, palm, Vector3.forward);
+            AddFinger(thumb, 0.0125f);
+            for (Bone finger = index; finger < index + 16; finger += 4)
+                AddFinger(finger + 1, 0.0095f);
+        }
+
+        private Vector3 FirstJoint(Bone palmBone) => Offset(palmBone) + Offset(palmBone + 1);
+
+        private void AddFinger(Bone first, float radius)
+        {
+            float wide = radius * _size;
+            float narrow = 0.85f * wide;
+            _shapes.Add(FigureShape.Round(first, Vector3.zero, Offset(first + 1), wide, wide));
+            _shapes.Add(FigureShape.Round(first + 1, Vector3.zero, Offset(first + 2), wide, narrow));
+            _shapes.Add(FigureShape.Round(first + 2, Vector3.zero, End(first + 2) * 0.6f, narrow, 0.8f * wide));
+        }
+
+        private void Add(Bone bone, Vector3 start, Vector3 end, Vector2 startRadii, Vector2 endRadii) =>
+            Add(bone, start, end, startRadii, endRadii, Vector3.right);
+
+        private void Add(Bone bone, Vector3 start, Vector3 end, Vector2 startRadii, Vector2 endRadii, Vector3 side) =>
+            _shapes.Add(new FigureShape(bone, start, end, startRadii, endRadii, side));
+
+        private Vector2 Radii(float width, float depth) => new Vector2(width, depth) * _size;
+
+        private Vector3 Offset(Bone bone) => _body.Offsets[(int)bone].ToUnityPosition();
+
+        private Vector3 End(Bone bone) => _body.EndSites[(int)bone].ToUnityPosition();
+    }
+}

@@ -1,0 +1,196 @@
+#nullable enable
+using UnityEngine;
+using Quaternion = UnityEngine.Quaternion;
+using Vector2 = UnityEngine.Vector2;
+using Vector3 = UnityEngine.Vector3;
+
+namespace NeuronMocap.Unity
+{
+    /// <summary>
+    /// Something to stand on and to be seen by, for scenes that have nothing yet: a ground with lines a metre apart, a light, and a camera that looks at
+    /// a target. Made when it is enabled, and gone when it is disabled.
+    /// </summary>
+    [AddComponentMenu("NeuronMocap/Stage Builder")]
+    [DefaultExecutionOrder(300)]
+    [DisallowMultipleComponent]
+    public sealed class StageBuilder : MonoBehaviour
+    {
+        // A primitive plane is so many metres wide.
+        private const float PlaneSize = 10;
+        private const int TextureSize = 128;
+        private const int LineWidth = 2;
+        private const float FollowSeconds = 0.4f;
+
+        [SerializeField]
+        [Tooltip("A ground with lines a metre apart.")]
+        private bool _ground = true;
+
+        [SerializeField]
+        [Range(2, 100)]
+        [Tooltip("Width of the ground; metres.")]
+        private float _groundSize = 20;
+
+        [SerializeField]
+        private Color _groundColor = new Color(0.32f, 0.34f, 0.38f);
+
+        [SerializeField]
+        [Tooltip("A material to copy and colour. Empty: the render pipeline's own.")]
+        private Material? _groundMaterial;
+
+        [SerializeField]
+        [Tooltip("A light like the sun's.")]
+        private bool _light = true;
+
+        [SerializeField]
+        [Tooltip("A camera, unless the scene has a main camera already.")]
+        private bool _camera = true;
+
+        [SerializeField]
+        [Tooltip("What the camera looks at and goes along with. Empty: this object.")]
+        private Transform? _target;
+
+        [SerializeField]
+        [Tooltip("Where the camera is, seen from the target; metres.")]
+        private Vector3 _viewpoint = new Vector3(1.2f, 0.6f, 3.4f);
+
+        private GameObject? _stage;
+        private Transform? _cameraTransform;
+        private Vector3 _focus;
+        private bool _hasFocus;
+
+        /// <summary>What the camera looks at and goes along with; null for this object.</summary>
+        public Transform? Target
+        {
+            get => _target;
+            set => _target = value;
+        }
+
+        /// <summary>Where the camera is, seen from the target; metres.</summary>
+        public Vector3 Viewpoint
+        {
+            get => _viewpoint;
+            set => _viewpoint = value;
+        }
+
+        /// <summary>A material to copy and colour for the ground; null for the render pipeline's own. Of the next time that the component is enabled.</summary>
+        public Material? GroundMaterial
+        {
+            get => _groundMaterial;
+            set => _groundMaterial = value;
+        }
+
+        /// <summary>Whether there is a ground. Of the next time that the component is enabled.</summary>
+        public bool HasGround
+        {
+            get => _ground;
+            set => _ground = value;
+        }
+
+        /// <summary>Whether there is a light. Of the next time that the component is enabled.</summary>
+        public bool HasLight
+        {
+            get => _light;
+            set => _light = value;
+        }
+
+        /// <summary>Whether there is a camera, where the scene has no main one. Of the next time that the component is enabled.</summary>
+        public bool HasCamera
+        {
+            get => _camera;
+            set => _camera = value;
+        }
+
+        /// <summary>The camera that was made; null where the scene had one.</summary>
+        public Camera? Camera { get; private set; }
+
+        private void OnEnable()
+        {
+            _stage = new GameObject("Stage");
+            _stage.transform.SetParent(transform, false);
+            var owned = _stage.AddComponent<OwnedObjects>();
+            if (_ground)
+                AddGround(_stage.transform, owned);
+            if (_light)
+                AddLight(_stage.transform);
+            if (_camera && UnityEngine.Camera.main == null)
+                AddCamera(_stage.transform);
+        }
+
+        private void LateUpdate()
+        {
+            if (_cameraTransform == null)
+                return;
+
+            Vector3 target = _target != null ? _target.position : transform.position + Vector3.up;
+            _focus = _hasFocus ? Vector3.Lerp(_focus, target, 1 - Mathf.Exp(-Time.deltaTime / FollowSeconds)) : target;
+            _hasFocus = true;
+            _cameraTransform.position = _focus + _viewpoint;
+            _cameraTransform.LookAt(_focus);
+        }
+
+        private void OnDisable()
+        {
+            Disposal.Destroy(_stage);
+            _stage = null;
+            Camera = null;
+            _cameraTransform = null;
+            _hasFocus = false;
+        }
+
+        private void AddGround(Transform stage, OwnedObjects owned)
+        {
+            var ground = GameObject.CreatePrimitive(PrimitiveType.Plane);
+            ground.name = "Ground";
+            ground.transform.SetParent(stage, false);
+            ground.transform.localScale = new Vector3(_groundSize / PlaneSize, 1, _groundSize / PlaneSize);
+            Material material = owned.Keep(FigureMaterials.Create(_groundMaterial, _groundColor, "Ground"));
+            material.mainTexture = owned.Keep(CreateGrid());
+            material.mainTextureScale = new Vector2(_groundSize, _groundSize);
+            ground.GetComponent<MeshRenderer>().sharedMaterial = material;
+        }
+
+        private static void AddLight(Transform stage)
+        {
+            var sun = new GameObject("Light");
+            sun.transform.SetParent(stage, false);
+            sun.transform.rotation = Quaternion.Euler(50, 200, 0);
+            Light light = sun.AddComponent<Light>();
+            light.type = LightType.Directional;
+            light.intensity = 1.1f;
+            light.shadows = LightShadows.Soft;
+        }
+
+        private void AddCamera(Transform stage)
+        {
+            var eye = new GameObject("Camera") { tag = "MainCamera" };
+            eye.transform.SetParent(stage, false);
+            Camera = eye.AddComponent<Camera>();
+            Camera.nearClipPlane = 0.05f;
+            Camera.fieldOfView = 45;
+            _cameraTransform = eye.transform;
+        }
+
+        // A metre: white with grey edges, to be coloured by the material.
+        private static Texture2D CreateGrid()
+        {
+            var pixels = new Color32[TextureSize * TextureSize];
+            for (int i = 0; i < pixels.Length; i++)
+            {
+                int x = i % TextureSize;
+                int y = i / TextureSize;
+                bool isLine = x < LineWidth || y < LineWidth;
+                pixels[i] = isLine ? new Color32(150, 150, 150, 255) : new Color32(255, 255, 255, 255);
+            }
+
+            var texture = new Texture2D(TextureSize, TextureSize, TextureFormat.RGBA32, true)
+            {
+                name = "Metres",
+                wrapMode = TextureWrapMode.Repeat,
+                anisoLevel = 8,
+            };
+            texture.SetPixels32(pixels);
+            texture.Apply(true, true);
+            return texture;
+        }
+    }
+}

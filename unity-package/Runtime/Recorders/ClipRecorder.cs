@@ -1,0 +1,254 @@
+#nullable enable
+using System;
+using System.Collections.Generic;
+using System.IO;
+using UnityEngine;
+
+namespace NeuronMocap.Unity
+{
+    /// <summary>
+    /// Records a character, as it is after everything moved it, into an animation clip. Only the editor can save one: in a player
+    /// <see cref="MotionRecorder"/> writes BVH. Main thread.
+    /// </summary>
+    [AddComponentMenu("NeuronMocap/Clip Recorder")]
+    [DefaultExecutionOrder(1000)]
+    public sealed class ClipRecorder : MonoBehaviour
+    {
+        // A frame that comes a little early is not left for the next one.
+        private const float EarlyPart = 0.25f;
+
+        [SerializeField]
+        [Tooltip("The character. Empty: the one on this object, or below it.")]
+        private Animator? _animator;
+
+        [SerializeField]
+        [Tooltip("Humanoid clips play on every humanoid; generic ones are exact and play on the same transforms only.")]
+        private ClipKind _kind = ClipKind.Humanoid;
+
+        [SerializeField]
+        [Tooltip("Generic clips: the bone that moves the character. Empty: the hips, or else the object's first child.")]
+        private Transform? _hips;
+
+        [SerializeField]
+        [Range(1, 240)]
+        [Tooltip("Most frames per second in the clip. There are never more than the game renders.")]
+        private float _frameRate = 60;
+
+        [SerializeField]
+        [Range(0, 1)]
+        [Tooltip("Leaves keys out that the others give with this error: percent of a muscle's range, degrees, or centimetres. 0 keeps all.")]
+        private float _keyTolerance = 0.1f;
+
+        [SerializeField]
+        [Tooltip("Folder below Assets where clips are saved.")]
+        private string _folder = "Recordings";
+
+        [SerializeField]
+        [Tooltip("Name of the clip. {source} is the character's name; {date}, {time} and {take} (001, 002 ...) are replaced.")]
+        private string _fileName = TakeFileName.DefaultPattern;
+
+        [SerializeField]
+        [Tooltip("Begin a take when play mode begins.")]
+        private bool _recordOnPlay;
+
+        private ClipSampler? _sampler;
+        private float _time;
+        private float _nextTime;
+
+        /// <summary>A take is over. Main thread; before it is saved.</summary>
+        public event Action<ClipTake>? Finished;
+
+        // Set by the editor's half: saves a take and returns the asset's path.
+        internal static Func<ClipRecorder, ClipTake, string>? Saver { get; set; }
+
+        /// <summary>The character. Null: the one on this object, or below it.</summary>
+        public Animator? Animator
+        {
+            get => _animator;
+            set => _animator = value;
+        }
+
+        /// <summary>What the next take is.</summary>
+        public ClipKind Kind
+        {
+            get => _kind;
+            set => _kind = value;
+        }
+
+        /// <summary>Generic clips: the bone that moves the character. Null: the hips, or else the first child.</summary>
+        public Transform? Hips
+        {
+            get => _hips;
+            set => _hips = value;
+        }
+
+        /// <summary>Most frames per second in the clip, 1 to 240.</summary>
+        public float FrameRate
+        {
+            get => _frameRate;
+            set => _frameRate = Mathf.Clamp(value, 1, 240);
+        }
+
+        /// <summary>How far a clip may be from what was recorded, so that it needs fewer keys: percent of a muscle's range, degrees or centimetres, 0 to 1.</summary>
+        public float KeyTolerance
+        {
+            get => _keyTolerance;
+            set => _keyTolerance = Mathf.Clamp01(value);
+        }
+
+        /// <summary>Folder below Assets.</summary>
+        public string Folder
+        {
+            get => _folder;
+            set => _folder = value ?? "";
+        }
+
+        /// <summary>Name of the clip: a pattern for <see cref="TakeFileName"/>.</summary>
+        public string FileName
+        {
+            get => _fileName;
+            set => _fileName = value ?? "";
+        }
+
+        /// <summary>Whether a take begins with play mode.</summary>
+        public bool RecordOnPlay
+        {
+            get => _recordOnPlay;
+            set => _recordOnPlay = value;
+        }
+
+        /// <summary>Whether a take is being recorded.</summary>
+        public bool IsRecording => _sampler is { };
+
+        /// <summary>This take or the last one; null before the first.</summary>
+        public ClipTake? Take { get; private set; }
+
+        /// <summary>The last take's asset, such as "Assets/Recordings/Ann.anim"; empty before there is one.</summary>
+        public string SavedPath { get; private set; } = "";
+
+        /// <summary>Why nothing is recorded or saved; empty while all is well.</summary>
+        public string Problem { get; private set; } = "";
+
+        /// <summary>Begins a take.</summary>
+        /// <returns>False when it cannot begin; <see cref="Problem"/> says why.</returns>
+        [ContextMenu("Start recording")]
+        public bool StartRecording()
+        {
+            if (IsRecording)
+                return Refuse("A take is being recorded already.");
+            if (!isActiveAndEnabled)
+                return Refuse("The recorder is disabled.");
+
+            Animator? animator = _animator != null ? _animator : GetComponentInChildren<Animator>();
+            _sampler = _kind == ClipKind.Humanoid ? CreateHumanoid(animator) : CreateGeneric(animator);
+            if (_sampler is null)
+                return false;
+
+            Problem = "";
+            SavedPath = "";
+            Take = new ClipTake(_sampler.Properties, _kind == ClipKind.Humanoid, _frameRate);
+            _time = 0;
+            _nextTime = 0;
+            return true;
+        }
+
+        /// <summary>Ends the take and, in the editor, saves it.</summary>
+        [ContextMenu("Stop recording")]
+        public void StopRecording()
+        {
+            if (_sampler is null)
+                return;
+
+            _sampler.Dispose();
+            _sampler = null;
+            Finished?.Invoke(Take!);
+            Save(Take!);
+        }
+
+        private void Start()
+        {
+            if (_recordOnPlay)
+                StartRecording();
+        }
+
+        private void LateUpdate()
+        {
+            if (_sampler is null || Take is null)
+                return;
+
+            if (Take.FrameCount > 0)
+                _time += Time.deltaTime;
+
+            float period = 1 / _frameRate;
+            if (_time < _nextTime - (EarlyPart * period))
+                return;
+
+            _nextTime = Mathf.Max(_nextTime + period, _time);
+            _sampler.Sample();
+            Take.Add(_time, _sampler.Values);
+        }
+
+        private void OnDisable() => StopRecording();
+
+        private void Save(ClipTake take)
+        {
+            if (take.FrameCount == 0)
+            {
+                Problem = "Nothing was recorded: the take ended before the first frame.";
+                return;
+            }
+
+            if (Saver is null)
+            {
+                Problem = "Only the editor can save clips. In a player, Motion Recorder writes BVH.";
+                return;
+            }
+
+            try
+            {
+                SavedPath = Saver(this, take);
+            }
+            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException || exception is ArgumentException)
+            {
+                Problem = "The clip is not saved: " + exception.Message;
+            }
+        }
+
+        private ClipSampler? CreateHumanoid(Animator? animator)
+        {
+            if (animator != null && animator.avatar != null && animator.isHuman)
+                return new HumanoidSampler(animator);
+
+            Refuse(animator == null
+                ? "There is no Animator on this object or below it: set Animator."
+                : $"The Animator of \"{animator.name}\" has no human avatar: set the model's Animation Type to Humanoid, or Kind to Generic.");
+            return null;
+        }
+
+        private ClipSampler? CreateGeneric(Animator? animator)
+        {
+            Transform root = animator != null ? animator.transform : transform;
+            Transform? hips = _hips;
+            if (hips == null && animator != null && animator.isHuman)
+                hips = animator.GetBoneTransform(HumanBodyBones.Hips);
+            if (hips == null && root.childCount > 0)
+                hips = root.GetChild(0);
+
+            if (hips == null || !hips.IsChildOf(root))
+            {
+                Refuse(hips == null ? "There are no bones: set Hips." : $"\"{hips.name}\" is not below \"{root.name}\": set Hips to a bone of the character.");
+                return null;
+            }
+
+            var bones = new List<Transform>();
+            hips.GetComponentsInChildren(true, bones);
+            return new GenericSampler(root, hips, bones);
+        }
+
+        private bool Refuse(string reason)
+        {
+            Problem = reason;
+            return false;
+        }
+    }
+}

@@ -1,0 +1,70 @@
+#nullable enable
+using System;
+using System.Collections.Generic;
+using Quaternion = UnityEngine.Quaternion;
+using Vector3 = UnityEngine.Vector3;
+
+namespace NeuronMocap.Unity
+{
+    // Reads a character's pose as the numbers of a clip.
+    internal abstract class ClipSampler : IDisposable
+    {
+        private readonly List<Quaternion> _last = new List<Quaternion>();
+        private int _next;
+        private int _rotation;
+
+        protected ClipSampler(IReadOnlyList<ClipProperty> properties)
+        {
+            Properties = properties;
+            int count = 0;
+            foreach (ClipProperty property in properties)
+            {
+                count += property.Components.Count;
+                if (property.IsRotation)
+                    _last.Add(Quaternion.identity);
+            }
+
+            Values = new float[count];
+        }
+
+        public IReadOnlyList<ClipProperty> Properties { get; }
+
+        // Of the newest sample; the same memory each time.
+        public float[] Values { get; }
+
+        public void Sample()
+        {
+            _next = 0;
+            _rotation = 0;
+            Read();
+        }
+
+        public virtual void Dispose()
+        {
+        }
+
+        protected abstract void Read();
+
+        protected void Put(float value) => Values[_next++] = value;
+
+        protected void Put(Vector3 value)
+        {
+            Put(value.x);
+            Put(value.y);
+            Put(value.z);
+        }
+
+        // A rotation is two quaternions; the one next to the last is written, because curves run from number to number.
+        protected void Put(Quaternion value)
+        {
+            if (Quaternion.Dot(value, _last[_rotation]) < 0)
+                value = new Quaternion(-value.x, -value.y, -value.z, -value.w);
+
+            _last[_rotation++] = value;
+            Put(value.x);
+            Put(value.y);
+            Put(value.z);
+            Put(value.w);
+        }
+    }
+}

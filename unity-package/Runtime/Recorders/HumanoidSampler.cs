@@ -1,0 +1,88 @@
+#nullable enable
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+using Quaternion = UnityEngine.Quaternion;
+using Vector3 = UnityEngine.Vector3;
+
+namespace NeuronMocap.Unity
+{
+    // A humanoid's pose as body position and rotation, and 95 muscles: what moves every other humanoid, too.
+    internal sealed class HumanoidSampler : ClipSampler
+    {
+        private static readonly string[] Fingers = { "Thumb", "Index", "Middle", "Ring", "Little" };
+
+        private readonly Transform _root;
+        private readonly float _scale;
+        private readonly HumanPoseHandler _handler;
+        private readonly bool _isInWorld;
+        private HumanPose _pose;
+
+        public HumanoidSampler(Animator animator)
+            : base(CreateProperties())
+        {
+            _root = animator.transform;
+            _scale = animator.humanScale > 0 ? animator.humanScale : 1;
+            _handler = new HumanPoseHandler(animator.avatar!, _root);
+            _isInWorld = IsBodyInWorld();
+        }
+
+        // The names of muscles in clips: as HumanTrait has them, but for the fingers'.
+        public static string GetPropertyName(string muscle)
+        {
+            foreach (string finger in Fingers)
+            {
+                int place = muscle.IndexOf(" " + finger + " ", StringComparison.Ordinal);
+                if (place < 0)
+                    continue;
+
+                string side = muscle.Substring(0, place);
+                string motion = muscle.Substring(place + finger.Length + 2);
+                return $"{side}Hand.{finger}.{motion}";
+            }
+
+            return muscle;
+        }
+
+        public override void Dispose() => _handler.Dispose();
+
+        protected override void Read()
+        {
+            _handler.GetHumanPose(ref _pose);
+            Vector3 position = _pose.bodyPosition;
+            Quaternion rotation = _pose.bodyRotation;
+            if (_isInWorld)
+            {
+                var back = Quaternion.Inverse(_root.rotation);
+                position = back * (position - (_root.position / _scale));
+                rotation = back * rotation;
+            }
+
+            Put(position);
+            Put(rotation);
+            foreach (float muscle in _pose.muscles)
+                Put(muscle);
+        }
+
+        private static IReadOnlyList<ClipProperty> CreateProperties()
+        {
+            var properties = new List<ClipProperty> { ClipProperty.RootPosition(), ClipProperty.RootRotation() };
+            foreach (string muscle in HumanTrait.MuscleName)
+                properties.Add(ClipProperty.Muscle(GetPropertyName(muscle)));
+
+            return properties;
+        }
+
+        // Unity's reference does not say whether the body is relative to the root or to the world. Moving the root for a moment tells.
+        private bool IsBodyInWorld()
+        {
+            _handler.GetHumanPose(ref _pose);
+            Vector3 before = _pose.bodyPosition;
+            Vector3 place = _root.position;
+            _root.position = place + Vector3.right;
+            _handler.GetHumanPose(ref _pose);
+            _root.position = place;
+            return (_pose.bodyPosition - before).magnitude > 0.5f / _scale;
+        }
+    }
+}

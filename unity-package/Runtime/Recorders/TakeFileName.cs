@@ -1,0 +1,80 @@
+#nullable enable
+using System;
+using System.Globalization;
+using System.IO;
+using System.Text;
+
+namespace NeuronMocap.Unity
+{
+    /// <summary>
+    /// Names of files that are recorded, made of a pattern: <c>{source}</c>, <c>{date}</c> (2024-05-31), <c>{time}</c> (14-03-59) and <c>{take}</c> (001, the
+    /// first number that is free). What a file's name cannot contain becomes a hyphen.
+    /// </summary>
+    public static class TakeFileName
+    {
+        /// <summary>The pattern that a recorder has unless another is set.</summary>
+        public const string DefaultPattern = "{source} {date} {time}";
+
+        private const string TakeToken = "{take}";
+        private const int MostTakes = 9999;
+
+        // Of every system, not just of this one: takes are copied from one to another.
+        private const string Forbidden = "<>:\"/\\|?*";
+
+        /// <summary>Makes a name that no file of the folder has, with any of the extensions.</summary>
+        /// <param name="folder">Where the files will be.</param>
+        /// <param name="pattern">The pattern, without extension. Empty: <see cref="DefaultPattern"/>.</param>
+        /// <param name="source">What stands for <c>{source}</c>.</param>
+        /// <param name="now">The time, as it is to be written.</param>
+        /// <param name="extensions">Extensions that must be free, with their dots.</param>
+        /// <returns>The path without extension.</returns>
+        /// <exception cref="IOException">9999 takes of the name are there already.</exception>
+        public static string Create(string folder, string pattern, string source, DateTime now, params string[] extensions)
+        {
+            string named = Expand(string.IsNullOrWhiteSpace(pattern) ? DefaultPattern : pattern, source, now);
+            bool hasTake = named.Contains(TakeToken);
+            for (int take = 1; take <= MostTakes; take++)
+            {
+                string number = take.ToString("000", CultureInfo.InvariantCulture);
+                string name = hasTake ? named.Replace(TakeToken, number) : take == 1 ? named : named + " " + number;
+                string path = Path.Combine(folder, Clean(name));
+                if (IsFree(path, extensions))
+                    return path;
+            }
+
+            throw new IOException($"The folder \"{folder}\" has {MostTakes} takes of this name already. Choose another file name.");
+        }
+
+        private static string Expand(string pattern, string source, DateTime now) => pattern
+            .Replace("{source}", source)
+            .Replace("{date}", now.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture))
+            .Replace("{time}", now.ToString("HH-mm-ss", CultureInfo.InvariantCulture));
+
+        private static string Clean(string name)
+        {
+            var clean = new StringBuilder(name.Length);
+            foreach (char letter in name)
+                clean.Append(letter < ' ' || Forbidden.IndexOf(letter) >= 0 ? '-' : letter);
+
+            // Windows drops dots and blanks at the end, so that two names would be one.
+            string trimmed = clean.ToString().Trim().TrimEnd('.', ' ');
+            return trimmed.Length == 0 ? "take" : trimmed;
+        }
+
+        // The files of several avatars, or parts, of a take have more behind the name.
+        private static bool IsFree(string path, string[] extensions)
+        {
+            string folder = Path.GetDirectoryName(path) ?? "";
+            if (!Directory.Exists(folder))
+                return true;
+
+            foreach (string extension in extensions)
+            {
+                if (File.Exists(path + extension) || Directory.GetFiles(folder, Path.GetFileName(path) + "-*" + extension).Length > 0)
+                    return false;
+            }
+
+            return true;
+        }
+    }
+}

@@ -1,0 +1,139 @@
+#nullable enable
+
+using System;
+using System.Threading;
+using NeuronMocap.Frames;
+using NeuronMocap.Kinematics;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Unity
+{
+    // One avatar of a connection. The receive thread decodes each frame once, and pushes it into the buffers of all sources that share the connection.
+    internal sealed class AvatarStream
+    {
+        // Far beyond any stage, and still a number that Unity can work with.
+        private const float FarthestPosition = 1e7f; // cm
+
+        private readonly object _gate = new object();
+        private readonly BodyLearner _learner = new BodyLearner();
+        private volatile PoseBuffer[] _buffers = Array.Empty<PoseBuffer>();
+        private volatile SkeletonBody _body = SkeletonBody.Default();
+        private volatile SkeletonBody? _told;
+        private volatile string _name = string.Empty;
+        private bool _hasLearnt;
+        private long _arrival;
+        private long _frames;
+        private long _rejected;
+
+        public AvatarStream(int sender, int avatarIndex, long timestamp)
+        {
+            Sender = sender;
+            AvatarIndex = avatarIndex;
+            _arrival = timestamp;
+        }
+
+        public int Sender { get; }
+
+        public int AvatarIndex { get; }
+
+        public string Name => _name;
+
+        public SkeletonBody Body => _body;
+
+        public ContactHistory Contacts { get; } = new ContactHistory();
+
+        // Ticks of Stopwatch.
+        public long LastArrival => Interlocked.Read(ref _arrival);
+
+        public long Frames => Interlocked.Read(ref _frames);
+
+        // Frames with a value that is no number, or out of all reason.
+        public long Rejected => Interlocked.Read(ref _rejected);
+
+        public bool IsWatched => _buffers.Length > 0;
+
+        public void Attach(PoseBuffer buffer)
+        {
+            lock (_gate)
+            {
+                var buffers = new PoseBuffer[_buffers.Length + 1];
+                _buffers.CopyTo(buffers, 0);
+                buffers[_buffers.Length] = buffer;
+                _buffers = buffers;
+            }
+        }
+
+        public void Detach(PoseBuffer buffer)
+        {
+            lock (_gate)
+                _buffers = Array.FindAll(_buffers, other => other != buffer);
+        }
+
+        // What the command channel answered. Any thread.
+        public void Tell(SkeletonBody body) => _told = body;
+
+        // Receive thread.
+        public void Take(MotionFrame frame, Span<BoneTransform> pose)
+        {
+            SkeletonVariant variant = frame.Format.Variant;
+            if (!frame.Layout.HasDisplacement)
+                ChooseBody(variant);
+
+            frame.CopyLocalTransforms(pose, _body);
+            if (frame.Layout.HasReference)
+                pose[0] = frame.GetReference().Apply(pose[0]);
+
+            // Its name and its time count all the same: the performer is there.
+            string name = frame.AvatarName;
+            if (!string.Equals(_name, name, StringComparison.Ordinal))
+                _name = name;
+
+            Interlocked.Exchange(ref _arrival, frame.Timestamp);
+            if (!IsUsable(pose))
+            {
+                Interlocked.Increment(ref _rejected);
+                return;
+            }
+
+            if (frame.Layout.HasDisplacement)
+                LearnBody(pose, variant);
+
+            Interlocked.Increment(ref _frames);
+            double seconds = SourceClock.ToSeconds(frame.Timestamp);
+            foreach (PoseBuffer buffer in _buffers)
+                buffer.Push(pose, seconds, frame.FrameIndex);
+        }
+
+        private static bool IsUsable(ReadOnlySpan<BoneTransform> pose)
+        {
+            for (int bone = 0; bone < BoneHierarchy.BoneCount; bone++)
+            {
+                BoneTransform transform = pose[bone];
+
+                // Comparisons with a value that is not a number are false.
+                bool isUsable = transform.Position.LengthSquared() < FarthestPosition * FarthestPosition
+                    && transform.Rotation.LengthSquared() < 2;
+                if (!isUsable)
+                    return false;
+            }
+
+            return true;
+        }
+
+        private void ChooseBody(SkeletonVariant variant)
+        {
+            SkeletonBody body = _told is { } told && told.Variant == variant ? told : SkeletonBody.Default(variant);
+            if (!ReferenceEquals(_body, body))
+                _body = body;
+        }
+
+        private void LearnBody(ReadOnlySpan<BoneTransform> pose, SkeletonVariant variant)
+        {
+            if (_learner.Observe(pose, variant, _hasLearnt ? _body : null, _told) is not { } body)
+                return;
+
+            _hasLearnt = true;
+            _body = body;
+        }
+    }
+}

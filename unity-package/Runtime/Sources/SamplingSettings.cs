@@ -1,0 +1,43 @@
+#nullable enable
+
+using System;
+using NeuronMocap.Kinematics;
+
+namespace NeuronMocap.Unity
+{
+    // How a source shows what arrives.
+    internal readonly struct SamplingSettings : IEquatable<SamplingSettings>
+    {
+        private const double MaxFrameRate = 250;
+
+        public SamplingSettings(bool resamples, float delayMilliseconds, PoseSmoothing smoothing)
+        {
+            Resamples = resamples;
+            Delay = resamples ? Math.Max(delayMilliseconds, 0) / 1000 : 0;
+            Smoothing = smoothing;
+        }
+
+        // Off: the newest frame is shown as it is.
+        public bool Resamples { get; }
+
+        public float Delay { get; }
+
+        public PoseSmoothing Smoothing { get; }
+
+        // There is room for the frames of twice the delay.
+        public PoseBuffer CreateBuffer() => new PoseBuffer(new PoseBufferOptions
+        {
+            Delay = TimeSpan.FromSeconds(Delay),
+            MaxExtrapolation = Resamples ? TimeSpan.FromMilliseconds(50) : TimeSpan.Zero,
+            Smoothing = Smoothing,
+            Capacity = Math.Max(64, Math.Min((int)(2 * Delay * MaxFrameRate), 4096)),
+        });
+
+        public bool Equals(SamplingSettings other) =>
+            Resamples == other.Resamples && Delay.Equals(other.Delay) && Smoothing == other.Smoothing;
+
+        public override bool Equals(object? obj) => obj is SamplingSettings other && Equals(other);
+
+        public override int GetHashCode() => HashCode.Combine(Resamples, Delay, Smoothing);
+    }
+}

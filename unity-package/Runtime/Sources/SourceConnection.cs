@@ -1,0 +1,168 @@
+#nullable enable
+
+using System;
+using System.IO;
+using System.Threading.Tasks;
+using NeuronMocap.Playback;
+using NeuronMocap.Server;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Unity
+{
+    // What all sources of equal settings share: a reader, and what it receives from where that is not the network. Opening and closing return at once;
+    // files are read, and threads waited for, on threads of the pool.
+    internal sealed class SourceConnection
+    {
+        private readonly object _gate = new object();
+        private readonly Task _opening;
+        private NeuronReader? _reader;
+        private Broadcaster? _broadcaster;
+        private RecordingPlayer? _player;
+        private BodyQuestions? _questions;
+        private string? _fault;
+        private bool _isClosed;
+
+        // Main thread.
+        public SourceConnection(SourceSettings settings)
+        {
+            Settings = settings;
+
+            // Unity's objects are the main thread's own.
+            byte[]? bytes = settings.Asset != null ? settings.Asset.bytes : null;
+            _opening = settings.Kind is SourceKind.Network or SourceKind.Simulator ? OpenAsync(bytes: null) : Task.Run(() => OpenAsync(bytes));
+        }
+
+        public SourceSettings Settings { get; }
+
+        public AvatarStreams Streams { get; } = new AvatarStreams();
+
+        // Sources that use it. Main thread.
+        public int UserCount { get; set; }
+
+        public NeuronReader? Reader
+        {
+            get
+            {
+                lock (_gate)
+                    return _reader;
+            }
+        }
+
+        public RecordingPlayer? Player
+        {
+            get
+            {
+                lock (_gate)
+                    return _player;
+            }
+        }
+
+        // Why there is no reader and will be none; null when there is nothing wrong.
+        public string? Fault
+        {
+            get
+            {
+                lock (_gate)
+                    return _fault;
+            }
+        }
+
+        // Loopback port of the broadcaster; 0 without.
+        public int LocalPort
+        {
+            get
+            {
+                lock (_gate)
+                    return _broadcaster?.LocalEndPoint?.Port ?? 0;
+            }
+        }
+
+        // Closes sockets and files at once, and ends when all threads have ended. Does not wait for them.
+        public Task Close()
+        {
+            lock (_gate)
+                _isClosed = true;
+
+            return Task.WhenAll(_opening, StopAsync());
+        }
+
+        // Closed: nothing is set any more but by the opening, which stops it itself. Not under the gate: handlers may run meanwhile.
+        private Task StopAsync()
+        {
+            _player?.Dispose();
+            return Task.WhenAll(
+                _reader?.DisposeAsync().AsTask() ?? Task.CompletedTask,
+                _broadcaster?.DisposeAsync().AsTask() ?? Task.CompletedTask,
+                _questions?.CloseAsync() ?? Task.CompletedTask);
+        }
+
+        private async Task OpenAsync(byte[]? bytes)
+        {
+            try
+            {
+                (Broadcaster? broadcaster, RecordingPlayer? player) = CreateFeed(bytes);
+                if (!TryReceive(broadcaster, player))
+                    await StopAsync().ConfigureAwait(false);
+            }
+            catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+            {
+                lock (_gate)
+                    _fault = StatusText.OfFault(Settings, exception);
+            }
+        }
+
+        private (Broadcaster? Broadcaster, RecordingPlayer? Player) CreateFeed(byte[]? bytes) => Settings.Kind switch
+        {
+            SourceKind.Simulator => (SourceFeeds.CreateSimulator(Settings), null),
+            SourceKind.BvhFile => (SourceFeeds.CreateTake(Settings, bytes), null),
+            SourceKind.Recording => (null, SourceFeeds.OpenRecording(Settings)),
+            _ => (null, null),
+        };
+
+        // False: closed while a file was read, and nobody is going to stop what would start now.
+        private bool TryReceive(Broadcaster? broadcaster, RecordingPlayer? player)
+        {
+            lock (_gate)
+            {
+                _broadcaster = broadcaster;
+                _player = player;
+                if (_isClosed)
+                    return false;
+
+                NeuronReaderOptions options = CreateOptions(broadcaster);
+                _reader = player != null ? new NeuronReader(player, options) : new NeuronReader(options);
+                _reader.MotionReceived += Streams.OnMotion;
+                _reader.CalculationReceived += Streams.OnCalculation;
+                if (Settings.CommandPort is { } port)
+                    _questions = new BodyQuestions(Settings.Address, port, Streams);
+
+                _reader.Start();
+                return true;
+            }
+        }
+
+        private NeuronReaderOptions CreateOptions(Broadcaster? broadcaster)
+        {
+            var options = new NeuronReaderOptions
+            {
+                RotationOrder = Settings.RotationOrder,
+                SkeletonVariant = Settings.Variant,
+                Reconnect = new ReconnectPolicy { Enabled = Settings.Reconnect },
+            };
+            if (broadcaster != null)
+            {
+                options.Port = broadcaster.LocalEndPoint!.Port;
+                options.Name = Settings.Target;
+            }
+            else if (Settings.Kind == SourceKind.Network)
+            {
+                options.Host = Settings.Address;
+                options.Port = Settings.Port;
+                options.Transport = Settings.Transport;
+                options.CommandPort = Settings.CommandPort;
+            }
+
+            return options;
+        }
+    }
+}

@@ -1,0 +1,83 @@
+#nullable enable
+
+using System;
+using System.Collections.Generic;
+using System.Threading.Tasks;
+using UnityEngine;
+
+namespace NeuronMocap.Unity
+{
+    // The connections of all sources, one for each settings. Main thread only.
+    internal static partial class SourceConnections
+    {
+        // How long the end of a program, or of its domain, waits for threads that have been told to end.
+        private static readonly TimeSpan Patience = TimeSpan.FromMilliseconds(100);
+
+        private static readonly Dictionary<SourceSettings, SourceConnection> Open = new Dictionary<SourceSettings, SourceConnection>();
+        private static readonly List<Task> Closing = new List<Task>();
+
+        // Connections that are open.
+        public static int Count => Open.Count;
+
+        // Ends when all that was closed has ended, threads included.
+        public static Task Closed
+        {
+            get
+            {
+                Closing.RemoveAll(task => task.IsCompleted);
+                return Task.WhenAll(Closing);
+            }
+        }
+
+        public static SourceConnection Acquire(SourceSettings settings)
+        {
+            if (!Open.TryGetValue(settings, out SourceConnection? connection))
+            {
+                connection = new SourceConnection(settings);
+                Open.Add(settings, connection);
+            }
+
+            connection.UserCount++;
+            return connection;
+        }
+
+        public static void Release(SourceConnection connection)
+        {
+            if (--connection.UserCount > 0)
+                return;
+
+            // After the end of the program all are closed already.
+            if (Open.TryGetValue(connection.Settings, out SourceConnection? open) && open == connection)
+                Open.Remove(connection.Settings);
+
+            Closing.RemoveAll(task => task.IsCompleted);
+            Closing.Add(connection.Close());
+        }
+
+        // With domain reload switched off, statics are still there when play mode is entered again.
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        private static void Reset()
+        {
+            CloseAll();
+            MocapSource.ForgetAll();
+            Application.quitting -= CloseAll;
+            Application.quitting += CloseAll;
+        }
+
+        private static void CloseAll()
+        {
+            foreach (SourceConnection connection in Open.Values)
+                Closing.Add(connection.Close());
+
+            Open.Clear();
+            try
+            {
+                _ = Closed.Wait(Patience);
+            }
+            catch (AggregateException)
+            {
+                // Whatever went wrong while a connection was closed: it is closed.
+            }
+        }
+    }
+}

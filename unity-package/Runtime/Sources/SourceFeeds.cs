@@ -1,0 +1,68 @@
+#nullable enable
+
+using System.Collections.Generic;
+
+using NeuronMocap.Bvh;
+using NeuronMocap.Playback;
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
+
+namespace NeuronMocap.Unity
+{
+    // Makes what a connection receives from, for all kinds but the network: a broadcaster on a loopback port that the system chooses, so that what is made
+    // up takes the same way as what a suit sends, or the player of a recording. Any thread; reading a file may take long.
+    internal static class SourceFeeds
+    {
+        public static Broadcaster CreateSimulator(SourceSettings settings)
+        {
+            var performers = new List<MotionSource>();
+            for (int i = 0; i < settings.Performers; i++)
+                performers.Add(CreatePerformer(settings, i));
+
+            return Start(new BroadcasterOptions { Sources = performers });
+        }
+
+        public static Broadcaster CreateTake(SourceSettings settings, byte[]? bytes)
+        {
+            BvhDocument document = bytes != null ? BvhDocument.Parse(bytes) : BvhDocument.Load(settings.File);
+            MotionSource take = new BvhSource(document);
+            return Start(new BroadcasterOptions
+            {
+                Sources = new[] { settings.Loop ? new LoopedSource(take) : take },
+                AvatarNames = new[] { settings.Name },
+                Rate = take.FrameRate * settings.Speed,
+                WaitForClient = true,
+            });
+        }
+
+        public static RecordingPlayer OpenRecording(SourceSettings settings)
+        {
+            RecordingPlayer player = RecordingPlayer.Open(settings.File);
+            player.Speed = settings.Speed;
+            player.Passes = settings.Loop ? RecordingPlayer.Endless : 1;
+            return player;
+        }
+
+        private static MotionSource CreatePerformer(SourceSettings settings, int index) => settings.Motion == SimulatedMotion.WalkAndGestures
+            ? new SyntheticActor(settings.FrameRate, index)
+            : (MotionSource)new StandingSource(settings.FrameRate, index, settings.Motion == SimulatedMotion.JointByJoint);
+
+        // With displacement, so that the sizes of the performer are in the stream.
+        private static Broadcaster Start(BroadcasterOptions options)
+        {
+            options.Port = 0;
+            options.Displacement = true;
+            var broadcaster = new Broadcaster(options);
+            try
+            {
+                broadcaster.Start();
+                return broadcaster;
+            }
+            catch
+            {
+                broadcaster.Dispose();
+                throw;
+            }
+        }
+    }
+}

@@ -1,0 +1,75 @@
+#nullable enable
+
+using System;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Unity
+{
+    // The library's sentences, with the names of the inspector's fields in place of those of the options.
+    internal static class StatusText
+    {
+        public const string Closed = "Closed. Enable the component, or call Open.";
+
+        public const string Loading = "Reading the file.";
+
+        public const string Browser =
+            "A web browser gives a game neither sockets nor threads, so nothing can be received in a WebGL build. Build for desktop or mobile, or bring the "
+            + "motion in through a relay: see the page on platforms in the package's documentation.";
+
+        private static readonly (string Option, string Field)[] Names =
+        {
+            ("(CommandPort)", "(Command Port)"),
+            ("CommandPort", "Command Port"),
+            ("RotationOrder", "Rotation Order"),
+            ("SkeletonVariant", "Skeleton Variant"),
+            ("Host is empty", "Address is empty"),
+            ("ConnectTimeout", "connect timeout"),
+        };
+
+        public static string Of(SourceConnection connection, in ConnectionStatus status)
+        {
+            SourceSettings settings = connection.Settings;
+            switch (settings.Kind)
+            {
+                case SourceKind.Recording when status.Reason == ConnectionReason.EndOfRecording && status.State == ConnectionState.Stopped:
+                case SourceKind.BvhFile when status.Reason == ConnectionReason.ClosedByPeer:
+                    return $"The {settings.Target} is over. Switch Loop on to play it again and again.";
+                case SourceKind.Simulator:
+                case SourceKind.BvhFile:
+                    return Capitalise(WithFields(status.Message).Replace($"127.0.0.1:{connection.LocalPort}", settings.Target));
+                default:
+                    return WithFields(status.Message);
+            }
+        }
+
+        public static string OfFault(SourceSettings settings, Exception exception)
+        {
+            string what = WithFields(exception.Message);
+            return settings.Kind switch
+            {
+                SourceKind.Network => $"{what} Change it in the inspector of the source.",
+                SourceKind.Simulator => $"The simulator did not start: {what}",
+                _ when settings.Asset is null && settings.File.Length == 0 => "File is empty: give the path of a file, absolute or in StreamingAssets.",
+                _ when settings.Asset is null && settings.File.Contains("://") =>
+                    $"The {settings.Target} lies inside the application's package, where it cannot be opened as a file. Assign it as a text asset (BVH Asset), or copy it "
+                    + "to Application.persistentDataPath first.",
+                _ => $"The {settings.Target} cannot be played: {what}",
+            };
+        }
+
+        private static string WithFields(string message)
+        {
+            // An ArgumentException names its parameter at the end.
+            int parameter = message.IndexOf(" (Parameter", StringComparison.Ordinal);
+            if (parameter >= 0)
+                message = message.Substring(0, parameter);
+
+            foreach ((string option, string field) in Names)
+                message = message.Replace(option, field);
+
+            return message;
+        }
+
+        private static string Capitalise(string text) => text.Length == 0 ? text : char.ToUpperInvariant(text[0]) + text.Substring(1);
+    }
+}

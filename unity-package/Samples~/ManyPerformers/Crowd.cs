@@ -1,0 +1,81 @@
+#nullable enable
+using UnityEngine;
+
+namespace NeuronMocap.Unity.Samples
+{
+    /// <summary>Lets performers come and go, and says who is there.</summary>
+    public sealed class Crowd : MonoBehaviour
+    {
+        [SerializeField]
+        [Tooltip("The source; its simulator makes the performers.")]
+        private MocapSource? _source;
+
+        [SerializeField]
+        [Tooltip("Makes a figure for each performer.")]
+        private PerformerSpawner? _spawner;
+
+        private string _message = "";
+
+        /// <summary>The source.</summary>
+        public MocapSource? Source
+        {
+            get => _source;
+            set => _source = value;
+        }
+
+        /// <summary>Makes the figures.</summary>
+        public PerformerSpawner? Spawner
+        {
+            get => _spawner;
+            set => _spawner = value;
+        }
+
+        /// <summary>One performer more, or fewer.</summary>
+        /// <param name="difference">How many more; negative for fewer.</param>
+        public void Change(int difference)
+        {
+            if (_source != null)
+                _source.PerformerCount = Mathf.Clamp(_source.PerformerCount + difference, 1, 16);
+        }
+
+        private void OnEnable()
+        {
+            if (_spawner == null)
+                return;
+
+            _spawner.Spawned += OnSpawned;
+            _spawner.Despawning += OnDespawning;
+        }
+
+        private void OnDisable()
+        {
+            if (_spawner == null)
+                return;
+
+            _spawner.Spawned -= OnSpawned;
+            _spawner.Despawning -= OnDespawning;
+        }
+
+        private void OnGUI()
+        {
+            if (_source == null || _spawner == null)
+                return;
+
+            GUILayout.BeginArea(new Rect(10, 10, 260, 120));
+            GUILayout.Label($"{_spawner.Figures.Count} figures of {_source.PerformerCount} performers");
+            GUILayout.BeginHorizontal();
+            if (GUILayout.Button("One more"))
+                Change(1);
+            if (GUILayout.Button("One fewer"))
+                Change(-1);
+
+            GUILayout.EndHorizontal();
+            GUILayout.Label(_message);
+            GUILayout.EndArea();
+        }
+
+        private void OnSpawned(SpawnedFigure figure) => _message = figure.Performer.Name + " has come";
+
+        private void OnDespawning(SpawnedFigure figure) => _message = figure.Performer.Name + " has gone";
+    }
+}

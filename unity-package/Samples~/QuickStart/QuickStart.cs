@@ -1,0 +1,75 @@
+#nullable enable
+using NeuronMocap.Skeleton;
+using NeuronMocap.Transport;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.Samples
+{
+    /// <summary>Put this on an empty object and press play: ground, light, camera, a figure, and a performer who walks and waves.</summary>
+    public sealed class QuickStart : MonoBehaviour
+    {
+        [SerializeField]
+        [Tooltip("Off: motion from Axis Neuron or Axis Studio, at the address below.")]
+        private bool _useSimulator = true;
+
+        [SerializeField]
+        [Tooltip("The computer that runs Axis Neuron or Axis Studio.")]
+        private string _address = "127.0.0.1";
+
+        [SerializeField]
+        [Range(1, 65535)]
+        private int _port = 7001;
+
+        [SerializeField]
+        private TransportKind _transport = TransportKind.Tcp;
+
+        /// <summary>Whether the motion is made up; otherwise it comes over the network.</summary>
+        public bool UseSimulator
+        {
+            get => _useSimulator;
+            set => _useSimulator = value;
+        }
+
+        /// <summary>Where the motion comes from.</summary>
+        public MocapSource? Source { get; private set; }
+
+        /// <summary>Builds the figure that moves.</summary>
+        public FigureBuilder? Builder { get; private set; }
+
+        private void Start()
+        {
+            Source = CreateSource();
+            Builder = CreateFigure(Source);
+            StageBuilder stage = gameObject.AddComponent<StageBuilder>();
+
+            // The figure is another one as soon as the performer's sizes are known.
+            Builder.Built += figure => stage.Target = figure.GetBone(Bone.Hips);
+            stage.Target = Builder.Figure?.GetBone(Bone.Hips);
+        }
+
+        private MocapSource CreateSource()
+        {
+            var holder = new GameObject("Mocap Source");
+            holder.transform.SetParent(transform, false);
+
+            // Inactive until all is set, so that it opens once.
+            holder.SetActive(false);
+            MocapSource source = holder.AddComponent<MocapSource>();
+            source.Kind = _useSimulator ? SourceKind.Simulator : SourceKind.Network;
+            source.Address = _address;
+            source.Port = _port;
+            source.Transport = _transport;
+            holder.SetActive(true);
+            return source;
+        }
+
+        private FigureBuilder CreateFigure(MocapSource source)
+        {
+            var holder = new GameObject("Figure");
+            holder.transform.SetParent(transform, false);
+            HumanoidDriver driver = holder.AddComponent<HumanoidDriver>();
+            driver.Source = source;
+            return holder.AddComponent<FigureBuilder>();
+        }
+    }
+}

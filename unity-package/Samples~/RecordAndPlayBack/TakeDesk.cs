@@ -1,0 +1,122 @@
+#nullable enable
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.Samples
+{
+    /// <summary>Records a performer, then plays the take on a second figure beside the first.</summary>
+    public sealed class TakeDesk : MonoBehaviour
+    {
+        private const string RecordingExtension = ".nmrec";
+
+        [SerializeField]
+        [Tooltip("Records the live source.")]
+        private MotionRecorder? _recorder;
+
+        [SerializeField]
+        [Tooltip("A source that is disabled: it plays the take.")]
+        private MocapSource? _playback;
+
+        [SerializeField]
+        [Range(0, 60)]
+        [Tooltip("Record so long at the beginning, without being asked; seconds. 0: not at all.")]
+        private float _recordAtStart = 5;
+
+        private string _take = "";
+
+        /// <summary>Records the live source.</summary>
+        public MotionRecorder? Recorder
+        {
+            get => _recorder;
+            set => _recorder = value;
+        }
+
+        /// <summary>Plays the take.</summary>
+        public MocapSource? Playback
+        {
+            get => _playback;
+            set => _playback = value;
+        }
+
+        /// <summary>How long to record at the beginning, without being asked; seconds.</summary>
+        public float RecordAtStart
+        {
+            get => _recordAtStart;
+            set => _recordAtStart = value;
+        }
+
+        /// <summary>The recording that is played; empty before there is one.</summary>
+        public string Take => _take;
+
+        private void OnEnable()
+        {
+            if (_recorder != null)
+                _recorder.Finished += Play;
+        }
+
+        private void Start()
+        {
+            if (_recorder != null && _recordAtStart > 0)
+                Record();
+        }
+
+        private void OnDisable()
+        {
+            if (_recorder != null)
+                _recorder.Finished -= Play;
+        }
+
+        private void Update()
+        {
+            if (_recordAtStart > 0 && _recorder != null && _recorder.State == RecorderState.Recording && _recorder.Elapsed >= _recordAtStart)
+            {
+                _recordAtStart = 0;
+                _recorder.StopRecording();
+            }
+        }
+
+        private void OnGUI()
+        {
+            if (_recorder == null)
+                return;
+
+            GUILayout.BeginArea(new Rect(10, 10, 420, 120));
+            bool isRecording = _recorder.State == RecorderState.Recording;
+            if (GUILayout.Button(isRecording ? "Stop and play" : "Record"))
+            {
+                if (isRecording)
+                    _recorder.StopRecording();
+                else
+                    Record();
+            }
+
+            GUILayout.Label(isRecording ? $"{_recorder.Elapsed:0.0} s, {_recorder.Frames} frames, {_recorder.Bytes / 1024} KiB" : _take);
+            GUILayout.Label(_recorder.Problem);
+            GUILayout.EndArea();
+        }
+
+        private void Record()
+        {
+            // One file for people, one that plays as the stream did.
+            _recorder!.Formats = TakeFormats.Bvh | TakeFormats.Recording;
+            _recorder.StartRecording();
+        }
+
+        private void Play(IReadOnlyList<string> files)
+        {
+            foreach (string file in files)
+            {
+                if (file.EndsWith(RecordingExtension))
+                    _take = file;
+            }
+
+            if (_playback == null || _take.Length == 0)
+                return;
+
+            _playback.Kind = SourceKind.Recording;
+            _playback.File = _take;
+            _playback.Loop = true;
+            _playback.enabled = true;
+        }
+    }
+}

@@ -1,0 +1,112 @@
+#nullable enable
+using NeuronMocap.Retargeting;
+using NeuronMocap.Skeleton;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.Samples
+{
+    /// <summary>
+    /// A figure whose body is moved by the suit and whose head is turned by a headset. The headset's camera is put where the figure's eyes are, by moving what
+    /// it hangs from: the headset alone turns it, because anything else makes people sick. Works with any XR package, and with none: all it needs is a transform.
+    /// </summary>
+    [DefaultExecutionOrder(400)]
+    public sealed class HeadsetHead : MonoBehaviour
+    {
+        // From the neck's end to between the eyes, in front of the face; metres.
+        private static readonly Vector3 Eyes = new Vector3(0, 0.09f, 0.13f);
+
+        [SerializeField]
+        [Tooltip("The driver of the figure.")]
+        private HumanoidDriver? _driver;
+
+        [SerializeField]
+        [Tooltip("What the camera hangs from: the XR rig or XR origin. It is moved, and turned by Recenter only. Not below the figure.")]
+        private Transform? _rig;
+
+        [SerializeField]
+        [Tooltip("What the headset turns: the XR camera.")]
+        private Transform? _headset;
+
+        private Animator? _bound;
+        private Transform? _head;
+        private Quaternion _headRest;
+
+        /// <summary>The driver of the figure.</summary>
+        public HumanoidDriver? Driver
+        {
+            get => _driver;
+            set => _driver = value;
+        }
+
+        /// <summary>What the camera hangs from.</summary>
+        public Transform? Rig
+        {
+            get => _rig;
+            set => _rig = value;
+        }
+
+        /// <summary>What the headset turns.</summary>
+        public Transform? Headset
+        {
+            get => _headset;
+            set => _headset = value;
+        }
+
+        /// <summary>The head that the headset turns; null while there is no figure.</summary>
+        public Transform? Head => _head;
+
+        /// <summary>Turns the rig so that the headset looks where the figure's chest does. Call it when the wearer looks straight ahead.</summary>
+        [ContextMenu("Recenter")]
+        public void Recenter()
+        {
+            if (_bound == null || _driver == null || _rig == null || _headset == null || !(_driver.Performer is { HasPose: true } performer))
+                return;
+
+            Quaternion chest = _bound.transform.rotation * performer.GetRotation(Bone.Spine2);
+            float wanted = Heading(chest);
+            float now = Heading(_headset.rotation);
+            _rig.rotation = Quaternion.Euler(0, wanted - now, 0) * _rig.rotation;
+        }
+
+        private static float Heading(Quaternion rotation)
+        {
+            Vector3 forward = rotation * Vector3.forward;
+            return Mathf.Atan2(forward.x, forward.z) * Mathf.Rad2Deg;
+        }
+
+        private void OnEnable()
+        {
+            // The suit has a say in all but the head.
+            if (_driver != null)
+                _driver.PartWeights.Set(BodyParts.Head, 0);
+        }
+
+        private void OnDisable()
+        {
+            if (_driver != null)
+                _driver.PartWeights.Set(BodyParts.Head, 1);
+        }
+
+        // After the driver, and after the headset, whose pose Unity has set by then.
+        private void LateUpdate()
+        {
+            if (_driver == null || _rig == null || _headset == null || _driver.Animator == null || !(_driver.TargetRig is { } rig))
+                return;
+
+            if (_driver.Animator != _bound)
+                Bind(_driver.Animator, rig);
+            if (_head == null)
+                return;
+
+            _head.rotation = _headset.rotation * _headRest;
+            _rig.position += _head.position + (_headset.rotation * Eyes) - _headset.position;
+        }
+
+        private void Bind(Animator animator, TargetRig rig)
+        {
+            _bound = animator;
+            _head = animator.GetBoneTransform(HumanBodyBones.Head);
+            _headRest = rig.RestRotations[rig.GetNode(HumanoidBone.Head)].ToUnity();
+        }
+    }
+}
