@@ -1,3 +1,5 @@
+using UnityEngine;
+
 namespace UnityEditor;
 
 public static class GameObjectUtility

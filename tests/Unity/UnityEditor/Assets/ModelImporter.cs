@@ -1,3 +1,5 @@
+using UnityEngine;
+
 namespace UnityEditor;
 
 public class ModelImporter : AssetImporter

@@ -1,3 +1,6 @@
+using UnityEngine;
+using UnityEngine.StandIn;
+
 namespace UnityEditor;
 
 public static partial class Handles

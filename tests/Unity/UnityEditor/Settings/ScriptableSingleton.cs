@@ -1,5 +1,7 @@
 using System.Globalization;
 using System.Reflection;
+using UnityEngine.StandIn;
+using UnityEngine;
 
 namespace UnityEditor;
 
