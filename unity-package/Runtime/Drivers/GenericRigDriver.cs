@@ -91,7 +91,7 @@ namespace NeuronMocap.Unity
             }
         }
 
-        private Transform?[] FindBones(Transform root)
+        internal Transform?[] FindBones(Transform root)
         {
             Transform[] all = root.GetComponentsInChildren<Transform>(true);
             string[] names = Array.ConvertAll(all, node => node.name);

@@ -79,14 +79,19 @@ internal static class PlayMode
 
     public static void Reload()
     {
-        MonoBehaviour[] scripts = [.. World.Objects.OfType<MonoBehaviour>().Where(static item => item.State.IsEnabled)];
+        MonoBehaviour[] scripts = [.. World.Objects.OfType<MonoBehaviour>().Where(static item => item.State.IsAwake)];
         Raise(PlayModeStep.BeforeAssemblyReload);
         foreach (MonoBehaviour script in scripts)
             script.State.Disable();
 
         ReloadStatics(raise: false);
         foreach (MonoBehaviour script in scripts)
-            script.State.Enable();
+        {
+            script.StopAllCoroutines();
+            ReloadedScript.Renew(script);
+        }
+
+        Cloning.Wake(scripts);
 
         Raise(PlayModeStep.AfterAssemblyReload);
     }

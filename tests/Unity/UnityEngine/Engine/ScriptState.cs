@@ -99,13 +99,6 @@ internal sealed class ScriptState
         _callbacks.Call(_script, "OnDisable");
     }
 
-    /// <summary>As when the scripts are compiled while the game runs: disabled, new statics, enabled again.</summary>
-    public void Enable()
-    {
-        if (_isAwake)
-            Refresh();
-    }
-
     public void Call(string name) => _callbacks.Call(_script, name);
 
     public void End()

@@ -1,0 +1,69 @@
+#nullable enable
+using NeuronMocap.Retargeting;
+using NeuronMocap.Skeleton;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.Tests
+{
+    /// <summary>A figure that is built is a Humanoid that Unity accepts, and stands as the library says.</summary>
+    public sealed class HumanoidFigureTests
+    {
+        private HumanoidFigure _figure = null!;
+
+        /// <summary>Builds the figure.</summary>
+        [SetUp]
+        public void Build() => _figure = HumanoidFigure.Build(SkeletonBody.Default());
+
+        /// <summary>Removes it.</summary>
+        [TearDown]
+        public void Remove() => Object.DestroyImmediate(_figure.Root);
+
+        /// <summary>Unity's own check of the avatar passes.</summary>
+        [Test]
+        public void Its_avatar_is_valid_and_human()
+        {
+            Assert.That(_figure.Avatar.isValid, Is.True);
+            Assert.That(_figure.Avatar.isHuman, Is.True);
+            Assert.That(_figure.Animator.isHuman, Is.True);
+        }
+
+        /// <summary>All of Unity's human bones are there but eyes and jaw.</summary>
+        [Test]
+        public void It_has_every_bone_that_a_performer_has()
+        {
+            int found = 0;
+            for (HumanBodyBones bone = 0; bone < HumanBodyBones.LastBone; bone++)
+                found += _figure.Animator.GetBoneTransform(bone) != null ? 1 : 0;
+
+            Assert.That(found, Is.EqualTo(50));
+            Assert.That(_figure.Animator.GetBoneTransform(HumanBodyBones.Jaw) == null, Is.True);
+        }
+
+        /// <summary>Left is at negative x when it looks along z, and the feet are down.</summary>
+        [Test]
+        public void It_stands_in_the_T_pose_and_looks_along_z()
+        {
+            Vector3 hips = GetPosition(HumanBodyBones.Hips);
+
+            Assert.That(GetPosition(HumanBodyBones.LeftHand).x, Is.LessThan(hips.x - 0.4f));
+            Assert.That(GetPosition(HumanBodyBones.RightHand).x, Is.GreaterThan(hips.x + 0.4f));
+            Assert.That(GetPosition(HumanBodyBones.LeftFoot).y, Is.LessThan(hips.y - 0.5f));
+            Assert.That(GetPosition(HumanBodyBones.LeftToes).z, Is.GreaterThan(GetPosition(HumanBodyBones.LeftFoot).z));
+        }
+
+        /// <summary>Numbers and names that the library knows by heart are those of this Unity.</summary>
+        [Test]
+        public void Names_and_numbers_of_bones_are_Unity_s()
+        {
+            for (int bone = 0; bone < HumanoidBones.Count; bone++)
+            {
+                Assert.That(HumanoidBones.GetName((HumanoidBone)bone), Is.EqualTo(HumanTrait.BoneName[bone]));
+                Assert.That(HumanoidBones.IsRequired((HumanoidBone)bone), Is.EqualTo(HumanTrait.RequiredBone(bone)));
+                Assert.That(((HumanoidBone)bone).ToString(), Is.EqualTo(((HumanBodyBones)bone).ToString()));
+            }
+        }
+
+        private Vector3 GetPosition(HumanBodyBones bone) => _figure.Animator.GetBoneTransform(bone).position;
+    }
+}
