@@ -1,5 +1,6 @@
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Figures;
 

@@ -1,4 +1,5 @@
 using NeuronMocap.Skeleton;
+using NeuronMocap.Unity.Tests.Infrastructure;
 using UnityEngine.Rendering;
 
 namespace NeuronMocap.Unity.Tests.Figures;

@@ -1,4 +1,5 @@
 using NeuronMocap.Skeleton;
+using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Figures;
 

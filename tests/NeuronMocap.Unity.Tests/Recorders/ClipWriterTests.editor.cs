@@ -1,5 +1,6 @@
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.EditorTools;
+using NeuronMocap.Unity.Tests.Infrastructure;
 using UnityEditor;
 
 namespace NeuronMocap.Unity.Tests.Recorders;

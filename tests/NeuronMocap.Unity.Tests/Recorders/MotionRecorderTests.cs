@@ -1,5 +1,6 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Recording;
+using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Recorders;
 

@@ -1,5 +1,6 @@
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.Samples;
+using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Samples;
 
