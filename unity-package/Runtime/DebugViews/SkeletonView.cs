@@ -167,7 +167,13 @@ namespace NeuronMocap.Unity
         }
 
         // What the stage's origin lies at.
-        private Transform Stage => _driver != null ? _driver.FigureRoot : transform;
+        private Transform Stage => _driver switch
+        {
+            HumanoidDriver humanoid when humanoid != null && humanoid.Animator != null => humanoid.Animator.transform,
+            GenericRigDriver generic when generic != null && generic.Root != null => generic.Root,
+            { } driver when driver != null => driver.transform,
+            _ => transform,
+        };
 
         private void OnDisable() => _trails = Array.Empty<PositionTrail>();
 

@@ -49,10 +49,10 @@ namespace NeuronMocap.Unity
         /// <summary>
         /// Transforms of single bones, before any that are found by name. Call <see cref="FigureDriver.Rebind"/> after a change while it runs.
         /// </summary>
-        public List<BoneBinding> Bindings => _bindings;
+        public IList<BoneBinding> Bindings => _bindings;
 
         /// <summary>Weights of single bones, on top of those of their parts; bones that are not listed have 1.</summary>
-        public List<StreamBoneWeight> BoneWeights => _boneWeights;
+        public IList<StreamBoneWeight> BoneWeights => _boneWeights;
 
         /// <summary>The bones for which there is no transform, as of the last binding.</summary>
         public IReadOnlyList<Bone> MissingBones { get; private set; } = Array.Empty<Bone>();
@@ -98,10 +98,9 @@ namespace NeuronMocap.Unity
 
             // The root itself is no bone, whatever it is called.
             names[0] = string.Empty;
-            RigBinding binding = RigBinder.Bind(names, _prefix.Length > 0 ? _prefix : null);
             var bones = new Transform?[BoneHierarchy.BoneCount];
             for (int bone = 0; bone < bones.Length; bone++)
-                bones[bone] = binding.Nodes[bone] is var node && node > 0 ? all[node] : null;
+                bones[bone] = Array.IndexOf(names, _prefix + BoneHierarchy.GetName((Bone)bone)) is var node && node > 0 ? all[node] : null;
 
             foreach (BoneBinding given in _bindings)
             {
@@ -129,32 +128,5 @@ namespace NeuronMocap.Unity
 
             bones[(int)given.Bone] = given.Transform;
         }
-    }
-
-    /// <summary>Which transform is a bone of the stream.</summary>
-    [Serializable]
-    public struct BoneBinding
-    {
-        /// <summary>The bone of the stream.</summary>
-        [Tooltip("The bone of the stream.")]
-        public Bone Bone;
-
-        /// <summary>The transform that follows it.</summary>
-        [Tooltip("The transform that follows it.")]
-        public Transform? Transform;
-    }
-
-    /// <summary>The weight of one bone of a generic rig.</summary>
-    [Serializable]
-    public struct StreamBoneWeight
-    {
-        /// <summary>The bone of the stream.</summary>
-        [Tooltip("The bone of the stream.")]
-        public Bone Bone;
-
-        /// <summary>How much of the motion it takes over, 0 to 1. At 0 it is left alone.</summary>
-        [Tooltip("How much of the motion it takes over. At 0 it is left alone.")]
-        [Range(0, 1)]
-        public float Weight;
     }
 }

@@ -38,7 +38,7 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>Weights of single bones, on top of those of their parts; bones that are not listed have 1.</summary>
-        public List<HumanoidBoneWeight> BoneWeights => _boneWeights;
+        public IList<HumanoidBoneWeight> BoneWeights => _boneWeights;
 
         private protected override FigureRig? CreateRig(out string problem)
         {
@@ -58,7 +58,7 @@ namespace NeuronMocap.Unity
                 return null;
             }
 
-            RestPose rest = RestPose.OfAvatar(root, animator.avatar);
+            RestPose rest = RestPose.OfAvatar(root, animator.avatar!);
             RigCapture capture = RigCapture.Take(root, bones, rest);
             int[] nodeOf = Array.ConvertAll(bones, capture.IndexOf);
             try
@@ -95,19 +95,5 @@ namespace NeuronMocap.Unity
 
             return string.Empty;
         }
-    }
-
-    /// <summary>The weight of one bone of a Humanoid.</summary>
-    [Serializable]
-    public struct HumanoidBoneWeight
-    {
-        /// <summary>The bone.</summary>
-        [Tooltip("The bone.")]
-        public HumanoidBone Bone;
-
-        /// <summary>How much of the motion it takes over, 0 to 1. At 0 it is left alone.</summary>
-        [Tooltip("How much of the motion it takes over. At 0 it is left alone.")]
-        [Range(0, 1)]
-        public float Weight;
     }
 }

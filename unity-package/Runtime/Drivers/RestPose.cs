@@ -1,5 +1,6 @@
 #nullable enable
 
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -13,7 +14,7 @@ namespace NeuronMocap.Unity
         public const string FromPresent =
             "The figure's rest pose is not known: it has no avatar that tells it, and no skin. How it stood at first is taken, which has to be the T-pose.";
 
-        private readonly Dictionary<string, SkeletonBone> _skeleton = new Dictionary<string, SkeletonBone>();
+        private readonly Dictionary<string, SkeletonBone> _skeleton = new Dictionary<string, SkeletonBone>(StringComparer.Ordinal);
         private readonly Dictionary<Transform, Matrix4x4> _bound = new Dictionary<Transform, Matrix4x4>();
         private readonly Transform _root;
 
@@ -56,7 +57,7 @@ namespace NeuronMocap.Unity
 
             if (_bound.Count > 0 && _bound.TryGetValue(transform, out Matrix4x4 world))
             {
-                Matrix4x4 local = WorldOf(transform.parent).inverse * world;
+                Matrix4x4 local = WorldOf(transform.parent!).inverse * world;
                 (position, rotation, scale) = (local.GetColumn(3), local.rotation, local.lossyScale);
                 return;
             }
@@ -73,7 +74,7 @@ namespace NeuronMocap.Unity
                 return world;
 
             Get(transform, out Vector3 position, out Quaternion rotation, out Vector3 scale);
-            return WorldOf(transform.parent) * Matrix4x4.TRS(position, rotation, scale);
+            return WorldOf(transform.parent!) * Matrix4x4.TRS(position, rotation, scale);
         }
 
         // A bind pose says where the mesh is in a bone's space.

@@ -1,5 +1,6 @@
 #nullable enable
 
+using System;
 using System.Collections.Generic;
 using NeuronMocap.Retargeting;
 using UnityEngine;
@@ -28,11 +29,11 @@ namespace NeuronMocap.Unity
                 if (bone == null || bone == root || !bone.IsChildOf(root))
                     continue;
 
-                for (Transform above = bone; above != root; above = above.parent)
+                for (Transform above = bone; above != root; above = above.parent!)
                     needed.Add(above);
             }
 
-            var capture = new RigCapture(System.Array.Empty<RigNode>());
+            var capture = new RigCapture(Array.Empty<RigNode>());
             var nodes = new List<RigNode>();
             capture.Add(root, -1, needed, rest, nodes);
             capture.Nodes = nodes.ToArray();

@@ -27,7 +27,7 @@ namespace NeuronMocap.Unity
         public IdleBlend(Animator animator)
         {
             _root = animator.transform;
-            for (HumanBodyBones human = 0; human < HumanBodyBones.LastBone; human++)
+            for (HumanBodyBones human = HumanBodyBones.Hips; human < HumanBodyBones.LastBone; human++)
             {
                 Transform? bone = animator.GetBoneTransform(human);
                 if (bone != null)
@@ -63,7 +63,7 @@ namespace NeuronMocap.Unity
             Vector3 forward = HipsRotation * Quaternion.Inverse(_restHipsRotation) * Vector3.forward;
             forward.y = 0;
             Quaternion heading = forward.sqrMagnitude > 1e-4f ? Quaternion.LookRotation(forward, Vector3.up) : Quaternion.identity;
-            _idle[0] = Quaternion.Inverse(Hips.parent.rotation) * _root.rotation * heading * _restHipsRotation;
+            _idle[0] = Quaternion.Inverse(Hips.parent!.rotation) * _root.rotation * heading * _restHipsRotation;
         }
 
         /// <summary>There is data again.</summary>
@@ -101,10 +101,10 @@ namespace NeuronMocap.Unity
         // Whatever the rest pose holds the arm like. Left is where X is negative.
         private void Lower(Animator animator, HumanBodyBones upper, HumanBodyBones lower, float side)
         {
-            Transform arm = animator.GetBoneTransform(upper);
-            Vector3 direction = _root.InverseTransformDirection(animator.GetBoneTransform(lower).position - arm.position);
+            Transform arm = animator.GetBoneTransform(upper)!;
+            Vector3 direction = _root.InverseTransformDirection(animator.GetBoneTransform(lower)!.position - arm.position);
             var down = new Vector3(side * Mathf.Cos(ArmsDown), -Mathf.Sin(ArmsDown), 0);
-            Quaternion parent = Quaternion.Inverse(_root.rotation) * arm.parent.rotation;
+            Quaternion parent = Quaternion.Inverse(_root.rotation) * arm.parent!.rotation;
             int index = _bones.IndexOf(arm);
             _idle[index] = Quaternion.Inverse(parent) * Quaternion.FromToRotation(direction, down) * parent * _idle[index];
         }

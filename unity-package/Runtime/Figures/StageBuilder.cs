@@ -19,7 +19,7 @@ namespace NeuronMocap.Unity
         private const float PlaneSize = 10;
         private const int TextureSize = 128;
         private const int LineWidth = 2;
-        private const float FollowSeconds = 0.6f;
+        private const float FollowSeconds = 0.4f;
 
         [SerializeField]
         [Tooltip("A ground with lines a metre apart.")]
@@ -57,7 +57,6 @@ namespace NeuronMocap.Unity
         private GameObject? _stage;
         private Transform? _cameraTransform;
         private Vector3 _focus;
-        private Vector3 _velocity;
         private bool _hasFocus;
 
         /// <summary>What the camera looks at and goes along with; null for this object.</summary>
@@ -72,6 +71,13 @@ namespace NeuronMocap.Unity
         {
             get => _viewpoint;
             set => _viewpoint = value;
+        }
+
+        /// <summary>A material to copy and colour for the ground; null for the render pipeline's own. Of the next time that the component is enabled.</summary>
+        public Material? GroundMaterial
+        {
+            get => _groundMaterial;
+            set => _groundMaterial = value;
         }
 
         /// <summary>Whether there is a ground. Of the next time that the component is enabled.</summary>
@@ -117,7 +123,7 @@ namespace NeuronMocap.Unity
                 return;
 
             Vector3 target = _target != null ? _target.position : transform.position + Vector3.up;
-            _focus = _hasFocus ? Vector3.SmoothDamp(_focus, target, ref _velocity, FollowSeconds) : target;
+            _focus = _hasFocus ? Vector3.Lerp(_focus, target, 1 - Mathf.Exp(-Time.deltaTime / FollowSeconds)) : target;
             _hasFocus = true;
             _cameraTransform.position = _focus + _viewpoint;
             _cameraTransform.LookAt(_focus);

@@ -3,45 +3,6 @@ using System.Collections.Generic;
 
 namespace NeuronMocap.Unity
 {
-    // What a clip animates with numbers that belong together: a muscle, or the components of a position or rotation.
-    internal sealed class ClipProperty
-    {
-        private static readonly string[] Single = { "" };
-        private static readonly string[] Vector = { ".x", ".y", ".z" };
-        private static readonly string[] Rotation = { ".x", ".y", ".z", ".w" };
-
-        private ClipProperty(string path, string name, string[] components, bool isTransform)
-        {
-            Path = path;
-            Name = name;
-            Components = components;
-            IsTransform = isTransform;
-        }
-
-        // From the animated object down to the transform; empty for itself.
-        public string Path { get; }
-
-        public string Name { get; }
-
-        // What follows the name, in the order of the values.
-        public IReadOnlyList<string> Components { get; }
-
-        // Of a Transform; otherwise of the Animator.
-        public bool IsTransform { get; }
-
-        public bool IsRotation => Components.Count == 4;
-
-        public static ClipProperty Muscle(string name) => new ClipProperty("", name, Single, false);
-
-        public static ClipProperty RootPosition() => new ClipProperty("", "RootT", Vector, false);
-
-        public static ClipProperty RootRotation() => new ClipProperty("", "RootQ", Rotation, false);
-
-        public static ClipProperty LocalPosition(string path) => new ClipProperty(path, "m_LocalPosition", Vector, true);
-
-        public static ClipProperty LocalRotation(string path) => new ClipProperty(path, "m_LocalRotation", Rotation, true);
-    }
-
     /// <summary>What a <see cref="ClipRecorder"/> has recorded: rows of values, one row for each frame.</summary>
     public sealed class ClipTake
     {

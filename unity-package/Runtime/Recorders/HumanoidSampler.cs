@@ -23,7 +23,7 @@ namespace NeuronMocap.Unity
         {
             _root = animator.transform;
             _scale = animator.humanScale > 0 ? animator.humanScale : 1;
-            _handler = new HumanPoseHandler(animator.avatar, _root);
+            _handler = new HumanPoseHandler(animator.avatar!, _root);
             _isInWorld = IsBodyInWorld();
         }
 

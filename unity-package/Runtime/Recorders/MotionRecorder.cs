@@ -138,7 +138,7 @@ namespace NeuronMocap.Unity
                 return Refuse("The recorder is disabled.");
             if (_source == null)
                 return Refuse("The recorder has no source: set Source.");
-            if ((_formats & (TakeFormats.Bvh | TakeFormats.Recording)) == 0)
+            if ((_formats & (TakeFormats.Bvh | TakeFormats.Recording)) == TakeFormats.None)
                 return Refuse("Nothing is to be written: set Formats.");
 
             Problem = "";
@@ -215,13 +215,13 @@ namespace NeuronMocap.Unity
             Files = Array.Empty<string>();
             string folder = Path.Combine(Application.persistentDataPath, _folder);
             string pattern = _fileName;
-            string name = _source.name;
+            string label = _source.name;
             DateTime now = DateTime.Now;
             _take = new TakeWriter(
                 reader,
                 _formats,
                 _everyPerformer ? (int?)null : _avatarIndex,
-                () => TakeFileName.Create(folder, pattern, name, now, TakeWriter.Extensions));
+                () => TakeFileName.Create(folder, pattern, label, now, TakeWriter.Extensions));
         }
 
         private void Finish()

@@ -16,20 +16,4 @@ namespace NeuronMocap.Unity
         /// <summary>Recording (.nmrec): every byte as it arrived, with its time. Plays again as the live stream did.</summary>
         Recording = 2,
     }
-
-    /// <summary>What a <see cref="MotionRecorder"/> does.</summary>
-    public enum RecorderState
-    {
-        /// <summary>Nothing.</summary>
-        Idle,
-
-        /// <summary>Waits for the source to open.</summary>
-        Waiting,
-
-        /// <summary>Writes what arrives.</summary>
-        Recording,
-
-        /// <summary>Completes its files, on another thread.</summary>
-        Finishing,
-    }
 }

@@ -82,9 +82,9 @@ namespace NeuronMocap.Unity
             if (_problem.Length > 0)
                 return;
 
-            if ((_formats & TakeFormats.Bvh) != 0)
+            if ((_formats & TakeFormats.Bvh) != TakeFormats.None)
                 Try("No BVH file is written", () => _bvh = _reader.ExportBvh(path + BvhExtension, _bvhOptions));
-            if ((_formats & TakeFormats.Recording) != 0)
+            if ((_formats & TakeFormats.Recording) != TakeFormats.None)
                 Try("No recording is written", () => _recording = _reader.StartRecording(path + RecordingExtension));
 
             _looks = new Timer(_ => Try("The files cannot be looked at", Look), null, LookPeriod, LookPeriod);

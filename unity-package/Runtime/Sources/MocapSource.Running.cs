@@ -173,8 +173,13 @@ namespace NeuronMocap.Unity
             Close();
         }
 
-        // A field was changed in the inspector.
-        private void OnValidate() => _isChanged = true;
+        // A field was changed in the inspector. Ports have no slider: they are typed, and count when they are entered.
+        private void OnValidate()
+        {
+            _port = Mathf.Clamp(_port, 1, 65535);
+            _commandPort = Mathf.Clamp(_commandPort, 0, 65535);
+            _isChanged = true;
+        }
 
         private void Update()
         {

@@ -31,7 +31,6 @@ namespace NeuronMocap.Unity
         private string _address = "127.0.0.1";
 
         [Tooltip("TCP port of the server, or UDP port to receive on, as in the broadcasting settings of Axis Neuron. Usually 7001.")]
-        [Range(1, 65535)]
         [Delayed]
         [SerializeField]
         private int _port = 7001;
@@ -46,7 +45,6 @@ namespace NeuronMocap.Unity
 
         [Tooltip("TCP port of the server's command channel, usually 8013; 0 for none. With one, the rotation order, the skeleton variant and the performers' "
             + "sizes are asked for.")]
-        [Range(0, 65535)]
         [Delayed]
         [SerializeField]
         private int _commandPort;

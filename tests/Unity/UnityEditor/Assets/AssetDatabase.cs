@@ -1,7 +1,7 @@
 namespace UnityEditor;
 
 /// <summary>The project's assets: what tests put there.</summary>
-public static class AssetDatabase
+public static partial class AssetDatabase
 {
     private static readonly Dictionary<string, List<UnityEngine.Object>> Files = [];
 

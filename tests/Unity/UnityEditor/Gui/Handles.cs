@@ -3,7 +3,7 @@ using UnityEngine.StandIn;
 
 namespace UnityEditor;
 
-public static class Handles
+public static partial class Handles
 {
     public static Color color { get; set; } = Color.white;
 

@@ -93,8 +93,8 @@ public sealed class GameObject : Object
     public static GameObject CreatePrimitive(PrimitiveType type)
     {
         var created = new GameObject(type.ToString());
-        created.AddComponent<MeshFilter>().sharedMesh = new Mesh { name = type.ToString() };
-        created.AddComponent<MeshRenderer>().sharedMaterial = new Material(Shader.Find("Standard")!) { name = "Default-Material" };
+        created.AddComponent<MeshFilter>().sharedMesh = StandIn.BuiltInResources.GetMesh(type);
+        created.AddComponent<MeshRenderer>().sharedMaterial = StandIn.BuiltInResources.DefaultMaterial;
         created.AddComponent(type switch
         {
             PrimitiveType.Sphere => typeof(SphereCollider),

@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-public sealed class Mesh : Object
+public sealed partial class Mesh : Object
 {
     public Vector3[] vertices { get; set; } = [];
 
@@ -10,17 +10,11 @@ public sealed class Mesh : Object
 
     public Color[] colors { get; set; } = [];
 
-    public int[] triangles { get; set; } = [];
-
     public Bounds bounds { get; set; }
 
     public int vertexCount => vertices.Length;
 
     public void SetVertices(List<Vector3> inVertices) => vertices = [.. inVertices];
-
-    public void SetTriangles(int[] triangles, int submesh) => this.triangles = [.. triangles];
-
-    public void SetIndices(int[] indices, MeshTopology topology, int submesh) => triangles = [.. indices];
 
     public void Clear() => (vertices, normals, uv, triangles) = ([], [], [], []);
 
@@ -36,8 +30,6 @@ public sealed class Mesh : Object
 
         bounds = box;
     }
-
-    public void RecalculateNormals() => normals = new Vector3[vertices.Length];
 }
 
 public enum MeshTopology

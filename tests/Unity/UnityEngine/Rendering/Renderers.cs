@@ -15,7 +15,14 @@ public class Renderer : Component
 {
     public bool enabled { get; set; } = true;
 
-    public Material? sharedMaterial { get; set; }
+    private Material?[] _materials = [];
+    private MaterialPropertyBlock? _block;
+
+    public Material? sharedMaterial
+    {
+        get => _materials.FirstOrDefault();
+        set => _materials = [value, .. _materials.Skip(1)];
+    }
 
     /// <summary>A copy of its own from the first use on, as in the engine.</summary>
     public Material? material
@@ -33,9 +40,13 @@ public class Renderer : Component
 
     public Material?[] sharedMaterials
     {
-        get => [sharedMaterial];
-        set => sharedMaterial = value.FirstOrDefault();
+        get => [.. _materials];
+        set => _materials = [.. value];
     }
+
+    public void SetPropertyBlock(MaterialPropertyBlock? properties) => _block = properties?.Copy();
+
+    public void GetPropertyBlock(MaterialPropertyBlock properties) => properties.CopyFrom(_block);
 
     public bool receiveShadows { get; set; } = true;
 
@@ -57,6 +68,10 @@ public class SkinnedMeshRenderer : Renderer
     public Transform[] bones { get; set; } = [];
 
     public Transform? rootBone { get; set; }
+
+    public Bounds localBounds { get; set; }
+
+    public bool updateWhenOffscreen { get; set; }
 }
 
 public sealed class LineRenderer : Renderer

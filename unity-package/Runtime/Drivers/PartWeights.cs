@@ -6,36 +6,6 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>How a figure finds its performer.</summary>
-    public enum PerformerChoice
-    {
-        /// <summary>By its number on the server.</summary>
-        ByIndex,
-
-        /// <summary>By its name on the server.</summary>
-        ByName,
-    }
-
-    /// <summary>When a figure is moved.</summary>
-    public enum DriveTime
-    {
-        /// <summary>After the Animator: the motion wins over animations.</summary>
-        LateUpdate,
-
-        /// <summary>Before the Animator, which writes over what it animates itself.</summary>
-        Update,
-    }
-
-    /// <summary>What a figure does when its performer sends nothing.</summary>
-    public enum IdleBehaviour
-    {
-        /// <summary>Keeps the last pose.</summary>
-        Hold,
-
-        /// <summary>Goes over to its rest pose, or to what an Animator plays, within the blend time.</summary>
-        BlendToRest,
-    }
-
     /// <summary>How much of the performer's motion each part of a figure takes over, 0 to 1. A part at 0 is left to animations, or a headset.</summary>
     [Serializable]
     public sealed class PartWeights
@@ -98,7 +68,7 @@ namespace NeuronMocap.Unity
         {
             for (BodyParts part = BodyParts.Hips; part <= BodyParts.RightLeg; part = (BodyParts)((int)part << 1))
             {
-                if ((parts & part) != 0)
+                if ((parts & part) != BodyParts.None)
                     Field(part) = Mathf.Clamp01(weight);
             }
         }

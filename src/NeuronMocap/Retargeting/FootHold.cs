@@ -1,0 +1,134 @@
+using System.Numerics;
+
+namespace NeuronMocap.Retargeting;
+
+// Where a foot has to be, frame by frame. Left alone it goes where the actor's motion has it, raised with the hips: its free way. A held foot stays
+// where it was when the contact began, and settles on the ground; one that is let go comes back to its free way.
+internal sealed class FootHold(FootLeg leg)
+{
+    // So far, in metres, a held foot may be pulled off its place before it is let go.
+    private const float LargestSlip = 0.002f;
+
+    // A foot that is further from the ground than this part of the leg stands on something else.
+    private const float FurthestGround = 0.1f;
+
+    private Vector3 _place;
+    private Vector3 _offset;
+    private Quaternion _flat;
+    private float _startHeight;
+    private float _goalHeight;
+    private float _soleHeight;
+    private double _sinceStart;
+    private double _sinceEnd;
+    private float _blend;
+    private bool _isLost;
+
+    public FootLeg Leg { get; } = leg;
+
+    public bool IsHeld { get; private set; }
+
+    // Of the ankle.
+    public Vector3 Target { get; private set; }
+
+    // How far the actor's motion is to be raised so that the sole, where it was lowest in this contact, is on the ground. Null: nothing is known.
+    public float? Rise { get; private set; }
+
+    public float? GetRise(float ground) =>
+        Math.Abs(ground - Leg.SoleHeight) <= FurthestGround * Leg.Length ? ground - Leg.SoleHeight : null;
+
+    public void Reset()
+    {
+        IsHeld = false;
+        _isLost = false;
+        _offset = Vector3.Zero;
+        _blend = 0;
+        Rise = null;
+    }
+
+    public void Step(bool contact, double elapsed, float ground, float shift, FootPlanterOptions options)
+    {
+        _sinceStart += elapsed;
+        _sinceEnd += elapsed;
+        Vector3 free = Leg.Ankle + (Leg.Up * shift);
+        if (IsHeld && !contact)
+            Release(free);
+        _isLost &= contact;
+
+        Target = free + (_offset * (1 - Smooth(Part(_sinceEnd, options.BlendOut))));
+        if (contact && !IsHeld && !_isLost)
+            Hold(ground, options.FootRotation == FootRotation.Flatten);
+        _blend = IsHeld
+            ? Ramp(_blend, Math.Min(elapsed, _sinceStart), options.BlendIn)
+            : 1 - Ramp(1 - _blend, Math.Min(elapsed, _sinceEnd), options.BlendOut);
+        if (!IsHeld)
+            return;
+
+        Rise = Rise is { } before ? Math.Max(before, ground - Leg.SoleHeight) : null;
+        float settled = Smooth(Part(_sinceStart, options.BlendIn));
+        Target = _place + (Leg.Up * (_startHeight + ((_goalHeight - _startHeight) * settled)));
+    }
+
+    // With the hips where they will be. A leg too short for the ground holds the foot above it, and one too short for the place lets it go.
+    public void Solve(RetargetedPose pose, float shift, FootPlanterOptions options)
+    {
+        if (IsHeld)
+            KeepWithinReach(pose, shift);
+
+        Quaternion rotation = Leg.Rotation;
+        float weight = Smooth(_blend);
+        if (weight > 0)
+        {
+            rotation = options.FootRotation == FootRotation.Flatten
+                ? Quaternion.Slerp(rotation, _flat, weight)
+                : Leg.KeepToesAbove(_soleHeight, Target, rotation, weight);
+        }
+
+        Leg.Bend(pose, Target, rotation);
+    }
+
+    private static float Ramp(float value, double elapsed, double seconds) => seconds > elapsed ? Math.Min(1, value + (float)(elapsed / seconds)) : 1;
+
+    private static double Part(double elapsed, double seconds) => elapsed < seconds ? elapsed / seconds : 1;
+
+    private static float Smooth(double part) => (float)(part * part * (3 - (2 * part)));
+
+    private void Hold(float ground, bool flatten)
+    {
+        IsHeld = true;
+        _sinceStart = 0;
+        _startHeight = Leg.Height(Target);
+        _place = Target - (Leg.Up * _startHeight);
+        float ankle = flatten ? Leg.FlatAnkleHeight : Leg.AnkleHeight;
+        Rise = GetRise(ground);
+        _goalHeight = Rise is null ? _startHeight : ground + ankle;
+        _soleHeight = _goalHeight - ankle;
+
+        // A foot that comes back before it was let go altogether keeps the way that it points.
+        if (_blend == 0)
+            _flat = Leg.Flattened();
+    }
+
+    private void Release(Vector3 free)
+    {
+        IsHeld = false;
+        _sinceEnd = 0;
+        _offset = Target - free;
+        Rise = null;
+    }
+
+    private void KeepWithinReach(RetargetedPose pose, float shift)
+    {
+        float lowest = Leg.LowestReached(pose, _place);
+        if (lowest <= Leg.Height(Target))
+            return;
+        if (lowest <= Math.Max(_startHeight, _goalHeight) + LargestSlip)
+        {
+            _goalHeight = Math.Max(_goalHeight, lowest);
+            Target = _place + (Leg.Up * lowest);
+            return;
+        }
+
+        _isLost = true;
+        Release(Leg.Ankle + (Leg.Up * shift));
+    }
+}

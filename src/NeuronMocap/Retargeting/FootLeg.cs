@@ -1,0 +1,169 @@
+using System.Numerics;
+
+namespace NeuronMocap.Retargeting;
+
+// A leg of a rig: where the newest pose has it, and how it is bent so that the foot comes elsewhere.
+internal sealed class FootLeg
+{
+    // Where a rig has no toes: how far the ball of the foot is in front of the ankle, as a part of the leg.
+    private const float UsualToes = 0.16f;
+
+    // Stretched so far, a leg counts as straight; further it goes only when the actor's is.
+    private const float Straight = 0.999f;
+
+    private readonly TargetRig _rig;
+    private readonly int _thigh;
+    private readonly int _shin;
+    private readonly int _foot;
+
+    // From the ankle at rest, in the character's root: to the point of the sole under it, and to the ball of the foot, on the ground as well.
+    private readonly Vector3 _heel;
+    private readonly Vector3 _ball;
+    private Vector3 _hip;
+
+    private FootLeg(TargetRig rig, int thigh, int shin, int foot)
+    {
+        (_rig, _thigh, _shin, _foot) = (rig, thigh, shin, foot);
+        ReadOnlySpan<Vector3> rest = rig.RestPositions;
+        Length = Vector3.Distance(rest[thigh], rest[shin]) + Vector3.Distance(rest[shin], rest[foot]);
+        Vector3 toes = FindToes() is { } node ? rest[node] : rest[foot] + (Forward * (UsualToes * Length));
+
+        // At rest a figure stands on its root, unless that is above the feet.
+        float ground = Math.Min(0, Math.Min(Height(rest[foot]), Height(toes)));
+        _heel = rig.Up * (ground - Height(rest[foot]));
+        _ball = toes - rest[foot] + (rig.Up * (ground - Height(toes)));
+    }
+
+    public float Length { get; }
+
+    public Vector3 Up => _rig.Up;
+
+    public bool IsReady { get; private set; }
+
+    public Vector3 Ankle { get; private set; }
+
+    public Quaternion Rotation { get; private set; }
+
+    // How high the ankle is above the lowest point of the sole, as the foot is turned.
+    public float AnkleHeight => -Math.Min(Height(Turned(_heel, Rotation)), Height(Turned(_ball, Rotation)));
+
+    public float SoleHeight => Height(Ankle) - AnkleHeight;
+
+    public float FlatAnkleHeight => -Height(_heel);
+
+    private Vector3 Forward => Vector3.Transform(Vector3.UnitZ, _rig.Facing);
+
+    public static FootLeg? TryCreate(TargetRig rig, HumanoidBone upperLeg, HumanoidBone lowerLeg, HumanoidBone foot)
+    {
+        (int thigh, int shin, int end) = (rig.GetNode(upperLeg), rig.GetNode(lowerLeg), rig.GetNode(foot));
+        bool isLeg = HangsFrom(rig, thigh, rig.HipsNode) && HangsFrom(rig, shin, thigh) && HangsFrom(rig, end, shin);
+        return isLeg ? new FootLeg(rig, thigh, shin, end) : null;
+    }
+
+    public float Height(Vector3 position) => Vector3.Dot(position, _rig.Up);
+
+    public void Measure(RetargetedPose pose)
+    {
+        IsReady = pose.IsDriven(_thigh) && pose.IsDriven(_shin) && pose.IsDriven(_foot);
+        _hip = pose.WorldPositions[_thigh];
+        Ankle = pose.WorldPositions[_foot];
+        Rotation = pose.WorldRotations[_foot];
+    }
+
+    // How far the hips, moved up by that much, have to come down again before the ankle reaches the target.
+    public float LoweringFor(Vector3 target, float shift)
+    {
+        float reach = Math.Max(Straight * Length, Vector3.Distance(_hip, Ankle));
+        return Math.Max(0, Height(_hip) + shift - Height(target) - Drop(_hip, target, reach));
+    }
+
+    // The height at which the stretched leg ends above, or below, a place; that of the hip when the place is too far aside.
+    public float LowestReached(RetargetedPose pose, Vector3 place) =>
+        Height(pose.WorldPositions[_thigh]) - Drop(pose.WorldPositions[_thigh], place, Length);
+
+    // The foot level, pointing where it points.
+    public Quaternion Flattened()
+    {
+        Quaternion rest = _rig.RestRotations[_foot];
+        Vector3 forward = Turned(Forward, Rotation);
+        Vector3 level = forward - (_rig.Up * Height(forward));
+        return level.LengthSquared() > 1e-4f
+            ? AroundUp(Vector3.Normalize(level)) * rest
+            : Rotation;
+    }
+
+    public void Bend(RetargetedPose pose, Vector3 target, Quaternion rotation)
+    {
+        // Once, but for sheared rigs, whose bones change their lengths as they turn.
+        Vector3 aim = target;
+        for (int attempt = 0; attempt < (_rig.IsSheared ? 8 : 1); attempt++)
+        {
+            ReadOnlySpan<Vector3> at = pose.WorldPositions;
+            Quaternion upper = pose.WorldRotations[_thigh];
+            Quaternion lower = pose.WorldRotations[_shin];
+            Vector3 knee = Vector3.Transform(Forward, upper * Quaternion.Conjugate(_rig.RestRotations[_thigh]));
+            TwoBoneSolution solution = TwoBoneIk.Solve(at[_thigh], at[_shin], at[_foot], aim, knee);
+            pose.SetWorldRotation(_thigh, solution.Upper * upper);
+            pose.SetWorldRotation(_shin, solution.Lower * lower);
+            aim += target - pose.WorldPositions[_foot];
+        }
+
+        pose.SetWorldRotation(_foot, rotation);
+    }
+
+    // Raises the toes of a turned foot as far as they would be in the ground.
+    public Quaternion KeepToesAbove(float ground, Vector3 ankle, Quaternion rotation, float weight)
+    {
+        Vector3 ball = Turned(_ball, rotation);
+        float length = ball.Length();
+        float least = ground - Height(ankle);
+        var axis = Vector3.Cross(ball, _rig.Up);
+        if (least <= Height(ball) || least > 0 || axis.LengthSquared() < 1e-6f * length * length)
+            return rotation;
+
+        float angle = MathF.Asin(Math.Max(-1, least / length)) - MathF.Asin(Math.Max(-1, Height(ball) / length));
+        return Quaternion.CreateFromAxisAngle(Vector3.Normalize(axis), angle * weight) * rotation;
+    }
+
+    private static bool HangsFrom(TargetRig rig, int node, int ancestor)
+    {
+        if (ancestor < 0)
+            return false;
+        while (node > ancestor)
+            node = rig.Nodes[node].Parent;
+
+        return node == ancestor;
+    }
+
+    private Vector3 Turned(Vector3 atRest, Quaternion rotation) =>
+        Vector3.Transform(atRest, rotation * Quaternion.Conjugate(_rig.RestRotations[_foot]));
+
+    // How far below the hip a leg of that length ends that leads to the place.
+    private float Drop(Vector3 hip, Vector3 place, float length)
+    {
+        Vector3 way = place - hip;
+        float aside = (way - (_rig.Up * Height(way))).LengthSquared();
+        return MathF.Sqrt(Math.Max(0, (length * length) - aside));
+    }
+
+    private Quaternion AroundUp(Vector3 direction)
+    {
+        float angle = MathF.Atan2(Vector3.Dot(_rig.Up, Vector3.Cross(Forward, direction)), Vector3.Dot(Forward, direction));
+        return Quaternion.CreateFromAxisAngle(_rig.Up, angle);
+    }
+
+    // The joint that hangs from the foot and is furthest in front of it.
+    private int? FindToes()
+    {
+        int? toes = null;
+        float furthest = 0.05f * Length;
+        for (int node = _foot + 1; node < _rig.Nodes.Length; node++)
+        {
+            float ahead = Vector3.Dot(_rig.RestPositions[node] - _rig.RestPositions[_foot], Forward);
+            if (_rig.Nodes[node].Parent == _foot && ahead > furthest)
+                (toes, furthest) = (node, ahead);
+        }
+
+        return toes;
+    }
+}

@@ -1,0 +1,122 @@
+namespace NeuronMocap.Retargeting;
+
+// Whether the nodes are sound and the right ones: all that can be said without a rig.
+internal sealed class RigMappingCheck
+{
+    private readonly RigNode[] _nodes;
+    private readonly int[] _nodeOf;
+    private readonly List<RigFinding> _findings = [];
+
+    public RigMappingCheck(ReadOnlySpan<RigNode> nodes, ReadOnlySpan<int> nodeOf)
+    {
+        if (nodeOf.Length != HumanoidBones.Count)
+            throw new ArgumentException("There is an index for each of the 55 bones.", nameof(nodeOf));
+
+        _nodes = nodes.ToArray();
+        _nodeOf = nodeOf.ToArray();
+        if (Array.Exists(_nodeOf, node => node < -1 || node >= _nodes.Length))
+            throw new ArgumentException("An index is not that of a node.", nameof(nodeOf));
+        for (int i = 0; i < _nodes.Length; i++)
+        {
+            if (_nodes[i].Parent < -1 || _nodes[i].Parent >= i)
+                throw new ArgumentException($"Node {i}, {_nodes[i].Name}, stands before its parent.", nameof(nodes));
+        }
+    }
+
+    // Whether the rest pose can be looked at.
+    public bool IsUsable { get; private set; } = true;
+
+    public List<RigFinding> Examine()
+    {
+        CheckTransforms();
+        CheckNames();
+        for (int bone = 0; bone < HumanoidBones.Count; bone++)
+            CheckBone((HumanoidBone)bone);
+
+        return _findings;
+    }
+
+    private static bool IsSound(in RigNode node) => Numbers.IsFinite(node.Position) && Numbers.IsFinite(node.Rotation)
+        && Numbers.IsFinite(node.Scale) && node.Rotation.LengthSquared() > 1e-6f && node.Scale.X * node.Scale.Y * node.Scale.Z != 0;
+
+    private void CheckTransforms()
+    {
+        foreach (RigNode node in _nodes)
+        {
+            if (IsSound(node))
+                continue;
+
+            IsUsable = false;
+            Add(RigFault.InvalidTransform, RigSeverity.Error, null,
+                $"The transform {node.Name} has a position, rotation or scale that is no number, or a scale of zero. Repair it where the rig was made.");
+        }
+    }
+
+    private void CheckNames()
+    {
+        foreach (IGrouping<string, RigNode> same in _nodes.GroupBy(static node => node.Name, StringComparer.Ordinal).Where(static group => group.Skip(1).Any()))
+        {
+            Add(RigFault.DuplicateName, RigSeverity.Warning, null,
+                $"{same.Count()} transforms are called {same.Key}. Unity finds bones by name and may take the wrong one: rename all but one.");
+        }
+    }
+
+    private void CheckBone(HumanoidBone bone)
+    {
+        string name = HumanoidBones.GetName(bone);
+        int node = _nodeOf[(int)bone];
+        if (node < 0)
+        {
+            if (HumanoidBones.IsRequired(bone))
+            {
+                IsUsable &= bone != HumanoidBone.Hips;
+                Add(RigFault.MissingBone, RigSeverity.Error, bone, $"{name} is not mapped, and without it Unity makes no Humanoid. Map it in the avatar's configuration.");
+            }
+
+            return;
+        }
+
+        int first = Array.IndexOf(_nodeOf, node);
+        if (first < (int)bone)
+        {
+            IsUsable = false;
+            Add(RigFault.DuplicateMapping, RigSeverity.Error, bone,
+                $"{_nodes[node].Name} is mapped to {HumanoidBones.GetName((HumanoidBone)first)} and to {name}. Map it to one of them.");
+        }
+        else if (AncestorOf(bone) is { } ancestor && !HangsFrom(node, _nodeOf[(int)ancestor]))
+        {
+            IsUsable = false;
+            Add(RigFault.WrongOrder, RigSeverity.Error, bone,
+                $"{name} is mapped to {_nodes[node].Name}, which does not hang from {_nodes[_nodeOf[(int)ancestor]].Name}, the {HumanoidBones.GetName(ancestor)}. Map the bones from the hips outwards.");
+        }
+
+        if (SideOf(bone) is { } side && side != BodySide.None && NodeName.Read(_nodes[node].Name).Side is not BodySide.None and var said && said != side)
+        {
+            Add(RigFault.SidesSwapped, RigSeverity.Error, bone,
+                $"{name} is mapped to {_nodes[node].Name}, which by its name is on the other side. Exchange left and right in the mapping.");
+        }
+    }
+
+    private static BodySide? SideOf(HumanoidBone bone) => NodeName.Read(HumanoidBones.GetName(bone)).Side;
+
+    // The nearest one that is mapped.
+    private HumanoidBone? AncestorOf(HumanoidBone bone)
+    {
+        HumanoidBone? ancestor = HumanoidBones.GetParent(bone);
+        while (ancestor is { } unmapped && _nodeOf[(int)unmapped] < 0)
+            ancestor = HumanoidBones.GetParent(unmapped);
+
+        return ancestor;
+    }
+
+    private bool HangsFrom(int node, int ancestor)
+    {
+        while (node > ancestor)
+            node = _nodes[node].Parent;
+
+        return node == ancestor;
+    }
+
+    private void Add(RigFault fault, RigSeverity severity, HumanoidBone? bone, string message) =>
+        _findings.Add(new RigFinding(fault, severity, bone, 0, message, CanFix: false));
+}

@@ -1,0 +1,144 @@
+using System.Globalization;
+using System.Numerics;
+
+namespace NeuronMocap.Retargeting;
+
+// What can be seen of a rig at rest.
+internal static class RigPoseCheck
+{
+    private const float NoLength = 1e-3f;
+
+    // The height of an ankle above its sole, at the most, as a part of the leg; and how far a sole may be in the ground.
+    private const float HighestAnkle = 0.25f;
+    private const float DeepestSole = 0.05f;
+
+    public static IEnumerable<RigFinding> Examine(TargetRig rig)
+    {
+        foreach (RigFinding finding in ExamineAbove(rig).Concat(ExamineLengths(rig)))
+            yield return finding;
+
+        // Of a figure whose sides are exchanged nothing else is to be said: every angle would be wrong.
+        RigFinding[] swapped = [.. ExamineSides(rig)];
+        foreach (RigFinding finding in swapped.Length > 0 ? swapped : ExaminePose(rig))
+            yield return finding;
+    }
+
+    private static IEnumerable<RigFinding> ExaminePose(TargetRig rig)
+    {
+        var walk = new TPoseWalk(rig);
+        walk.Run();
+        foreach (TPoseCorrection correction in walk.Corrections)
+        {
+            string name = HumanoidBones.GetName(correction.Bone);
+            string degrees = correction.Degrees.ToString("0", CultureInfo.InvariantCulture);
+            yield return new RigFinding(correction.Fault, RigSeverity.Warning, correction.Bone, correction.Degrees, correction.Fault switch
+            {
+                RigFault.NotUpright => $"At rest the figure leans or lies, {degrees} degrees from upright. It will move as if that were standing.",
+                RigFault.FacesElsewhere => $"At rest the figure looks {degrees} degrees away from +Z. Unity's Humanoids look along +Z.",
+                RigFault.PalmNotDown => $"At rest the palm of the {name} looks {degrees} degrees away from the ground. The hand will be twisted by as much.",
+                _ => $"At rest {name} is {degrees} degrees away from a T-pose. It will be off by as much in every pose.",
+            }, CanFix: true);
+        }
+
+        if (walk.Corrections.All(static correction => correction.Fault != RigFault.NotUpright) && IsOffTheGround(rig))
+        {
+            yield return new RigFinding(RigFault.OffTheGround, RigSeverity.Warning, null, 0,
+                "At rest the feet are not at the height of the rig's origin, where its ground is. Feet will be planted too high or too low: move the origin between the feet, or let the ground be learnt.",
+                CanFix: false);
+        }
+    }
+
+    private static IEnumerable<RigFinding> ExamineAbove(TargetRig rig)
+    {
+        RigNode[] nodes = rig.Nodes.ToArray();
+        for (int node = nodes[rig.HipsNode].Parent; node >= 0; node = nodes[node].Parent)
+        {
+            float degrees = 2 * MathF.Acos(Math.Min(1, Math.Abs(nodes[node].Rotation.W))) * (180 / MathF.PI);
+            if (degrees > 1)
+            {
+                yield return new RigFinding(RigFault.RootRotated, RigSeverity.Note, null, degrees,
+                    $"{nodes[node].Name}, above the hips, is turned by {degrees.ToString("0", CultureInfo.InvariantCulture)} degrees. Retargeting takes care of it.",
+                    CanFix: false);
+            }
+        }
+
+        string[] scaled = [.. nodes.Where((node, i) => Vector3.Distance(node.Scale, Vector3.One) > 1e-3f && IsAboveBone(rig, i)).Select(static node => node.Name)];
+        if (scaled.Length > 0)
+        {
+            string which = scaled.Length > 3 ? $"{scaled[0]} and {scaled.Length - 1} others" : string.Join(", ", scaled);
+            yield return rig.IsSheared
+                ? new RigFinding(RigFault.Scaled, RigSeverity.Warning, null, 0, $"The scale of {which} differs from axis to axis, so that the figure is sheared as it turns. Apply the scale where the rig was made.", CanFix: false)
+                : new RigFinding(RigFault.Scaled, RigSeverity.Note, null, 0, $"The scale of {which} is not 1. Retargeting takes care of it.", CanFix: false);
+        }
+    }
+
+    private static bool IsAboveBone(TargetRig rig, int node)
+    {
+        for (int i = node; i < rig.Nodes.Length; i++)
+        {
+            int ancestor = i;
+            while (rig.IsMapped(i) && ancestor > node)
+                ancestor = rig.Nodes[ancestor].Parent;
+            if (rig.IsMapped(i) && ancestor == node)
+                return true;
+        }
+
+        return false;
+    }
+
+    private static IEnumerable<RigFinding> ExamineLengths(TargetRig rig)
+    {
+        foreach (TPoseSegment segment in TPoseSegment.All)
+        {
+            foreach (HumanoidBone next in segment.Next is { } single ? [single] : segment.Knuckles)
+            {
+                if (Way(rig, segment.Bone, next) is not { } way || way.Length() >= NoLength * Math.Max(rig.LegLength, 0.1f))
+                    continue;
+
+                yield return new RigFinding(RigFault.ZeroLengthBone, RigSeverity.Warning, segment.Bone, 0,
+                    $"{HumanoidBones.GetName(segment.Bone)} and {HumanoidBones.GetName(next)} are in the same place. Such a bone has no direction: map the joint where it ends.",
+                    CanFix: false);
+            }
+        }
+    }
+
+    // Which way the left and right of hips and shoulders make the figure look has to be the way that its feet point.
+    private static IEnumerable<RigFinding> ExamineSides(TargetRig rig)
+    {
+        Vector3 up = Way(rig, HumanoidBone.Hips, HumanoidBone.Head) ?? Vector3.UnitY;
+        Vector3 hips = Way(rig, HumanoidBone.LeftUpperLeg, HumanoidBone.RightUpperLeg) ?? Vector3.Zero;
+        Vector3 shoulders = Way(rig, HumanoidBone.LeftUpperArm, HumanoidBone.RightUpperArm) ?? Vector3.Zero;
+        Vector3 feet = (Way(rig, HumanoidBone.LeftFoot, HumanoidBone.LeftToes) ?? Vector3.Zero)
+            + (Way(rig, HumanoidBone.RightFoot, HumanoidBone.RightToes) ?? Vector3.Zero);
+        float legs = Vector3.Dot(Vector3.Cross(hips, up), feet);
+        float arms = Vector3.Dot(Vector3.Cross(shoulders, up), feet);
+        if (legs >= 0 && arms >= 0 && Vector3.Dot(hips, shoulders) >= 0)
+            yield break;
+
+        string what = (legs < 0, arms < 0) switch
+        {
+            (true, true) => "The left and the right of the body",
+            (true, false) => "The legs",
+            (false, true) => "The arms",
+            _ => "Either the arms or the legs",
+        };
+        yield return new RigFinding(RigFault.SidesSwapped, RigSeverity.Error, arms < 0 && legs >= 0 ? HumanoidBone.LeftUpperArm : HumanoidBone.LeftUpperLeg, 0,
+            $"{what} are on the wrong sides: what is mapped as left is on the right. Exchange left and right in the mapping.", CanFix: false);
+    }
+
+    private static bool IsOffTheGround(TargetRig rig)
+    {
+        float[] heights = [.. new[] { HumanoidBone.LeftFoot, HumanoidBone.RightFoot, HumanoidBone.LeftToes, HumanoidBone.RightToes }
+            .Select(rig.GetNode)
+            .Where(static node => node >= 0)
+            .Select(node => rig.RestPositions[node].Y)];
+        return heights.Length > 0 && rig.LegLength > 0
+            && (heights.Min() < -DeepestSole * rig.LegLength || heights.Min() > HighestAnkle * rig.LegLength);
+    }
+
+    private static Vector3? Way(TargetRig rig, HumanoidBone from, HumanoidBone to)
+    {
+        (int start, int end) = (rig.GetNode(from), rig.GetNode(to));
+        return start < 0 || end < 0 ? null : rig.RestPositions[end] - rig.RestPositions[start];
+    }
+}

@@ -1,0 +1,167 @@
+using System.Numerics;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Retargeting;
+
+// Stands a rig into a T-pose, from the hips outwards, and notes what it had to turn: each bone as it is once those above it are right.
+internal sealed class TPoseWalk
+{
+    private readonly TargetRig _rig;
+    private readonly RetargetedPose _pose;
+
+    public TPoseWalk(TargetRig rig)
+    {
+        ArgumentNullException.ThrowIfNull(rig);
+        _rig = rig;
+        _pose = new RetargetedPose(rig);
+    }
+
+    public List<TPoseCorrection> Corrections { get; } = [];
+
+    public void Run()
+    {
+        float ground = LowestFoot();
+        Quaternion turn = TurnBody(out bool lay);
+        Quaternion leftFoot = turn * RotationOf(HumanoidBone.LeftFoot);
+        Quaternion rightFoot = turn * RotationOf(HumanoidBone.RightFoot);
+        foreach (TPoseSegment segment in TPoseSegment.All)
+        {
+            if (segment.IsFoot)
+                SetFoot(segment, segment.Bone == HumanoidBone.LeftFoot ? leftFoot : rightFoot);
+            else
+                Straighten(segment);
+
+            if (segment.Bone is HumanoidBone.LeftHand or HumanoidBone.RightHand)
+                TurnPalm(segment);
+        }
+
+        if (Corrections.Count > 0 && !float.IsNaN(ground))
+            _pose.SetHipsWorldPosition(PositionOf(HumanoidBone.Hips)!.Value + (Vector3.UnitY * ((lay ? 0 : ground) - LowestFoot())));
+    }
+
+    public TargetRig Rebuild()
+    {
+        RigNode[] nodes = _rig.Nodes.ToArray();
+        for (int i = 0; i < nodes.Length; i++)
+            nodes[i] = nodes[i] with { Rotation = _pose.LocalRotations[i] };
+        nodes[_rig.HipsNode] = nodes[_rig.HipsNode] with { Position = _pose.HipsLocalPosition };
+
+        return _rig.IsHumanoid
+            ? TargetRig.Humanoid(nodes, [.. Enumerable.Range(0, HumanoidBones.Count).Select(bone => _rig.GetNode((HumanoidBone)bone))])
+            : TargetRig.Generic(nodes, [.. Enumerable.Range(0, BoneHierarchy.BoneCount).Select(bone => _rig.GetNode((Bone)bone))]);
+    }
+
+    private static float Degrees(Vector3 one, Vector3 other) =>
+        MathF.Atan2(Vector3.Cross(one, other).Length(), Vector3.Dot(one, other)) * (180 / MathF.PI);
+
+    private Vector3? PositionOf(HumanoidBone bone) => _rig.GetNode(bone) is >= 0 and var node ? _pose.WorldPositions[node] : null;
+
+    private Quaternion RotationOf(HumanoidBone bone) =>
+        _rig.GetNode(bone) is >= 0 and var node ? _pose.WorldRotations[node] : Quaternion.Identity;
+
+    private Vector3? Way(HumanoidBone from, HumanoidBone to)
+    {
+        Vector3 way = (PositionOf(to) - PositionOf(from)) ?? Vector3.Zero;
+        return way.Length() > 1e-4f ? Vector3.Normalize(way) : null;
+    }
+
+    private float LowestFoot() => new[] { HumanoidBone.LeftFoot, HumanoidBone.RightFoot, HumanoidBone.LeftToes, HumanoidBone.RightToes }
+        .Select(bone => PositionOf(bone)?.Y ?? float.NaN)
+        .Where(static height => !float.IsNaN(height))
+        .DefaultIfEmpty(float.NaN)
+        .Min();
+
+    // Upright first, then to the front.
+    private Quaternion TurnBody(out bool lay)
+    {
+        Vector3? up = Way(HumanoidBone.Hips, HumanoidBone.Head);
+        Vector3 right = (Way(HumanoidBone.LeftUpperLeg, HumanoidBone.RightUpperLeg) ?? Vector3.Zero)
+            + (Way(HumanoidBone.LeftUpperArm, HumanoidBone.RightUpperArm) ?? Vector3.Zero);
+        lay = up is { } crooked && Degrees(crooked, Vector3.UnitY) > TPoseSegment.Straight * 2;
+        Quaternion turn = lay ? TwoBoneIk.ShortestTurn(up!.Value, Vector3.UnitY) : Quaternion.Identity;
+        if (lay)
+            Corrections.Add(new TPoseCorrection(RigFault.NotUpright, HumanoidBone.Hips, Degrees(up!.Value, Vector3.UnitY)));
+
+        Vector3 side = Vector3.Transform(right, turn) * new Vector3(1, 0, 1);
+        Vector3 ahead = Vector3.Cross(side, Vector3.UnitY);
+        float heading = MathF.Atan2(ahead.X, ahead.Z);
+        float degrees = Math.Abs(heading) * (180 / MathF.PI);
+        if (side.Length() > 0.1f && degrees > TPoseSegment.Straight)
+        {
+            Corrections.Add(new TPoseCorrection(RigFault.FacesElsewhere, HumanoidBone.Hips, degrees));
+            turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, -heading) * turn;
+        }
+
+        Turn(_rig.HipsNode, turn);
+        return turn;
+    }
+
+    private void Straighten(TPoseSegment segment)
+    {
+        if (WayOf(segment) is not { } way)
+            return;
+
+        float degrees = Degrees(way, segment.Direction);
+        if (!(degrees > segment.Tolerance))
+            return;
+
+        Corrections.Add(new TPoseCorrection(RigFault.NotInTPose, segment.Bone, degrees));
+        Turn(_rig.GetNode(segment.Bone), TwoBoneIk.ShortestTurn(way, segment.Direction));
+    }
+
+    // Of a hand, towards the middle of its knuckles.
+    private Vector3? WayOf(TPoseSegment segment)
+    {
+        if (segment.Next is { } next)
+            return Way(segment.Bone, next);
+
+        Vector3 sum = Vector3.Zero;
+        foreach (HumanoidBone knuckle in segment.Knuckles)
+            sum += Way(segment.Bone, knuckle) ?? Vector3.Zero;
+        return sum.Length() > 0.5f ? Vector3.Normalize(sum) : null;
+    }
+
+    // A foot stands as it stood, whatever became of the leg, but for the way that it points.
+    private void SetFoot(TPoseSegment segment, Quaternion rotation)
+    {
+        int foot = _rig.GetNode(segment.Bone);
+        if (foot < 0)
+            return;
+
+        _pose.SetWorldRotation(foot, rotation);
+        if (WayOf(segment) is not { } way || (way * new Vector3(1, 0, 1)).Length() < 0.2f)
+            return;
+
+        float heading = MathF.Atan2(way.X, way.Z);
+        float degrees = Math.Abs(heading) * (180 / MathF.PI);
+        if (!(degrees > segment.Tolerance))
+            return;
+
+        Corrections.Add(new TPoseCorrection(RigFault.NotInTPose, segment.Bone, degrees));
+        Turn(foot, Quaternion.CreateFromAxisAngle(Vector3.UnitY, -heading));
+    }
+
+    // The little finger is behind the index finger when the palm looks down.
+    private void TurnPalm(TPoseSegment hand)
+    {
+        if (Way(hand.Knuckles[0], hand.Knuckles[^1]) is not { } across)
+            return;
+
+        float roll = MathF.Atan2(across.Y, -across.Z);
+        float degrees = Math.Abs(roll) * (180 / MathF.PI);
+        if (new Vector2(across.Y, across.Z).Length() < 0.3f || !(degrees > TPoseSegment.Palm))
+            return;
+
+        Corrections.Add(new TPoseCorrection(RigFault.PalmNotDown, hand.Bone, degrees));
+        Turn(_rig.GetNode(hand.Bone), Quaternion.CreateFromAxisAngle(Vector3.UnitX, -roll));
+    }
+
+    private void Turn(int node, Quaternion turn)
+    {
+        if (turn != Quaternion.Identity)
+            _pose.SetWorldRotation(node, turn * _pose.WorldRotations[node]);
+    }
+}
+
+// What was turned, and by how much.
+internal readonly record struct TPoseCorrection(RigFault Fault, HumanoidBone Bone, float Degrees);

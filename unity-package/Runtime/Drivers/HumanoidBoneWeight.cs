@@ -1,0 +1,22 @@
+#nullable enable
+
+using System;
+using NeuronMocap.Retargeting;
+using UnityEngine;
+
+namespace NeuronMocap.Unity
+{
+    /// <summary>The weight of one bone of a Humanoid.</summary>
+    [Serializable]
+    public struct HumanoidBoneWeight
+    {
+        /// <summary>The bone.</summary>
+        [Tooltip("The bone.")]
+        public HumanoidBone Bone;
+
+        /// <summary>How much of the motion it takes over, 0 to 1. At 0 it is left alone.</summary>
+        [Tooltip("How much of the motion it takes over. At 0 it is left alone.")]
+        [Range(0, 1)]
+        public float Weight;
+    }
+}

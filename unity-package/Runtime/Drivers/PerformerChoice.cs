@@ -1,0 +1,14 @@
+#nullable enable
+
+namespace NeuronMocap.Unity
+{
+    /// <summary>How a figure finds its performer.</summary>
+    public enum PerformerChoice
+    {
+        /// <summary>By its number on the server.</summary>
+        ByIndex,
+
+        /// <summary>By its name on the server.</summary>
+        ByName,
+    }
+}

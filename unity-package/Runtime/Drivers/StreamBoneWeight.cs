@@ -1,0 +1,22 @@
+#nullable enable
+
+using System;
+using NeuronMocap.Skeleton;
+using UnityEngine;
+
+namespace NeuronMocap.Unity
+{
+    /// <summary>The weight of one bone of a generic rig.</summary>
+    [Serializable]
+    public struct StreamBoneWeight
+    {
+        /// <summary>The bone of the stream.</summary>
+        [Tooltip("The bone of the stream.")]
+        public Bone Bone;
+
+        /// <summary>How much of the motion it takes over, 0 to 1. At 0 it is left alone.</summary>
+        [Tooltip("How much of the motion it takes over. At 0 it is left alone.")]
+        [Range(0, 1)]
+        public float Weight;
+    }
+}
