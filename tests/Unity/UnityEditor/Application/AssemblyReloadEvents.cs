@@ -1,18 +1,24 @@
-using UnityEngine.StandIn;
-
 namespace UnityEditor;
 
 public static class AssemblyReloadEvents
 {
-    static AssemblyReloadEvents() => PlayMode.Changed += static step =>
-    {
-        if (step == PlayModeStep.BeforeAssemblyReload)
-            beforeAssemblyReload?.Invoke();
-        else if (step == PlayModeStep.Forgotten)
-            beforeAssemblyReload = null;
-    };
-
     public delegate void AssemblyReloadCallback();
 
+    static AssemblyReloadEvents() => System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(EditorApplication).TypeHandle);
+
     public static event AssemblyReloadCallback? beforeAssemblyReload;
+
+    public static event AssemblyReloadCallback? afterAssemblyReload;
+
+    internal static void RaiseBefore() => Raise(beforeAssemblyReload);
+
+    internal static void RaiseAfter() => Raise(afterAssemblyReload);
+
+    internal static void Forget() => (beforeAssemblyReload, afterAssemblyReload) = (null, null);
+
+    private static void Raise(AssemblyReloadCallback? handlers)
+    {
+        foreach (AssemblyReloadCallback handler in (handlers?.GetInvocationList() ?? []).Cast<AssemblyReloadCallback>())
+            ScriptCallbacks.Run(() => handler(), null!);
+    }
 }

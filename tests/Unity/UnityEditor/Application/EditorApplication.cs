@@ -1,55 +1,150 @@
-using UnityEngine.StandIn;
+using System.Reflection;
 
 namespace UnityEditor;
 
-public static class EditorApplication
+public class EditorApplication
 {
+    public delegate void CallbackFunction();
+
+    public static CallbackFunction? update;
+    public static CallbackFunction? delayCall;
+
     private static double _time;
 
-    static EditorApplication() => PlayMode.Changed += OnStep;
-
-    public delegate void CallbackFunction();
+    static EditorApplication() => PlayMode.Changed += Follow;
 
     public static event Action<PlayModeStateChange>? playModeStateChanged;
 
+    public static event Action<PauseState>? pauseStateChanged;
+
     public static event Action? hierarchyChanged;
 
-    // A field in Unity; used in the same way.
-    public static event CallbackFunction? update;
+    public static event Action? projectChanged;
+
+    public static event Action? quitting;
+
+    public static bool isPlaying
+    {
+        get => World.IsPlaying;
+        set => PlayMode.RequestedState = value;
+    }
+
+    public static bool isPaused { get; set; }
+
+    public static bool isCompiling { get; internal set; }
+
+    public static bool isUpdating => false;
+
+    public static bool isPlayingOrWillChangePlaymode { get; private set; }
 
     public static double timeSinceStartup => _time;
 
-    public static bool isPlaying => World.IsPlaying;
+    public static void EnterPlaymode() => isPlaying = true;
 
-    /// <summary>The hierarchy has changed.</summary>
-    internal static void RaiseHierarchyChanged() => hierarchyChanged?.Invoke();
+    public static void ExitPlaymode() => isPlaying = false;
 
-    /// <summary>The editor's own loop goes round once.</summary>
+    public static void RepaintHierarchyWindow()
+    {
+    }
+
+    public static void QueuePlayerLoopUpdate()
+    {
+    }
+
+    public static bool ExecuteMenuItem(string menuItemPath) => MenuItems.Execute(menuItemPath);
+
+    /// <summary>One turn of the editor's own loop: delayed calls, then update.</summary>
     internal static void Tick(double seconds)
     {
         _time += seconds;
+        CallbackFunction? delayed = delayCall;
+        delayCall = null;
+        delayed?.Invoke();
         update?.Invoke();
     }
 
-    private static void OnStep(PlayModeStep step)
+    internal static void RaiseHierarchyChanged() => hierarchyChanged?.Invoke();
+
+    internal static void RaisePause(bool isPaused)
+    {
+        EditorApplication.isPaused = isPaused;
+        pauseStateChanged?.Invoke(isPaused ? PauseState.Paused : PauseState.Unpaused);
+    }
+
+    internal static void RaiseQuitting()
+    {
+        quitting?.Invoke();
+        projectChanged?.Invoke();
+    }
+
+    private static void Follow(PlayModeStep step)
     {
         switch (step)
         {
             case PlayModeStep.ExitingEditMode:
-                playModeStateChanged?.Invoke(PlayModeStateChange.ExitingEditMode);
+                isPlayingOrWillChangePlaymode = true;
+                Raise(PlayModeStateChange.ExitingEditMode);
                 break;
             case PlayModeStep.EnteredPlayMode:
-                playModeStateChanged?.Invoke(PlayModeStateChange.EnteredPlayMode);
+                Raise(PlayModeStateChange.EnteredPlayMode);
                 break;
             case PlayModeStep.ExitingPlayMode:
-                playModeStateChanged?.Invoke(PlayModeStateChange.ExitingPlayMode);
+                isPlayingOrWillChangePlaymode = false;
+                Raise(PlayModeStateChange.ExitingPlayMode);
                 break;
             case PlayModeStep.EnteredEditMode:
-                playModeStateChanged?.Invoke(PlayModeStateChange.EnteredEditMode);
+                Raise(PlayModeStateChange.EnteredEditMode);
+                break;
+            case PlayModeStep.BeforeAssemblyReload:
+                AssemblyReloadEvents.RaiseBefore();
+                break;
+            case PlayModeStep.AfterAssemblyReload:
+                AssemblyReloadEvents.RaiseAfter();
                 break;
             case PlayModeStep.Forgotten:
-                (playModeStateChanged, hierarchyChanged, update) = (null, null, null);
+                Forget();
+                break;
+            case PlayModeStep.Loaded:
+                InitializeOnLoad();
                 break;
         }
     }
+
+    private static void Raise(PlayModeStateChange change)
+    {
+        foreach (Action<PlayModeStateChange> handler in (playModeStateChanged?.GetInvocationList() ?? []).Cast<Action<PlayModeStateChange>>())
+            ScriptCallbacks.Run(() => handler(change), null!);
+    }
+
+    private static void Forget()
+    {
+        (update, delayCall, playModeStateChanged, pauseStateChanged) = (null, null, null, null);
+        (hierarchyChanged, projectChanged, quitting) = (null, null, null);
+        AssemblyReloadEvents.Forget();
+        Undo.ClearAll();
+        Selection.Forget();
+    }
+
+    /// <summary>What the editor runs when it starts and after each reload of scripts.</summary>
+    internal static void InitializeOnLoad()
+    {
+        foreach (Type type in ScriptStatics.Assemblies.SelectMany(static assembly => assembly.GetTypes()))
+        {
+            // A reload has run the initialisers of statics already; the first start has not.
+            if (type.IsDefined(typeof(InitializeOnLoadAttribute), inherit: false))
+                System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(type.TypeHandle);
+
+            foreach (MethodInfo method in type.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
+            {
+                if (method.IsDefined(typeof(InitializeOnLoadMethodAttribute), inherit: false))
+                    ScriptCallbacks.Run((Action)Delegate.CreateDelegate(typeof(Action), method), null!);
+            }
+        }
+    }
+}
+
+public enum PauseState
+{
+    Paused,
+    Unpaused,
 }

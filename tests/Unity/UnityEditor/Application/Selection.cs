@@ -1,15 +1,26 @@
-using UnityEngine;
-
 namespace UnityEditor;
 
-public static class Selection
+public sealed class Selection
 {
-    public static UnityEngine.Object[] objects { get; set; } = [];
+    private static Object[] _objects = [];
 
-    public static UnityEngine.Object? activeObject
+    public static Action? selectionChanged { get; set; }
+
+    public static Object[] objects
     {
-        get => objects.FirstOrDefault();
-        set => objects = value is null ? [] : [value];
+        get => _objects;
+
+        set
+        {
+            _objects = value;
+            selectionChanged?.Invoke();
+        }
+    }
+
+    public static Object? activeObject
+    {
+        get => _objects.FirstOrDefault();
+        set => objects = value == null ? [] : [value];
     }
 
     public static GameObject? activeGameObject
@@ -18,5 +29,19 @@ public static class Selection
         set => activeObject = value;
     }
 
-    public static GameObject[] gameObjects => [.. objects.OfType<GameObject>().Where(static item => item != null)];
+    public static Transform? activeTransform
+    {
+        get => activeGameObject?.transform;
+        set => activeObject = value?.gameObject;
+    }
+
+    public static GameObject[] gameObjects => [.. _objects.OfType<GameObject>()];
+
+    public static Transform[] transforms => [.. gameObjects.Select(static item => item.transform)];
+
+    internal static void Forget()
+    {
+        selectionChanged = null;
+        _objects = [];
+    }
 }

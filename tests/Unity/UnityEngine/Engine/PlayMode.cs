@@ -13,6 +13,30 @@ internal static class PlayMode
 
     public static PlayerLoop? Loop { get; set; }
 
+    /// <summary>What a script of the editor has asked for: it comes at the end of the frame.</summary>
+    public static bool? RequestedState { get; set; }
+
+    public static void Follow()
+    {
+        if (RequestedState is not { } isPlaying)
+            return;
+
+        RequestedState = null;
+        if (isPlaying && !World.IsPlaying)
+            Enter(reloadDomain: true);
+        else if (!isPlaying && World.IsPlaying)
+            Exit();
+    }
+
+    /// <summary>A new project, with scripts that have just been loaded.</summary>
+    public static void Start(bool play)
+    {
+        ScriptStatics.Reset();
+        Raise(PlayModeStep.Loaded);
+        if (play)
+            Enter(reloadDomain: false);
+    }
+
     public static void Enter(bool reloadDomain)
     {
         if (World.IsPlaying)

@@ -28,8 +28,7 @@ internal sealed class PlayerLoop : IDisposable
         MainThread.Claim();
         Reset();
         PlayMode.Loop = this;
-        if (play)
-            World.IsPlaying = true;
+        PlayMode.Start(play);
     }
 
     /// <summary>Whether gizmos are drawn, as in the scene view, and for which selected object.</summary>
@@ -182,5 +181,6 @@ internal sealed class PlayerLoop : IDisposable
         ScriptList.RunCoroutines(FrameMoment.EndOfFrame);
         World.DestroyDue(Time.time);
         Input.EndFrame();
+        PlayMode.Follow();
     }
 }

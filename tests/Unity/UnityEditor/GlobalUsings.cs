@@ -1,0 +1,3 @@
+global using UnityEngine;
+global using UnityEngine.StandIn;
+global using Object = UnityEngine.Object;
