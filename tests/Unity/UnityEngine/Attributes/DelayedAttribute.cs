@@ -1,6 +1,0 @@
-namespace UnityEngine;
-
-[AttributeUsage(AttributeTargets.Field)]
-public sealed class DelayedAttribute : PropertyAttribute
-{
-}
