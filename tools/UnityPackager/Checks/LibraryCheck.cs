@@ -68,14 +68,21 @@ internal static class LibraryCheck
             TypeReference type = metadata.GetTypeReference((TypeReferenceHandle)member.Parent);
             string typeName = $"{metadata.GetString(type.Namespace)}.{metadata.GetString(type.Name)}";
             string name = metadata.GetString(member.Name);
-            bool isAttribute = typeName.EndsWith("Attribute", StringComparison.Ordinal);
-            if (typeName == "System.Activator" || (typeName == "System.Type" && name.StartsWith("Get", StringComparison.Ordinal) && name != "GetTypeFromHandle")
-                || (!isAttribute && (typeName.StartsWith("System.Reflection.", StringComparison.Ordinal) || typeName.StartsWith("System.Linq.Expressions.", StringComparison.Ordinal))))
-            {
+            if (FindsMembers(typeName, name))
                 yield return $"{typeName}.{name}";
-            }
         }
     }
+
+    // The name and version of an assembly are always there.
+    private static bool FindsMembers(string type, string name) => type switch
+    {
+        "System.Activator" => true,
+        "System.Type" => name.StartsWith("Get", StringComparison.Ordinal) && name != "GetTypeFromHandle",
+        "System.Reflection.AssemblyName" => false,
+        "System.Reflection.Assembly" => name is not "GetName" and not "GetEntryAssembly",
+        _ when type.EndsWith("Attribute", StringComparison.Ordinal) => false,
+        _ => type.StartsWith("System.Reflection.", StringComparison.Ordinal) || type.StartsWith("System.Linq.Expressions.", StringComparison.Ordinal),
+    };
 
     private static IEnumerable<string> CheckSymbols(byte[] symbols)
     {
