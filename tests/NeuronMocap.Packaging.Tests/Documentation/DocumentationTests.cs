@@ -7,17 +7,11 @@ public sealed partial class DocumentationTests
 {
     private static readonly string Folder = Path.Combine(ThePackage.Folder, "Documentation~");
 
-    // NEURONMOCAP_UPDATE_DOCS=1 writes it anew.
     [Fact]
-    public void The_page_of_components_says_what_the_sources_say()
-    {
-        string path = Path.Combine(Folder, "components.md");
-        string expected = ComponentPage.Create(PackageSources.Load());
-        if (Environment.GetEnvironmentVariable("NEURONMOCAP_UPDATE_DOCS") == "1")
-            File.WriteAllText(path, expected);
+    public void The_page_of_components_says_what_the_sources_say() => Check("components.md", ComponentPage.Create(PackageSources.Load()));
 
-        Assert.Equal(expected, File.ReadAllText(path));
-    }
+    [Fact]
+    public void The_diagram_of_the_mapping_shows_what_the_library_maps() => Check("images/mapping.svg", MappingDiagram.Create());
 
     [Fact]
     public void Every_field_of_every_component_has_a_tooltip()
@@ -52,6 +46,19 @@ public sealed partial class DocumentationTests
     {
         string[] reached = [.. Link().Matches(File.ReadAllText(Path.Combine(Folder, "index.md"))).Select(static match => match.Groups["target"].Value.Split('#')[0]).Distinct(StringComparer.Ordinal)];
         Assert.Empty(Directory.EnumerateFiles(Folder, "*.md").Select(Path.GetFileName).Except(["index.md", .. reached]));
+    }
+
+    // NEURONMOCAP_UPDATE_DOCS=1 writes it anew.
+    private static void Check(string name, string expected)
+    {
+        string path = Path.Combine(Folder, name);
+        if (Environment.GetEnvironmentVariable("NEURONMOCAP_UPDATE_DOCS") == "1")
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(path)!);
+            File.WriteAllText(path, expected);
+        }
+
+        Assert.Equal(expected, File.ReadAllText(path));
     }
 
     private static IEnumerable<string> AnchorsOf(string page) => Heading().Matches(File.ReadAllText(page))
