@@ -27,16 +27,16 @@ internal sealed class MappingDiagram
         _svg.Append("""<rect width="1240" height="800" fill="#ffffff"/>""").Append('\n');
         Text(20, 34, "The stream's bones, and the Humanoid bones that follow them", "#222222", 19);
         Text(20, 56, "Seen from the front: the performer's left is on the right. Grey bones have no bone of their own: the next one carries their turn.", "#444444", 13);
-        Draw(static bone => !IsOfHand(bone), joint => new Vector2(340 + (joint.X * 3.6f), 770 - (joint.Y * 3.95f)), isLabelled: true);
+        Draw(static bone => !IsOfHand(bone), joint => new Vector2(340 + (joint.X * 3.6f), 770 - (joint.Y * 3.95f)));
 
-        Text(470, 490, "Left hand from above", "#444444", 13);
+        Text(470, 550, "Left hand from above", "#444444", 13);
         Vector3 wrist = _joints[(int)Bone.LeftHand];
-        Draw(static bone => bone == Bone.LeftHand || (IsOfHand(bone) && bone > Bone.LeftHand), joint => new Vector2(450 + ((joint.X - wrist.X) * 13), 640 + ((joint.Z - wrist.Z) * 26)), isLabelled: true);
+        Draw(static bone => bone == Bone.LeftHand || (IsOfHand(bone) && bone > Bone.LeftHand), joint => new Vector2(450 + ((joint.X - wrist.X) * 13), 640 + ((joint.Z - wrist.Z) * 26)));
         Legend();
         return _svg.Append("</svg>\n").ToString();
     }
 
-    private void Draw(Func<Bone, bool> isShown, Func<Vector3, Vector2> project, bool isLabelled)
+    private void Draw(Func<Bone, bool> isShown, Func<Vector3, Vector2> project)
     {
         foreach (Bone bone in BoneHierarchy.Bones)
         {
@@ -49,8 +49,10 @@ internal sealed class MappingDiagram
             Vector2 at = project(_joints[(int)bone]);
             string color = _targets.ContainsKey(bone) ? Followed : Folded;
             _svg.Append(CultureInfo.InvariantCulture, $"""<circle cx="{at.X:F1}" cy="{at.Y:F1}" r="5" fill="{color}"/>""").Append('\n');
-            if (isLabelled)
-                Text(at.X + 7, at.Y - 6, ((int)bone).ToString(CultureInfo.InvariantCulture), "#222222", 12);
+
+            // The thumb lies under the index finger, seen from above.
+            bool isThumb = bone is >= Bone.LeftHandThumb1 and <= Bone.LeftHandThumb3;
+            Text(at.X + (isThumb ? -8 : 7), at.Y + (isThumb ? 20 : -6), ((int)bone).ToString(CultureInfo.InvariantCulture), "#222222", 12);
         }
     }
 
