@@ -13,6 +13,8 @@ internal sealed class MonoProgram : IDisposable
     private const string Compiler = "/usr/bin/mcs";
     private const string Facade = "/usr/lib/mono/4.5/Facades/netstandard.dll";
 
+    private static readonly string[] Assemblies = ["NeuronMocap.dll", "NeuronMocap.Server.dll", "NeuronMocap.Compatibility.dll"];
+
     private readonly string _folder = Directory.CreateTempSubdirectory("neuron-mocap-mono-").FullName;
 
     private string Executable => Path.Combine(_folder, "program.exe");
@@ -29,13 +31,16 @@ internal sealed class MonoProgram : IDisposable
 
     public async Task CompileAsync(IEnumerable<string> sources)
     {
-        foreach (string assembly in (string[])["NeuronMocap.dll", "NeuronMocap.Compatibility.dll"])
+        foreach (string assembly in Assemblies)
             Adapt(Path.Combine(AppContext.BaseDirectory, assembly), Path.Combine(_folder, assembly));
 
-        string reference = "-r:" + Path.Combine(_folder, "NeuronMocap.Compatibility.dll");
-        string library = "-r:" + Path.Combine(_folder, "NeuronMocap.dll");
-        await RunAsync(Compiler, ["-warnaserror", "-r:" + Facade, reference, library, "-out:" + Executable, .. sources]);
+        IEnumerable<string> references = Assemblies.Select(assembly => "-r:" + Path.Combine(_folder, assembly));
+        await RunAsync(Compiler, ["-warnaserror", "-r:" + Facade, .. references, "-out:" + Executable, .. sources]);
     }
+
+    /// <summary>Compiles one of the programs beside this file.</summary>
+    public Task CompileProgramAsync(string name) =>
+        CompileAsync([Repository.PathOf("tests", "NeuronMocap.Compatibility.Tests", "Mono", "Programs", name + ".mono.cs")]);
 
     public Task<string[]> RunAsync(params string[] arguments) => RunAsync(Runtime, [Executable, .. arguments]);
 
