@@ -7,13 +7,14 @@ namespace NeuronMocap.Compatibility.Tests.Mono;
 /// Debian's Mono, the nearest there is to the runtime of Unity's editor: compiles a program of C# files against copies of the netstandard2.1
 /// assemblies, and runs it.
 /// </summary>
-internal sealed class MonoProgram : IDisposable
+/// <param name="others">Assemblies that the program sees beside the library's.</param>
+internal sealed class MonoProgram(params string[] others) : IDisposable
 {
     private const string Runtime = "/usr/bin/mono";
     private const string Compiler = "/usr/bin/mcs";
     private const string Facade = "/usr/lib/mono/4.5/Facades/netstandard.dll";
 
-    private static readonly string[] Assemblies = ["NeuronMocap.dll", "NeuronMocap.Server.dll", "NeuronMocap.Compatibility.dll"];
+    private readonly string[] _assemblies = ["NeuronMocap.dll", "NeuronMocap.Server.dll", "NeuronMocap.Compatibility.dll", .. others];
 
     private readonly string _folder = Directory.CreateTempSubdirectory("neuron-mocap-mono-").FullName;
 
@@ -31,10 +32,10 @@ internal sealed class MonoProgram : IDisposable
 
     public async Task CompileAsync(IEnumerable<string> sources)
     {
-        foreach (string assembly in Assemblies)
+        foreach (string assembly in _assemblies)
             Adapt(Path.Combine(AppContext.BaseDirectory, assembly), Path.Combine(_folder, assembly));
 
-        IEnumerable<string> references = Assemblies.Select(assembly => "-r:" + Path.Combine(_folder, assembly));
+        IEnumerable<string> references = _assemblies.Select(assembly => "-r:" + Path.Combine(_folder, assembly));
         await RunAsync(Compiler, ["-warnaserror", "-r:" + Facade, .. references, "-out:" + Executable, .. sources]);
     }
 

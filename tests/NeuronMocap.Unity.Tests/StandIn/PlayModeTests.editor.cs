@@ -70,7 +70,7 @@ public sealed class PlayModeTests : IDisposable
 
         _loop.ReloadDomain();
 
-        Assert.Equal((5, 0, null), worker.State);
+        Assert.Equal((5, 0, (Action?)null), worker.State);
         Assert.Equal(["OnEnable", "OnDisable", "OnEnable"], worker.Calls);
         Assert.True(worker.isActiveAndEnabled);
     }

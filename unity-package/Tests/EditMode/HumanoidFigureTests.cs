@@ -64,6 +64,6 @@ namespace NeuronMocap.Unity.Tests
             }
         }
 
-        private Vector3 GetPosition(HumanBodyBones bone) => _figure.Animator.GetBoneTransform(bone).position;
+        private Vector3 GetPosition(HumanBodyBones bone) => _figure.Animator.GetBoneTransform(bone)!.position;
     }
 }
