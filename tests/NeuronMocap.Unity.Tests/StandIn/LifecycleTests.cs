@@ -2,56 +2,196 @@ namespace NeuronMocap.Unity.Tests.StandIn;
 
 public sealed class LifecycleTests : IDisposable
 {
+    // Shorter than a step of physics, so that none falls into a frame.
+    private const float Short = 0.001f;
+
     private readonly PlayerLoop _loop = new();
 
-    public LifecycleTests() => Probe.Calls.Clear();
+    public LifecycleTests() => Probe.Clear();
 
     public void Dispose() => _loop.Dispose();
 
     [Fact]
     public void Callbacks_come_in_the_engine_s_order()
     {
-        Probe probe = new GameObject("A").AddComponent<Probe>();
-        Assert.Equal(["Awake", "OnEnable"], Probe.Calls);
+        Probe probe = Add<Probe>("A");
+        Expect("A.Awake", "A.OnEnable");
 
-        _loop.Frame();
-        _loop.Frame();
+        _loop.Frame(Short);
+        Expect("A.Start", "A.Update", "A.LateUpdate");
+
         probe.gameObject.SetActive(false);
-        _loop.Frame();
+        _loop.Frame(Short);
+        Expect("A.OnDisable");
+
         probe.gameObject.SetActive(true);
-        _loop.Frame();
+        probe.enabled = false;
+        probe.enabled = true;
+        _loop.Frame(Short);
+        Expect("A.OnEnable", "A.OnDisable", "A.OnEnable", "A.Update", "A.LateUpdate");
+
         Object.Destroy(probe);
         Assert.True(probe);
-        _loop.Frame();
-
+        Expect();
+        _loop.Frame(Short);
+        Expect("A.Update", "A.LateUpdate", "A.OnDisable", "A.OnDestroy");
         Assert.False(probe);
-        Assert.Equal(
-            [
-                "Awake", "OnEnable", "Start", "Update", "LateUpdate", "Update", "LateUpdate", "OnDisable", "OnEnable", "Update", "LateUpdate", "Update", "LateUpdate",
-                "OnDisable", "OnDestroy",
-            ],
-            Probe.Calls);
         Assert.Empty(ConsoleLog.Entries);
     }
 
-    private sealed class Probe : MonoBehaviour
+    [Fact]
+    public void The_execution_order_goes_before_the_order_of_creation()
     {
-        public static List<string> Calls { get; } = [];
+        Add<Probe>("A");
+        Add<EarlyProbe>("B");
+        Probe.Clear();
 
-        private static void Add([System.Runtime.CompilerServices.CallerMemberName] string name = "") => Calls.Add(name);
+        _loop.Frame(Short);
 
-        private void Awake() => Add();
+        Expect("B.Start", "A.Start", "B.Update", "A.Update", "B.LateUpdate", "A.LateUpdate");
+    }
 
-        private void OnEnable() => Add();
+    [Fact]
+    public void An_inactive_script_hears_nothing_until_it_is_active()
+    {
+        var item = new GameObject("A");
+        item.SetActive(false);
+        item.AddComponent<Probe>();
+        _loop.Frame(Short);
+        Expect();
 
-        private void Start() => Add();
+        Object.DestroyImmediate(item);
+        Expect();
 
-        private void Update() => Add();
+        Probe disabled = Add<Probe>("B", static probe => probe.enabled = false);
+        Expect("B.Awake");
+        Object.DestroyImmediate(disabled.gameObject);
+        Expect("B.OnDestroy");
+    }
 
-        private void LateUpdate() => Add();
+    [Fact]
+    public void What_is_added_in_mid_frame_starts_before_its_first_step()
+    {
+        new GameObject("maker").AddComponent<Maker>();
 
-        private void OnDisable() => Add();
+        _loop.Frame(Short);
+        Expect("A.Awake", "A.OnEnable", "A.Start", "A.LateUpdate");
 
-        private void OnDestroy() => Add();
+        _loop.Frame(Short);
+        Expect("A.Update", "A.LateUpdate");
+    }
+
+    [Fact]
+    public void Physics_goes_in_steps_of_its_own()
+    {
+        Add<Probe>("A");
+        Probe.Clear();
+        _loop.Frame(0.05f);
+
+        Expect("A.Start", "A.FixedUpdate", "A.FixedUpdate", "A.Update", "A.LateUpdate");
+        Assert.Equal(0.05f, Time.deltaTime);
+        Assert.Equal(1, Time.frameCount);
+    }
+
+    [Fact]
+    public void What_a_script_throws_is_logged_and_the_frame_goes_on()
+    {
+        Probe.Failing.UnionWith(["Update", "OnDisable"]);
+        Probe failing = Add<EarlyProbe>("A");
+        Add<Probe>("B");
+        Probe.Calls.Clear();
+
+        _loop.Frame(Short);
+        Expect("A.Start", "B.Start", "A.Update", "B.Update", "A.LateUpdate", "B.LateUpdate");
+        Assert.Equal(2, ConsoleLog.Entries.Count(static entry => entry.Exception is InvalidOperationException));
+
+        Object.DestroyImmediate(failing);
+        Expect("A.OnDisable", "A.OnDestroy");
+        Assert.Equal(3, ConsoleLog.Problems.Count());
+
+        Probe.Failing.Add("Awake");
+        Assert.False(Add<Probe>("C").enabled);
+        Expect("C.Awake");
+    }
+
+    [Fact]
+    public void A_changed_scene_keeps_what_was_asked_to_stay()
+    {
+        Probe kept = Add<Probe>("kept");
+        Probe left = Add<Probe>("left");
+        Object.DontDestroyOnLoad(kept.gameObject);
+        Probe.Clear();
+
+        _loop.ChangeScene("Next", static () => Add<Probe>("new"));
+
+        Expect("left.OnDisable", "left.OnDestroy", "new.Awake", "new.OnEnable");
+        Assert.True(kept);
+        Assert.False(left);
+        Assert.Equal("DontDestroyOnLoad", kept.gameObject.scene.name);
+    }
+
+    [Fact]
+    public void Frames_of_scripts_allocate_nothing_by_themselves()
+    {
+        for (int i = 0; i < 10; i++)
+            new GameObject("A").AddComponent<Mover>();
+
+        FrameAllocations.AssertNone(_loop);
+    }
+
+    [Fact]
+    public void Another_thread_may_not_touch_objects()
+    {
+        Probe probe = Add<Probe>("A");
+        var faults = new List<Exception?>();
+        var thread = new Thread(() =>
+        {
+            faults.Add(Record.Exception(() => probe.transform));
+            faults.Add(Record.Exception(() => new GameObject()));
+            faults.Add(Record.Exception(() => Time.time));
+            faults.Add(Record.Exception(() => Object.Destroy(probe)));
+            Debug.Log("may be called anywhere");
+        });
+        thread.Start();
+        thread.Join();
+
+        Assert.All(faults, static fault => Assert.IsType<UnityException>(fault));
+        Assert.Equal("may be called anywhere", ConsoleLog.Entries[^1].Message);
+    }
+
+    private static T Add<T>(string name, Action<T>? set = null)
+        where T : Probe
+    {
+        var item = new GameObject(name);
+        if (set is null)
+            return item.AddComponent<T>();
+
+        item.SetActive(false);
+        T added = item.AddComponent<T>();
+        set(added);
+        item.SetActive(true);
+        return added;
+    }
+
+    private static void Expect(params string[] calls)
+    {
+        Assert.Equal(calls, Probe.Calls);
+        Probe.Calls.Clear();
+    }
+
+    private sealed class Maker : MonoBehaviour
+    {
+        private void Update()
+        {
+            if (!GameObject.Find("A"))
+                Add<Probe>("A");
+        }
+    }
+
+    private sealed class Mover : MonoBehaviour
+    {
+        private void Update() => transform.localPosition += Vector3.forward * Time.deltaTime;
+
+        private void LateUpdate() => transform.rotation = Quaternion.Euler(0, Time.time, 0) * transform.rotation;
     }
 }

@@ -11,7 +11,7 @@ namespace NeuronMocap.Unity.EditorTools
         // Bounds the work, which grows with the square of it, and the harm that a missing key does when somebody edits the clip.
         private const int LongestGap = 60;
 
-        /// <param name="tolerance">Largest error of any number; 0 or less keeps all frames.</param>
+        // tolerance: largest error of any number; 0 or less keeps all frames.
         public static IReadOnlyList<int> Keep(int frames, int values, Func<int, float> getTime, Func<int, int, float> getValue, float tolerance)
         {
             var kept = new List<int>();

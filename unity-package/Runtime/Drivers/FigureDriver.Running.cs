@@ -160,10 +160,23 @@ namespace NeuronMocap.Unity
                 return;
 
             _hasPose = true;
-            if (_groundFeet)
-                rig.PlantFeet(performer.Contacts, _groundHeight, _footBlendTime, Time.unscaledDeltaTime);
-            else
+            PlantFeet(performer, rig);
+        }
+
+        // A figure that walks where it stands has to slide.
+        private void PlantFeet(Performer performer, FigureRig rig)
+        {
+            if (!_groundFeet || _rootMotion == RootMotion.InPlace)
+            {
                 rig.ForgetFeet();
+                return;
+            }
+
+            FootPlanterOptions options = rig.FootOptions;
+            options.GroundHeight = float.IsFinite(_groundHeight) ? _groundHeight : 0;
+            options.BlendIn = options.BlendOut = _footBlendTime >= 0 ? Math.Min(_footBlendTime, 1) : 0;
+            options.FootRotation = _footRotation;
+            rig.PlantFeet(performer.Contacts, performer.Time);
         }
 
         // How much of the pose there is while data comes and goes.

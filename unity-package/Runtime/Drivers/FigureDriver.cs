@@ -53,7 +53,7 @@ namespace NeuronMocap.Unity
         private float _heightOffset;
 
         [Header("Feet")]
-        [Tooltip("Hold feet where they touch the ground, and keep them from sinking in.")]
+        [Tooltip("Hold feet where they touch the ground, and keep them from sinking in. Not with root motion In Place.")]
         [SerializeField]
         private bool _groundFeet;
 
@@ -65,6 +65,10 @@ namespace NeuronMocap.Unity
         [Range(0, 1)]
         [SerializeField]
         private float _footBlendTime = 0.15f;
+
+        [Tooltip("Keep: a foot that stands rolls as the performer's does. Flatten: its whole sole is on the ground.")]
+        [SerializeField]
+        private FootRotation _footRotation;
 
         [Header("Weights")]
         [Tooltip("How much of the motion the figure takes over; the rest is its rest pose, or what an Animator plays.")]
@@ -149,7 +153,7 @@ namespace NeuronMocap.Unity
             set => _heightOffset = value;
         }
 
-        /// <summary>Whether feet are held where they touch the ground. False unless set.</summary>
+        /// <summary>Whether feet are held where they touch the ground; not with <see cref="RootMotion.InPlace"/>. False unless set.</summary>
         public bool GroundFeet
         {
             get => _groundFeet;
@@ -168,6 +172,13 @@ namespace NeuronMocap.Unity
         {
             get => _footBlendTime;
             set => _footBlendTime = value;
+        }
+
+        /// <summary>How a foot is turned while it stands. As the performer's unless set.</summary>
+        public FootRotation FootRotation
+        {
+            get => _footRotation;
+            set => _footRotation = value;
         }
 
         /// <summary>How much of the motion the figure takes over, 0 to 1; the rest is its rest pose, or what an Animator plays. 1 unless set.</summary>

@@ -11,6 +11,8 @@ namespace NeuronMocap.Unity
     internal sealed class FigureRig
     {
         private readonly Retargeter _retargeter;
+        private readonly FootPlanter _planter;
+        private bool _isPlanting;
 
         public FigureRig(TargetRig target, Transform[] nodes, string note)
         {
@@ -18,6 +20,7 @@ namespace NeuronMocap.Unity
             Note = note;
             Pose = new RetargetedPose(target);
             Writer = new PoseWriter(nodes, target);
+            _planter = new FootPlanter(target);
             _retargeter = new Retargeter(target, SkeletonBody.Default(), new RetargetOptions());
         }
 
@@ -35,12 +38,20 @@ namespace NeuronMocap.Unity
 
         public bool TryRetarget(ReadOnlySpan<BoneTransform> pose) => _retargeter.TryRetarget(pose, Pose);
 
-        public void PlantFeet(FootContacts contacts, float groundHeight, float blendTime, float seconds)
+        public FootPlanterOptions FootOptions => _planter.Options;
+
+        public void PlantFeet(FootContacts contacts, double seconds)
         {
+            _planter.Plant(Pose, contacts, seconds);
+            _isPlanting = true;
         }
 
         public void ForgetFeet()
         {
+            if (_isPlanting)
+                _planter.Reset();
+
+            _isPlanting = false;
         }
     }
 }

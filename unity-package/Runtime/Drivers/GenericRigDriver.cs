@@ -91,16 +91,17 @@ namespace NeuronMocap.Unity
             }
         }
 
-        private Transform?[] FindBones(Transform root)
+        internal Transform?[] FindBones(Transform root)
         {
             Transform[] all = root.GetComponentsInChildren<Transform>(true);
             string[] names = Array.ConvertAll(all, node => node.name);
 
             // The root itself is no bone, whatever it is called.
             names[0] = string.Empty;
+            RigBinding binding = RigBinder.Bind(names, _prefix.Length > 0 ? _prefix : null);
             var bones = new Transform?[BoneHierarchy.BoneCount];
             for (int bone = 0; bone < bones.Length; bone++)
-                bones[bone] = Array.IndexOf(names, _prefix + BoneHierarchy.GetName((Bone)bone)) is var node && node > 0 ? all[node] : null;
+                bones[bone] = binding.Nodes[bone] is var node && node > 0 ? all[node] : null;
 
             foreach (BoneBinding given in _bindings)
             {

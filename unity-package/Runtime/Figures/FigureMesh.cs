@@ -21,8 +21,7 @@ namespace NeuronMocap.Unity
         {
         }
 
-        /// <param name="shapes">What to draw.</param>
-        /// <param name="joints">Where the bones are at rest, in the axes of the figure's root; metres.</param>
+        // joints: where the bones are at rest, in the axes of the figure's root; metres.
         public static Mesh Create(IReadOnlyList<FigureShape> shapes, IReadOnlyList<Vector3> joints)
         {
             var mesh = new FigureMesh();

@@ -3,8 +3,6 @@ using System.Collections.Generic;
 using NeuronMocap.Retargeting;
 using NeuronMocap.Skeleton;
 using UnityEngine;
-using Quaternion = UnityEngine.Quaternion;
-using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
@@ -14,8 +12,7 @@ namespace NeuronMocap.Unity
         private const float HalfTwist = 0.5f;
         private const float DefaultStretch = 0.05f;
 
-        /// <summary>Makes a child for every bone, standing in the T-pose and facing Z.</summary>
-        /// <param name="root">Without parent, not moved, turned or scaled.</param>
+        // A child for every bone, standing in the T-pose and facing Z. The root has no parent and is not moved, turned or scaled.
         public static Transform[] Create(Transform root, SkeletonBody body)
         {
             var bones = new Transform[BoneHierarchy.BoneCount];
@@ -54,7 +51,7 @@ namespace NeuronMocap.Unity
             };
         }
 
-        /// <summary>The bone that carries a human bone; null for those that an actor does not have: toes, eyes, jaw.</summary>
+        // The bone that carries a human bone; null for those that an actor does not have: toes, eyes, jaw.
         public static Bone? FindBone(HumanBodyBones human, SkeletonVariant variant)
         {
             // The lowest of the neck: its rotations are then the whole neck's, and the second bone follows.

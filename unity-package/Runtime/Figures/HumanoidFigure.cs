@@ -2,8 +2,6 @@
 using System;
 using NeuronMocap.Skeleton;
 using UnityEngine;
-using Object = UnityEngine.Object;
-using Quaternion = UnityEngine.Quaternion;
 using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity

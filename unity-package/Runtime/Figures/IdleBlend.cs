@@ -23,7 +23,7 @@ namespace NeuronMocap.Unity
         private float _progress = 1;
         private bool _isIdle;
 
-        /// <param name="animator">A humanoid that nothing has moved yet.</param>
+        // A humanoid that nothing has moved yet.
         public IdleBlend(Animator animator)
         {
             _root = animator.transform;
@@ -52,7 +52,7 @@ namespace NeuronMocap.Unity
 
         private Quaternion HipsRotation => Quaternion.Inverse(_root.rotation) * Hips.rotation;
 
-        /// <summary>The data has stopped.</summary>
+        // The data has stopped.
         public void Leave()
         {
             TakeSnapshot();
@@ -66,15 +66,14 @@ namespace NeuronMocap.Unity
             _idle[0] = Quaternion.Inverse(Hips.parent!.rotation) * _root.rotation * heading * _restHipsRotation;
         }
 
-        /// <summary>There is data again.</summary>
+        // There is data again.
         public void Return()
         {
             TakeSnapshot();
             _isIdle = false;
         }
 
-        /// <summary>Each frame, after the animator and the driver.</summary>
-        /// <param name="step">Part of the way to go now.</param>
+        // Each frame, after the animator and the driver. step: part of the way to go now.
         public void Apply(float step)
         {
             _progress = Mathf.Min(1, _progress + step);

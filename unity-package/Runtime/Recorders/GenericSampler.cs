@@ -10,9 +10,7 @@ namespace NeuronMocap.Unity
         private readonly Transform _mover;
         private readonly IReadOnlyList<Transform> _bones;
 
-        /// <param name="root">What the clip will be played on; the paths begin below it.</param>
-        /// <param name="mover">The hips.</param>
-        /// <param name="bones">All that turn, the hips among them; below the root.</param>
+        // The paths begin below the root, which the clip will be played on. The mover is the hips; bones are all that turn, the hips among them.
         public GenericSampler(Transform root, Transform mover, IReadOnlyList<Transform> bones)
             : base(CreateProperties(root, mover, bones))
         {

@@ -31,7 +31,7 @@ namespace NeuronMocap.Unity
         private long _frames;
         private long _bytes;
 
-        /// <param name="makePath">Gives the path without extension; runs on a pool thread.</param>
+        // makePath gives the path without extension, on a pool thread.
         public TakeWriter(NeuronReader reader, TakeFormats formats, int? avatarIndex, Func<string> makePath)
         {
             _reader = reader;

@@ -26,7 +26,6 @@ namespace NeuronMocap.Unity
         private readonly BoneTransform[] _world = new BoneTransform[BoneHierarchy.BoneCount];
         private PoseBuffer _buffer;
         private SamplingSettings _sampling;
-        private double _time;
         private long _framesShown;
 
         internal Performer(AvatarStream stream, in SamplingSettings sampling)
@@ -120,14 +119,17 @@ namespace NeuronMocap.Unity
 
         internal AvatarStream Stream => _stream;
 
+        // Of this rendered frame, in seconds of SourceClock.
+        internal double Time { get; private set; }
+
         // now: ticks of SourceClock.
         internal void Update(long now, double idleTimeout, in SamplingSettings sampling)
         {
             if (!_sampling.Equals(sampling))
                 Resample(sampling);
 
-            _time = SourceClock.ToSeconds(now);
-            SecondsSinceFrame = (float)Math.Max(0, _time - SourceClock.ToSeconds(_stream.LastArrival));
+            Time = SourceClock.ToSeconds(now);
+            SecondsSinceFrame = (float)Math.Max(0, Time - SourceClock.ToSeconds(_stream.LastArrival));
             IsLive = SecondsSinceFrame < idleTimeout;
             Name = _stream.Name;
             SkeletonBody body = _stream.Body;
@@ -137,7 +139,7 @@ namespace NeuronMocap.Unity
                 BodyVersion++;
             }
 
-            PoseOrigin origin = _buffer.Sample(_sampling.Resamples ? _time : _time + BeyondAll, _local);
+            PoseOrigin origin = _buffer.Sample(_sampling.Resamples ? Time : Time + BeyondAll, _local);
             if (origin == PoseOrigin.None)
                 return;
 
@@ -173,7 +175,7 @@ namespace NeuronMocap.Unity
                 return;
 
             _framesShown = frames;
-            Contacts = _estimator.Update(_world, Body, _time, measured);
+            Contacts = _estimator.Update(_world, Body, Time, measured);
         }
     }
 }

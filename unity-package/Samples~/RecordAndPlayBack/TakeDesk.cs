@@ -50,11 +50,13 @@ namespace NeuronMocap.Unity.Samples
 
         private void OnEnable()
         {
-            if (_recorder == null)
-                return;
+            if (_recorder != null)
+                _recorder.Finished += Play;
+        }
 
-            _recorder.Finished += Play;
-            if (_recordAtStart > 0)
+        private void Start()
+        {
+            if (_recorder != null && _recordAtStart > 0)
                 Record();
         }
 

@@ -1,3 +1,5 @@
+using UnityEngine.StandIn;
+
 namespace UnityEditor;
 
 public static class AssemblyReloadEvents

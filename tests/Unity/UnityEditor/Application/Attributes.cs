@@ -1,11 +1,6 @@
 #pragma warning disable CA1813, CA1019, CA1051 // Public fields, and not sealed: as Unity's are.
 namespace UnityEditor;
 
-[AttributeUsage(AttributeTargets.Class)]
-public class InitializeOnLoadAttribute : Attribute
-{
-}
-
 [AttributeUsage(AttributeTargets.Class, AllowMultiple = true)]
 public sealed class CustomPropertyDrawer(Type type, bool useForChildren) : Attribute
 {

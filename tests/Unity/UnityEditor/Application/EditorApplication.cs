@@ -1,4 +1,5 @@
 using System.Reflection;
+using UnityEngine.StandIn;
 
 namespace UnityEditor;
 

@@ -1,4 +1,6 @@
 using System.Reflection;
+using UnityEngine.StandIn;
+using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 

@@ -1,3 +1,6 @@
+using UnityEngine;
+using Object = UnityEngine.Object;
+
 namespace UnityEditor;
 
 public sealed class Selection

@@ -1,3 +1,5 @@
+using UnityEngine;
+
 namespace UnityEditor;
 
 public class ModelImporter : AssetImporter
@@ -7,4 +9,6 @@ public class ModelImporter : AssetImporter
     public ModelImporterAvatarSetup avatarSetup { get; set; }
 
     public bool optimizeGameObjects { get; set; }
+
+    public HumanDescription humanDescription { get; set; }
 }

@@ -1,4 +1,5 @@
 using System.Reflection;
+using UnityEngine;
 
 namespace UnityEditor;
 
@@ -48,6 +49,10 @@ public sealed class SerializedObject : IDisposable
         _properties.Add(propertyPath, property);
         return property;
     }
+
+    public SerializedProperty GetIterator() => new(this, [.. SerializedFields.Of(targetObject.GetType())
+        .Where(static field => !field.IsDefined(typeof(HideInInspector), inherit: false))
+        .Select(field => FindProperty(field.Name))]);
 
     public bool ApplyModifiedProperties()
     {

@@ -7,7 +7,10 @@ namespace UnityEditor;
 
 public sealed class SerializedProperty
 {
-    private readonly FieldInfo _field;
+    // An iterator goes from one to the next of these; before the first it is none.
+    private readonly IReadOnlyList<SerializedProperty>? _all;
+    private int _at = -1;
+    private FieldInfo _field;
     private object? _value;
 
     internal SerializedProperty(SerializedObject owner, FieldInfo field)
@@ -15,6 +18,13 @@ public sealed class SerializedProperty
         serializedObject = owner;
         _field = field;
         Read();
+    }
+
+    internal SerializedProperty(SerializedObject owner, IReadOnlyList<SerializedProperty> all)
+    {
+        serializedObject = owner;
+        _all = all;
+        _field = null!;
     }
 
     public SerializedObject serializedObject { get; }
@@ -85,6 +95,15 @@ public sealed class SerializedProperty
         var other => other.ToString() ?? "",
     };
 
+    public bool NextVisible(bool enterChildren)
+    {
+        if (_all is null || ++_at >= _all.Count)
+            return false;
+
+        (_field, _value, hasMultipleDifferentValues) = (_all[_at]._field, _all[_at]._value, _all[_at].hasMultipleDifferentValues);
+        return true;
+    }
+
     internal void Read()
     {
         _value = _field.GetValue(serializedObject.targetObject);
@@ -116,6 +135,12 @@ public sealed class SerializedProperty
 
     private void Set(object? value)
     {
+        if (_all is not null)
+        {
+            _all[_at].Set(value);
+            return;
+        }
+
         object? converted = value is null || _field.FieldType.IsInstanceOfType(value) ? value
             : _field.FieldType.IsEnum ? Enum.ToObject(_field.FieldType, value)
             : Convert.ChangeType(value, _field.FieldType, CultureInfo.InvariantCulture);

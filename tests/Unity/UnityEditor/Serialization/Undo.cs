@@ -10,6 +10,11 @@ public static class Undo
     private static int _group;
     private static string _groupName = "";
 
+    public delegate void UndoRedoCallback();
+
+    // A field in Unity; used in the same way.
+    public static event UndoRedoCallback? undoRedoPerformed;
+
     /// <summary>For tests: the names of the steps that can be taken back, the oldest first.</summary>
     public static IReadOnlyList<string> Names => [.. Steps.Select(static step => step.Name)];
 
@@ -73,6 +78,8 @@ public static class Undo
             Steps.RemoveAt(i);
             back();
         }
+
+        undoRedoPerformed?.Invoke();
     }
 
     public static void ClearAll()

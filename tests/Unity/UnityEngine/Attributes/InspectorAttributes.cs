@@ -93,8 +93,3 @@ public class ContextMenuItemAttribute(string name, string function) : PropertyAt
     public readonly string name = name;
     public readonly string function = function;
 }
-
-[AttributeUsage(AttributeTargets.Field, Inherited = true, AllowMultiple = false)]
-public sealed class DelayedAttribute : PropertyAttribute
-{
-}

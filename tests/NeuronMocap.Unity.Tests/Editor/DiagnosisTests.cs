@@ -1,0 +1,156 @@
+using NeuronMocap.Diagnostics;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Unity.EditorTools;
+
+namespace NeuronMocap.Unity.Tests.Editor;
+
+public class DiagnosisTests
+{
+    [Fact]
+    public async Task The_button_says_that_nothing_listens()
+    {
+        using var world = new EditorWorld();
+        using (var server = new TestServer())
+            world.AddSource(source => source.Port = server.Port);
+
+        await AskAsync(world);
+
+        Assert.Equal(ReportGui.ColorOf(Severity.Error, isDarkSkin: true), EditorWorld.DotOf("Nothing listens on this port"));
+        Assert.Contains("switch BVH on", EditorWorld.Controls.Last(static control => control.Kind == "HelpBox").Label, StringComparison.Ordinal);
+        Assert.NotEqual(0, EditorWorld.Controls.Count(static control => control.Label == "port"));
+    }
+
+    [Fact]
+    public async Task The_button_says_that_a_server_sends_nothing()
+    {
+        using var world = new EditorWorld();
+        using var server = new TestServer();
+        world.AddSource(source => source.Port = server.Port);
+
+        await AskAsync(world);
+
+        Assert.Equal(ReportGui.ColorOf(Severity.Error, isDarkSkin: true), EditorWorld.DotOf("Nothing arrives"));
+    }
+
+    [Fact]
+    public async Task The_button_says_that_another_program_answers()
+    {
+        using var world = new EditorWorld();
+        using var server = new TestServer();
+        world.AddSource(source => source.Port = server.Port);
+        Task greeting = GreetAsync(server, "SSH-2.0-OpenSSH_9.6\r\n"u8.ToArray());
+
+        await AskAsync(world);
+
+        Assert.Equal(ReportGui.ColorOf(Severity.Error, isDarkSkin: true), EditorWorld.DotOf("Another program"));
+        await greeting;
+    }
+
+    [Fact]
+    public async Task Frames_that_arrive_are_said_to()
+    {
+        using var world = new EditorWorld();
+        using var server = new Server.Broadcaster(new Server.BroadcasterOptions { Port = 0, Sources = [new Server.Sources.SyntheticActor(60, 0)] });
+        server.Start();
+        world.AddSource(source => source.Port = server.LocalEndPoint!.Port);
+
+        await AskAsync(world);
+
+        // A second is too short to measure a rate of 60 with certainty: with few frames it says so.
+        Assert.Contains(EditorWorld.Controls, static control => control.Label.StartsWith("Frames arrive", StringComparison.Ordinal));
+        Assert.DoesNotContain(EditorWorld.Controls, static control => control.Kind == "HelpBox" && control.Value == "Error");
+    }
+
+    [Fact]
+    public async Task It_can_be_cancelled_and_asked_again()
+    {
+        using var world = new EditorWorld();
+        using var server = new TestServer();
+        MocapSource source = world.AddSource(source => source.Port = server.Port);
+        DiagnosisPanel.Options = new DiagnosisOptions { Timeout = TimeSpan.FromMinutes(5), LookElsewhere = false };
+        var inspector = (MocapSourceEditor)world.Inspect(source);
+
+        ImmediateGui.Click(inspector.OnInspectorGUI, DiagnosisPanel.Ask);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.False(EditorWorld.Find(DiagnosisPanel.Ask).IsEnabled);
+        ImmediateGui.Click(inspector.OnInspectorGUI, DiagnosisPanel.Cancel);
+        await inspector.Diagnosis.Job!.Completion.Soon();
+
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Contains("Cancelled", EditorWorld.Labels("Label"));
+        Assert.True(EditorWorld.Find(DiagnosisPanel.Ask).IsEnabled);
+        Assert.DoesNotContain(DiagnosisPanel.Cancel, EditorWorld.Labels("Button"));
+    }
+
+    [Fact]
+    public async Task An_inspector_that_goes_away_ends_it()
+    {
+        using var world = new EditorWorld();
+        using var server = new TestServer();
+        DiagnosisPanel.Options = new DiagnosisOptions { Timeout = TimeSpan.FromMinutes(5), LookElsewhere = false };
+        var inspector = (MocapSourceEditor)world.Inspect(world.AddSource(source => source.Port = server.Port));
+        ImmediateGui.Click(inspector.OnInspectorGUI, DiagnosisPanel.Ask);
+
+        Object.DestroyImmediate(inspector);
+
+        await inspector.Diagnosis.Job!.Completion.Soon();
+        Assert.True(inspector.Diagnosis.Job.IsCancelled);
+    }
+
+    [Fact]
+    public async Task Settings_that_are_no_settings_are_named()
+    {
+        using var world = new EditorWorld();
+        world.AddSource(static source => source.Address = " ");
+
+        await AskAsync(world);
+
+        Assert.Contains("Host is empty", EditorWorld.Controls.Last(static control => control.Kind == "HelpBox").Label, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_source_that_holds_the_UDP_port_lets_go_of_it_meanwhile()
+    {
+        using var world = new EditorWorld(play: true);
+        using var probe = new System.Net.Sockets.UdpClient(new System.Net.IPEndPoint(System.Net.IPAddress.Any, 0));
+        int port = ((System.Net.IPEndPoint)probe.Client.LocalEndPoint!).Port;
+        probe.Dispose();
+        MocapSource source = world.AddSource(source => (source.Transport, source.Port) = (Transport.TransportKind.Udp, port));
+        world.Loop.RunUntil(() => source.State == SourceState.Connected);
+        var inspector = (MocapSourceEditor)world.Inspect(source);
+
+        ImmediateGui.Click(inspector.OnInspectorGUI, DiagnosisPanel.Ask);
+        Assert.False(source.IsOpen);
+        await inspector.Diagnosis.Job!.Completion.Soon();
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+
+        Assert.Equal(DiagnosisVerdict.Silent, inspector.Diagnosis.Job.Result?.Verdict);
+        Assert.True(source.IsOpen);
+    }
+
+    [Fact]
+    public void Every_verdict_has_a_title()
+    {
+        Assert.All(Enum.GetValues<DiagnosisVerdict>(), static verdict => Assert.Equal(
+            verdict == DiagnosisVerdict.NetworkError,
+            DiagnosisTitles.Of(verdict).Equals("No connection", StringComparison.Ordinal)));
+    }
+
+    // Clicks, waits as the editor does, and draws the answer.
+    private static async Task AskAsync(EditorWorld world)
+    {
+        var inspector = (MocapSourceEditor)world.Inspect(Object.FindObjectOfType<MocapSource>()!);
+        ImmediateGui.Click(inspector.OnInspectorGUI, DiagnosisPanel.Ask);
+        Assert.True(inspector.Diagnosis.IsDirty);
+        await inspector.Diagnosis.Job!.Completion.Soon();
+        MainThread.Claim();
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.False(inspector.Diagnosis.IsDirty);
+    }
+
+    private static async Task GreetAsync(TestServer server, byte[] words)
+    {
+        using TestConnection client = await server.AcceptAsync();
+        await client.SendAsync(words);
+    }
+}

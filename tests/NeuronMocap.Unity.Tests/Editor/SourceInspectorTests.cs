@@ -1,0 +1,156 @@
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Transport;
+using NeuronMocap.Unity.EditorTools;
+using UnityEditor;
+
+namespace NeuronMocap.Unity.Tests.Editor;
+
+public class SourceInspectorTests
+{
+    private static readonly string[] Always = ["Kind", "Resample", "Delay", "Smoothing", "Idle Timeout", "Gone Timeout", "Keep Through Scenes"];
+
+    [Theory]
+    [InlineData(SourceKind.Network, "Address,Port,Transport,Reconnect,Command Port,Rotation Order,Skeleton Variant")]
+    [InlineData(SourceKind.Simulator, "Performer Count,Motion,Simulated Frame Rate")]
+    [InlineData(SourceKind.BvhFile, "File,Bvh Asset,Loop,Speed")]
+    [InlineData(SourceKind.Recording, "Rotation Order,Skeleton Variant,File,Loop,Speed")]
+    public void Each_kind_has_its_own_fields_and_no_other(SourceKind kind, string fields)
+    {
+        using var world = new EditorWorld();
+        MocapSource source = world.AddSource(source => source.Kind = kind);
+
+        ImmediateGui.Draw(world.Inspect(source).OnInspectorGUI);
+
+        Assert.Equal(fields.Split(',').Concat(Always).Order(), EditorWorld.Labels("Property").Order());
+        Assert.All(EditorWorld.Controls.Where(static control => control.Kind == "Property"), static field => Assert.NotEmpty(field.Tooltip));
+        Assert.Equal(kind == SourceKind.Network, EditorWorld.Labels("Button").Contains(DiagnosisPanel.Ask));
+    }
+
+    [Fact]
+    public void A_kind_that_is_chosen_changes_the_fields_and_Undo_takes_it_back()
+    {
+        using var world = new EditorWorld();
+        MocapSource source = world.AddSource(static _ => { });
+        UnityEditor.Editor inspector = world.Inspect(source);
+
+        ImmediateGui.Set(inspector.OnInspectorGUI, "Kind", SourceKind.Simulator);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(SourceKind.Simulator, source.Kind);
+        Assert.Contains("Performer Count", EditorWorld.Labels("Property"));
+
+        Undo.PerformUndo();
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(SourceKind.Network, source.Kind);
+        Assert.Contains("Address", EditorWorld.Labels("Property"));
+    }
+
+    [Fact]
+    public void A_number_beyond_its_range_is_held_in_it()
+    {
+        using var world = new EditorWorld();
+        MocapSource source = world.AddSource(static _ => { });
+
+        ImmediateGui.Set(world.Inspect(source).OnInspectorGUI, "Port", 70000);
+
+        Assert.Equal(65535, source.Port);
+    }
+
+    [Fact]
+    public void Of_several_sources_what_all_of_them_have_is_changed_together()
+    {
+        using var world = new EditorWorld();
+        MocapSource network = world.AddSource(static source => source.RotationOrder = RotationOrderSetting.XYZ);
+        MocapSource recording = world.AddSource(static source => source.Kind = SourceKind.Recording);
+        UnityEditor.Editor inspector = world.Inspect(network, recording);
+
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.DoesNotContain("Address", EditorWorld.Labels("Property"));
+        Assert.DoesNotContain("File", EditorWorld.Labels("Property"));
+        Assert.Equal("\u2014", EditorWorld.Find("Rotation Order").Value);
+
+        ImmediateGui.Set(inspector.OnInspectorGUI, "Rotation Order", RotationOrderSetting.ZYX);
+        Assert.Equal((RotationOrderSetting.ZYX, RotationOrderSetting.ZYX), (network.RotationOrder, recording.RotationOrder));
+        Assert.Equal((SourceKind.Network, SourceKind.Recording), (network.Kind, recording.Kind));
+    }
+
+    [Fact]
+    public void In_edit_mode_it_says_that_sources_open_in_play_mode()
+    {
+        using var world = new EditorWorld();
+        ImmediateGui.Draw(world.Inspect(world.AddSource(static _ => { })).OnInspectorGUI);
+
+        Assert.Contains("Not open", EditorWorld.Labels("Label"));
+    }
+
+    [Fact]
+    public void A_refused_port_is_red_and_says_which_settings_to_look_at()
+    {
+        using var world = new EditorWorld(play: true);
+        MocapSource source = world.AddSource(static source => source.Port = ClosedPort());
+        world.Loop.RunUntil(() => source.State == SourceState.Waiting);
+
+        ImmediateGui.Draw(world.Inspect(source).OnInspectorGUI);
+
+        Assert.Equal(ReportGui.ColorOf(Severity.Error, isDarkSkin: true), EditorWorld.DotOf("Connection refused"));
+        GuiControl advice = EditorWorld.Find("nothing listens there");
+        Assert.Equal(("HelpBox", "Error"), (advice.Kind, advice.Value));
+        Assert.Contains("switch BVH on, choose TCP", advice.Label, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void What_arrives_is_green_with_its_rate_and_its_performers()
+    {
+        using var world = new EditorWorld(play: true);
+        MocapSource source = world.AddSource(static source => (source.Kind, source.PerformerCount) = (SourceKind.Simulator, 2));
+        world.Loop.RunUntil(() => source.State == SourceState.Receiving && source.Performers.Count == 2 && source.FrameRate > 0);
+        world.Loop.RunFor(0.2f);
+
+        ImmediateGui.Draw(world.Inspect(source).OnInspectorGUI);
+
+        Assert.Equal(ReportGui.ColorOf(Severity.Good, isDarkSkin: true), EditorWorld.DotOf("Receiving"));
+        Assert.EndsWith(" /s", EditorWorld.Find("Frame Rate").Value, StringComparison.Ordinal);
+        Assert.Equal("0", EditorWorld.Find("Lost Frames").Value);
+        foreach (Performer performer in source.Performers)
+            Assert.Contains("live", EditorWorld.Find($"{performer.Name} ({performer.AvatarIndex})").Value, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_wrong_rotation_order_is_an_error_although_frames_arrive()
+    {
+        using var server = new Broadcaster(new BroadcasterOptions
+        {
+            Port = 0,
+            Sources = [new SyntheticActor(60, 0)],
+            Format = BroadcastFormat.Studio,
+            RotationOrder = Skeleton.RotationOrder.YXZ,
+        });
+        server.Start();
+        using var world = new EditorWorld(play: true);
+        MocapSource source = world.AddSource(source => (source.Port, source.RotationOrder) = (server.LocalEndPoint!.Port, RotationOrderSetting.XYZ));
+        world.Loop.RunUntil(() => source.Reason == ConnectionReason.RotationOrderMismatch);
+
+        ImmediateGui.Draw(world.Inspect(source).OnInspectorGUI);
+
+        Assert.Equal(ReportGui.ColorOf(Severity.Error, isDarkSkin: true), EditorWorld.DotOf("Receiving, in another rotation order"));
+        Assert.Contains(EditorWorld.Controls, static control => control.Kind == "HelpBox" && control.Value == "Error"
+            && control.Label.Contains("Rotation Order", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void A_file_within_StreamingAssets_is_named_from_there()
+    {
+        string folder = Path.Combine(Path.GetTempPath(), "Project", "Assets", "StreamingAssets");
+
+        Assert.Equal("takes/a.bvh", MocapSourceEditor.ToFieldText(Path.Combine(folder, "takes", "a.bvh"), folder));
+        Assert.Equal(Path.Combine(folder + "2", "a.bvh"), MocapSourceEditor.ToFieldText(Path.Combine(folder + "2", "a.bvh"), folder));
+    }
+
+    private static int ClosedPort()
+    {
+        using var server = new TestServer();
+        return server.Port;
+    }
+}

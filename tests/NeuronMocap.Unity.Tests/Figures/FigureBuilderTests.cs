@@ -1,0 +1,111 @@
+using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Unity.Tests.Figures;
+
+public sealed class FigureBuilderTests : IDisposable
+{
+    private readonly PlayerLoop _loop = new();
+
+    public void Dispose() => _loop.Dispose();
+
+    [Fact]
+    public void The_figure_moves_as_the_performer_does()
+    {
+        MocapSource source = Stage.AddSimulator();
+        FigureBuilder builder = AddBuilder(source);
+        Assert.NotNull(builder.Figure);
+        Vector3 start = builder.Figure!.GetBone(Bone.Hips).position;
+
+        _loop.RunUntil(() => Stage.IsLive(source) && (builder.Figure!.GetBone(Bone.Hips).position - start).magnitude > 0.05f);
+
+        Performer performer = source.Performers[0];
+        foreach (Bone bone in (Bone[])[Bone.Hips, Bone.LeftHand, Bone.RightFoot, Bone.Head])
+        {
+            float apart = (builder.Figure.GetBone(bone).position - performer.GetPosition(bone)).magnitude;
+            Assert.True(apart < 0.02f, $"{bone} is {apart} m from the performer's.");
+        }
+
+        Assert.DoesNotContain(ConsoleLog.Entries, static entry => entry.Type is LogType.Error or LogType.Exception);
+    }
+
+    [Fact]
+    public void The_figure_is_built_anew_when_the_sizes_change_and_nothing_is_left_of_it()
+    {
+        int before = Measure.LiveObjects;
+        var actor = new StandingActor(SkeletonBody.Default());
+        using Broadcaster server = Stage.Broadcast(actor);
+        MocapSource source = Stage.AddClient(server);
+        FigureBuilder builder = AddBuilder(source);
+        var built = new List<HumanoidFigure>();
+        builder.Built += built.Add;
+        _loop.RunUntil(() => Stage.IsLive(source));
+        int withOneFigure = Measure.LiveObjects;
+
+        SkeletonBody tall = HumanoidFigureTests.Tall(SkeletonVariant.Neck1);
+        actor.Body = tall;
+        _loop.RunUntil(() => HasSizes(builder, tall));
+        _loop.Frames(2);
+
+        Assert.True(built.Count >= 1);
+        Assert.Same(builder.Figure, built[^1]);
+        Assert.Equal(builder.Figure!.Animator, builder.Driver.Animator);
+        Assert.Equal(withOneFigure, Measure.LiveObjects);
+
+        Object.Destroy(builder.gameObject);
+        Object.Destroy(source.gameObject);
+        _loop.Frames(2);
+        Assert.Equal(before, Measure.LiveObjects);
+    }
+
+    [Fact]
+    public void Disabled_there_is_no_figure_and_enabled_there_is_one_again()
+    {
+        FigureBuilder builder = AddBuilder(null);
+        _loop.Frame();
+        int with = Measure.LiveObjects;
+
+        builder.enabled = false;
+        _loop.Frame();
+        Assert.Null(builder.Figure);
+        Assert.Equal(0, builder.transform.childCount);
+
+        builder.enabled = true;
+        _loop.Frame();
+        Assert.NotNull(builder.Figure);
+        Assert.Equal(with, Measure.LiveObjects);
+    }
+
+    [Fact]
+    public void A_figure_that_somebody_destroyed_comes_back()
+    {
+        MocapSource source = Stage.AddSimulator();
+        FigureBuilder builder = AddBuilder(source);
+        _loop.RunUntil(() => Stage.IsLive(source));
+
+        Object.Destroy(builder.Figure!.Root);
+        _loop.RunUntil(() => builder.Figure is { IsDestroyed: false });
+
+        Assert.True(builder.Figure!.Animator.isHuman);
+    }
+
+    [Fact]
+    public void Steady_it_allocates_nothing()
+    {
+        MocapSource source = Stage.AddSimulator();
+        FigureBuilder builder = AddBuilder(source);
+        _loop.RunUntil(() => Stage.IsLive(source));
+
+        Assert.Equal(0, Measure.BytesPerFrame(_loop, builder, "Update"));
+    }
+
+    private static FigureBuilder AddBuilder(MocapSource? source)
+    {
+        var holder = new GameObject("Figure");
+        holder.AddComponent<HumanoidDriver>().Source = source;
+        return holder.AddComponent<FigureBuilder>();
+    }
+
+    private static bool HasSizes(FigureBuilder builder, SkeletonBody body) => builder.Figure is { IsDestroyed: false } figure
+        && BoneHierarchy.Bones[1..].ToArray().All(bone => (figure.Body.GetOffset(bone) - body.GetOffset(bone)).Length() < 0.1f);
+}

@@ -1,0 +1,218 @@
+using NeuronMocap.Skeleton;
+using UnityEngine.Rendering;
+
+namespace NeuronMocap.Unity.Tests.Figures;
+
+public sealed class HumanoidFigureTests : IDisposable
+{
+    private readonly PlayerLoop _loop = new();
+
+    public static TheoryData<SkeletonVariant> Variants => [SkeletonVariant.Neck1, SkeletonVariant.Spine3];
+
+    public void Dispose() => _loop.Dispose();
+
+    [Theory]
+    [MemberData(nameof(Variants))]
+    public void A_figure_is_a_human_with_50_of_the_55_bones(SkeletonVariant variant)
+    {
+        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.Default(variant));
+
+        Assert.Empty(ConsoleLog.Entries);
+        Assert.True(figure.Avatar.isValid);
+        Assert.True(figure.Animator.isHuman);
+        HumanBodyBones[] without = [.. Enum.GetValues<HumanBodyBones>()
+            .Where(bone => bone < HumanBodyBones.LastBone && figure.Animator.GetBoneTransform(bone) == null)];
+        Assert.Equal(
+            [HumanBodyBones.LeftToes, HumanBodyBones.RightToes, HumanBodyBones.LeftEye, HumanBodyBones.RightEye, HumanBodyBones.Jaw],
+            without);
+        Assert.Equal("Neck", figure.Animator.GetBoneTransform(HumanBodyBones.Neck)!.name);
+        Assert.Equal("Spine1", figure.Animator.GetBoneTransform(HumanBodyBones.Chest)!.name);
+        Assert.Equal(
+            variant == SkeletonVariant.Spine3 ? "Spine3" : "Spine2",
+            figure.Animator.GetBoneTransform(HumanBodyBones.UpperChest)!.name);
+        Assert.Equal("LeftHandIndex1", figure.Animator.GetBoneTransform(HumanBodyBones.LeftIndexProximal)!.name);
+    }
+
+    [Theory]
+    [MemberData(nameof(Variants))]
+    public void Every_joint_is_where_the_offsets_put_it(SkeletonVariant variant)
+    {
+        SkeletonBody body = Tall(variant);
+        HumanoidFigure figure = HumanoidFigure.Build(body);
+
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            // In doubles and in the stream's axes, mirrored at the end.
+            double x = 0, y = 0, z = 0;
+            for (Bone? step = bone; step is { } known; step = BoneHierarchy.GetParent(known, variant))
+            {
+                x += body.GetOffset(known).X;
+                y += body.GetOffset(known).Y;
+                z += body.GetOffset(known).Z;
+            }
+
+            Vector3 place = figure.GetBone(bone).position;
+            double error = Math.Max(Math.Abs(place.x + (x / 100)), Math.Max(Math.Abs(place.y - (y / 100)), Math.Abs(place.z - (z / 100))));
+            Assert.True(error < 1e-4, $"{bone} is {error} m off.");
+            Assert.Equal(BoneHierarchy.GetName(bone, variant), figure.GetBone(bone).name);
+        }
+    }
+
+    [Fact]
+    public void A_figure_hangs_from_its_parent_and_stands_where_that_is()
+    {
+        Transform parent = new GameObject("Parent").transform;
+        parent.SetPositionAndRotation(new Vector3(3, 1, -2), Quaternion.Euler(0, 90, 0));
+
+        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.Default(), parent: parent);
+
+        Assert.Empty(ConsoleLog.Entries);
+        Assert.Equal(parent, figure.Root.transform.parent);
+        Assert.Equal(Vector3.zero, figure.Root.transform.localPosition);
+        Vector3 head = figure.GetBone(Bone.Head).position;
+        Assert.True((head - new Vector3(3, 1 + 1.44102f, -2)).magnitude < 1e-4f, head.ToString());
+    }
+
+    [Fact]
+    public void A_name_that_a_bone_has_is_changed()
+    {
+        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.Default(), name: "Head");
+
+        Assert.True(figure.Avatar.isValid);
+        Assert.NotEqual("Head", figure.Root.name);
+    }
+
+    [Theory]
+    [MemberData(nameof(Variants))]
+    public void The_surface_encloses_the_body_and_stands_on_the_ground(SkeletonVariant variant)
+    {
+        SkeletonBody body = Tall(variant);
+        HumanoidFigure figure = HumanoidFigure.Build(body);
+        Mesh mesh = figure.Renderer.sharedMesh!;
+
+        Assert.Equal(2, mesh.subMeshCount);
+        Assert.Equal(mesh.vertexCount, mesh.boneWeights.Length);
+        Assert.All(mesh.boneWeights, static weight => Assert.Equal(1, weight.weight0));
+        Assert.InRange(mesh.bounds.min.y, -0.02f, 0.02f);
+        Assert.InRange(mesh.bounds.max.y, figure.GetBone(Bone.Head).position.y + 0.1f, 2.2f);
+        float hand = Mathf.Abs(figure.GetBone(Bone.LeftHandMiddle3).position.x);
+        Assert.InRange(mesh.bounds.max.x, hand, hand + 0.05f);
+        Assert.InRange(-mesh.bounds.min.x, hand, hand + 0.05f);
+
+        // At rest the bind poses put every vertex where it is.
+        for (int i = 0; i < mesh.vertexCount; i++)
+        {
+            int bone = mesh.boneWeights[i].boneIndex0;
+            Vector3 shown = (figure.Renderer.bones[bone].localToWorldMatrix * mesh.bindposes[bone]).MultiplyPoint3x4(mesh.vertices[i]);
+            Assert.True((shown - mesh.vertices[i]).magnitude < 1e-4f);
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Variants))]
+    public void Every_triangle_shows_its_outer_side(SkeletonVariant variant)
+    {
+        var joints = new Vector3[BoneHierarchy.BoneCount];
+        foreach (FigureShape shape in FigureShapes.Of(SkeletonBody.Default(variant)))
+        {
+            Mesh mesh = FigureMesh.Create([shape], joints);
+            Vector3 centre = mesh.vertices.Aggregate(Vector3.zero, static (sum, vertex) => sum + vertex) / mesh.vertexCount;
+            int[] corners = mesh.triangles;
+            for (int i = 0; i < corners.Length; i += 3)
+            {
+                Vector3 a = mesh.vertices[corners[i]], b = mesh.vertices[corners[i + 1]], c = mesh.vertices[corners[i + 2]];
+                Assert.True(Vector3.Dot(Vector3.Cross(b - a, c - a), ((a + b + c) / 3) - centre) > 0, $"Inside out: {shape.Bone}, triangle {i / 3}.");
+            }
+        }
+    }
+
+    [Fact]
+    public void Nothing_is_left_of_a_figure_however_it_ends()
+    {
+        HumanoidFigure.Build(SkeletonBody.Default()).Dispose();
+        _loop.Frame();
+        int before = Measure.LiveObjects;
+
+        HumanoidFigure.Build(SkeletonBody.Default()).Dispose();
+        Object.Destroy(HumanoidFigure.Build(SkeletonBody.Default()).Root);
+        _loop.Frames(2);
+
+        Assert.Equal(before, Measure.LiveObjects);
+    }
+
+    [Fact]
+    public void Nothing_is_left_of_a_figure_in_edit_mode()
+    {
+        using var loop = new PlayerLoop(play: false);
+        HumanoidFigure.Build(SkeletonBody.Default()).Dispose();
+        int before = Measure.LiveObjects;
+
+        HumanoidFigure.Build(SkeletonBody.Default()).Dispose();
+
+        Assert.Equal(before, Measure.LiveObjects);
+        Assert.Empty(ConsoleLog.Entries);
+    }
+
+    [Fact]
+    public void A_body_of_no_size_is_refused_and_leaves_nothing()
+    {
+        var body = new SkeletonBody(new System.Numerics.Vector3[BoneHierarchy.BoneCount]);
+        int before = Measure.LiveObjects;
+
+        Assert.Throws<ArgumentException>(() => HumanoidFigure.Build(body));
+
+        _loop.Frames(2);
+        Assert.Equal(before, Measure.LiveObjects);
+    }
+
+    [Fact]
+    public void The_material_is_that_of_the_render_pipeline()
+    {
+        Assert.Equal("Standard", HumanoidFigure.Build(SkeletonBody.Default()).Renderer.sharedMaterials[0]!.shader.name);
+
+        Shader.Available.Add("Universal Render Pipeline/Lit");
+        GraphicsSettings.currentRenderPipeline = ScriptableObject.CreateInstance<TestPipeline>();
+        try
+        {
+            FigureLook look = FigureLook.Of(Color.red, Color.blue);
+            Material?[] materials = HumanoidFigure.Build(SkeletonBody.Default(), look).Renderer.sharedMaterials;
+            Assert.Equal("Universal Render Pipeline/Lit", materials[0]!.shader.name);
+            Assert.Equal(Color.red, materials[0]!.GetColor("_BaseColor"));
+            Assert.Equal(Color.blue, materials[1]!.GetColor("_BaseColor"));
+
+            // A player whose lit shaders were stripped still shows something.
+            Shader.Available.Remove("Universal Render Pipeline/Lit");
+            Assert.Equal("Sprites/Default", HumanoidFigure.Build(SkeletonBody.Default()).Renderer.sharedMaterials[0]!.shader.name);
+        }
+        finally
+        {
+            GraphicsSettings.currentRenderPipeline = null;
+            Shader.Available.Remove("Universal Render Pipeline/Lit");
+        }
+    }
+
+    [Fact]
+    public void A_given_material_is_copied_and_coloured()
+    {
+        var template = new Material(Shader.Find("Standard")!) { renderQueue = 2450 };
+        FigureLook look = FigureLook.Of(Color.green, Color.red);
+        look.Material = template;
+
+        Material shown = HumanoidFigure.Build(SkeletonBody.Default(), look).Renderer.sharedMaterials[0]!;
+
+        Assert.NotEqual(template, shown);
+        Assert.Equal(Color.green, shown.GetColor("_Color"));
+        Assert.Equal(Color.white, template.GetColor("_Color"));
+    }
+
+    internal static SkeletonBody Tall(SkeletonVariant variant)
+    {
+        BoneDimensions sizes = SkeletonBody.Default(variant).Measure();
+        return SkeletonBody.FromDimensions(sizes with { UpperLeg = 0.47f, LowerLeg = 0.45f, UpperArm = 0.31f, ShoulderWidth = 0.36f, Body = 0.6f }, variant);
+    }
+
+    private sealed class TestPipeline : RenderPipelineAsset
+    {
+        public override Shader? defaultShader => Shader.Find("Universal Render Pipeline/Lit");
+    }
+}

@@ -1,0 +1,194 @@
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Unity.Tests.Figures;
+
+public sealed class PerformerSpawnerTests : IDisposable
+{
+    private readonly PlayerLoop _loop = new();
+
+    public void Dispose() => _loop.Dispose();
+
+    [Fact]
+    public void Every_performer_gets_a_figure_that_moves_like_it()
+    {
+        MocapSource source = Stage.AddSimulator(performers: 3);
+        PerformerSpawner spawner = AddSpawner(source);
+        var spawned = new List<SpawnedFigure>();
+        spawner.Spawned += spawned.Add;
+
+        _loop.RunUntil(() => spawner.Figures.Count == 3 && spawner.Figures.All(static figure => figure.Driver.IsDriving));
+
+        Assert.Equal(spawned, spawner.Figures);
+        Assert.Equal([0, 1, 2], spawner.Figures.Select(static figure => figure.Performer.AvatarIndex).Order());
+        Assert.All(spawner.Figures, figure =>
+        {
+            HumanoidFigure shown = figure.Root.GetComponent<FigureBuilder>().Figure!;
+            Assert.True((shown.GetBone(Bone.Hips).position - figure.Performer.GetPosition(Bone.Hips)).magnitude < 0.02f);
+            Assert.Equal(spawner.transform, figure.Root.transform.parent);
+        });
+        Assert.DoesNotContain(ConsoleLog.Entries, static entry => entry.Type is LogType.Error or LogType.Exception);
+    }
+
+    [Fact]
+    public void Figures_stand_at_ease_when_data_stops_come_back_and_go_in_the_end()
+    {
+        MocapSource source = Stage.AddSimulator(performers: 2);
+        PerformerSpawner spawner = AddSpawner(source);
+        spawner.BlendSeconds = 0.2f;
+        spawner.DespawnSeconds = 0;
+        var despawning = new List<SpawnedFigure>();
+        spawner.Despawning += despawning.Add;
+        int idleChanges = 0;
+        spawner.IdleChanged += _ => idleChanges++;
+        _loop.RunUntil(() => spawner.Figures.Count == 2 && spawner.Figures.All(static figure => figure.Driver.IsDriving));
+
+        source.Close();
+        _loop.Frames(30);
+        SpawnedFigure first = spawner.Figures[0];
+        Assert.True(first.IsIdle);
+        Assert.Equal(2, idleChanges);
+        HumanoidFigure figure = first.Root.GetComponent<FigureBuilder>().Figure!;
+        Assert.All((Bone[])[Bone.LeftHand, Bone.RightHand], hand =>
+        {
+            Bone arm = hand == Bone.LeftHand ? Bone.LeftArm : Bone.RightArm;
+            Assert.True(figure.GetBone(hand).position.y < figure.GetBone(arm).position.y - 0.4f, "The arm does not hang down.");
+        });
+        Assert.Equal(figure.Body.GetOffset(Bone.Hips).Y / 100, figure.GetBone(Bone.Hips).position.y, 0.01);
+        Assert.True(figure.GetBone(Bone.LeftHand).position.x < figure.GetBone(Bone.RightHand).position.x
+            || Vector3.Angle(figure.GetBone(Bone.Hips).right, Vector3.right) > 90);
+
+        source.Open();
+        _loop.RunUntil(() => !first.IsIdle && first.Driver.IsDriving);
+        _loop.Frames(30);
+        Assert.Equal(2, spawner.Figures.Count);
+        Assert.True((figure.GetBone(Bone.LeftHand).position - first.Performer.GetPosition(Bone.LeftHand)).magnitude < 0.05f);
+
+        spawner.DespawnSeconds = 0.5f;
+        source.Close();
+        _loop.Frames(60);
+        Assert.Empty(spawner.Figures);
+        Assert.Equal(2, despawning.Count);
+        Assert.Equal(0, spawner.transform.childCount);
+    }
+
+    [Fact]
+    public void Hidden_figures_come_back()
+    {
+        MocapSource source = Stage.AddSimulator();
+        PerformerSpawner spawner = AddSpawner(source);
+        spawner.IdlePose = IdlePose.Hide;
+        spawner.DespawnSeconds = 0;
+        _loop.RunUntil(() => spawner.Figures.Count == 1);
+
+        source.Close();
+        _loop.Frames(2);
+        Assert.False(spawner.Figures[0].Root.activeSelf);
+
+        source.Open();
+        _loop.RunUntil(() => spawner.Figures[0].Root.activeSelf && spawner.Figures[0].Driver.IsDriving);
+    }
+
+    [Fact]
+    public void There_are_never_more_than_asked_for()
+    {
+        MocapSource source = Stage.AddSimulator(performers: 3);
+        PerformerSpawner spawner = AddSpawner(source);
+        spawner.MostFigures = 2;
+        _loop.RunUntil(() => Stage.IsLive(source, 3));
+        _loop.Frames(3);
+
+        Assert.Equal(2, spawner.Figures.Count);
+        Assert.Contains("Most Figures", spawner.Problem);
+
+        spawner.MostFigures = 3;
+        _loop.Frames(2);
+        Assert.Equal(3, spawner.Figures.Count);
+        Assert.Empty(spawner.Problem);
+    }
+
+    [Theory]
+    [InlineData(FigurePlacement.SharedStage, 0, 0, 0, 0)]
+    [InlineData(FigurePlacement.Row, 2, 0, -2, 0)]
+    [InlineData(FigurePlacement.Grid, 1, 0, -1, -2)]
+    public void Figures_stand_where_they_are_put(FigurePlacement placement, float secondX, float secondZ, float thirdX, float thirdZ)
+    {
+        MocapSource source = Stage.AddSimulator(performers: 3);
+        PerformerSpawner spawner = AddSpawner(source);
+        spawner.Placement = placement;
+        spawner.Spacing = 2;
+        spawner.Columns = 2;
+        _loop.RunUntil(() => spawner.Figures.Count == 3);
+
+        Assert.Equal(new Vector3(secondX, 0, secondZ), spawner.Figures[1].Root.transform.localPosition);
+        Assert.Equal(new Vector3(thirdX, 0, thirdZ), spawner.Figures[2].Root.transform.localPosition);
+    }
+
+    [Fact]
+    public void A_prefab_gets_a_driver()
+    {
+        GameObject prefab = HumanoidFigure.Build(SkeletonBody.Default()).Root;
+        MocapSource source = Stage.AddSimulator();
+        PerformerSpawner spawner = AddSpawner(source);
+        spawner.Prefab = prefab;
+
+        _loop.RunUntil(() => spawner.Figures.Count == 1 && spawner.Figures[0].Driver.IsDriving);
+
+        Assert.Equal(spawner.Figures[0].Root, spawner.Figures[0].Driver.gameObject);
+        Assert.Equal(source, spawner.Figures[0].Driver.ActiveSource);
+    }
+
+    [Fact]
+    public void A_prefab_without_a_humanoid_is_a_problem_that_is_told_once()
+    {
+        GameObject prefab = _loop.CreatePrefab("Box");
+        MocapSource source = Stage.AddSimulator();
+        PerformerSpawner spawner = AddSpawner(source);
+        spawner.Prefab = prefab;
+        _loop.RunUntil(() => Stage.IsLive(source));
+        _loop.Frames(3);
+        int before = Measure.LiveObjects;
+        _loop.Frames(3);
+
+        Assert.Empty(spawner.Figures);
+        Assert.Contains("Box", spawner.Problem);
+        Assert.Equal(before, Measure.LiveObjects);
+    }
+
+    [Fact]
+    public void Nothing_is_left_when_the_spawner_goes()
+    {
+        MocapSource source = Stage.AddSimulator(performers: 2);
+        _loop.RunUntil(() => Stage.IsLive(source, 2));
+        int before = Measure.LiveObjects;
+        PerformerSpawner spawner = AddSpawner(source);
+        _loop.RunUntil(() => spawner.Figures.Count == 2);
+
+        Object.Destroy(spawner.gameObject);
+        _loop.Frames(2);
+
+        Assert.Equal(before, Measure.LiveObjects);
+    }
+
+    [Fact]
+    public void Steady_it_allocates_nothing()
+    {
+        MocapSource source = Stage.AddSimulator(performers: 2);
+        PerformerSpawner spawner = AddSpawner(source);
+        _loop.RunUntil(() => spawner.Figures.Count == 2 && Stage.IsLive(source, 2));
+
+        Assert.Equal(0, Measure.BytesPerFrame(_loop, spawner, "Update", "LateUpdate"));
+
+        spawner.DespawnSeconds = 0;
+        source.Close();
+        Assert.Equal(0, Measure.BytesPerFrame(_loop, spawner, "Update", "LateUpdate"));
+        Assert.All(spawner.Figures, static figure => Assert.True(figure.IsIdle));
+    }
+
+    private static PerformerSpawner AddSpawner(MocapSource source)
+    {
+        var holder = new GameObject("Spawner");
+        var spawner = holder.AddComponent<PerformerSpawner>();
+        spawner.Source = source;
+        return spawner;
+    }
+}

@@ -1,0 +1,67 @@
+using System.Net;
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Unity.Tests.Infrastructure;
+
+/// <summary>Sources for tests: the built-in simulator, and a broadcaster over loopback with performers of given sizes.</summary>
+internal static class Stage
+{
+    public static MocapSource AddSimulator(int performers = 1)
+    {
+        var holder = new GameObject("Simulator");
+        holder.SetActive(false);
+        var source = holder.AddComponent<MocapSource>();
+        source.Kind = SourceKind.Simulator;
+        source.PerformerCount = performers;
+        holder.SetActive(true);
+        return source;
+    }
+
+    public static MocapSource AddClient(Broadcaster server)
+    {
+        var holder = new GameObject("Client");
+        holder.SetActive(false);
+        var source = holder.AddComponent<MocapSource>();
+        source.Kind = SourceKind.Network;
+        source.Address = IPAddress.Loopback.ToString();
+        source.Port = server.LocalEndPoint!.Port;
+        holder.SetActive(true);
+        return source;
+    }
+
+    public static Broadcaster Broadcast(params MotionSource[] sources)
+    {
+        var server = new Broadcaster(new BroadcasterOptions { Sources = sources, Port = 0 });
+        server.Start();
+        return server;
+    }
+
+    public static bool IsLive(MocapSource source, int performers = 1) =>
+        source.Performers.Count == performers && source.Performers.All(static performer => performer.HasPose && performer.IsLive);
+}
+
+/// <summary>Stands in the T-pose, in the sizes that it has at the time.</summary>
+internal sealed class StandingActor(SkeletonBody body) : MotionSource
+{
+    private volatile SkeletonBody _body = body;
+
+    public SkeletonBody Body
+    {
+        get => _body;
+        set => _body = value;
+    }
+
+    public override double FrameRate => 100;
+
+    public override long? FrameCount => null;
+
+    public override bool HasDisplacement => true;
+
+    public override SkeletonVariant Variant => _body.Variant;
+
+    public override void GetPose(long frame, Span<BoneTransform> pose) => _body.CopyRestPose(pose);
+
+    public override FootContacts GetFootContacts(long frame) => new(true, true);
+}

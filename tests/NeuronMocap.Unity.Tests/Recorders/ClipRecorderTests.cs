@@ -1,0 +1,124 @@
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Unity.Tests.Recorders;
+
+public sealed class ClipRecorderTests : IDisposable
+{
+    private readonly PlayerLoop _loop = new();
+
+    public void Dispose() => _loop.Dispose();
+
+    [Theory]
+    [InlineData("Left Index 1 Stretched", "LeftHand.Index.1 Stretched")]
+    [InlineData("Left Thumb Spread", "LeftHand.Thumb.Spread")]
+    [InlineData("Right Little 3 Stretched", "RightHand.Little.3 Stretched")]
+    [InlineData("Spine Front-Back", "Spine Front-Back")]
+    [InlineData("Left Hand Down-Up", "Left Hand Down-Up")]
+    public void Fingers_are_called_otherwise_in_clips(string muscle, string property) => Assert.Equal(property, HumanoidSampler.GetPropertyName(muscle));
+
+    [Fact]
+    public void A_frame_is_what_the_character_was_like()
+    {
+        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.Default());
+        ClipRecorder recorder = figure.Root.AddComponent<ClipRecorder>();
+        recorder.Kind = ClipKind.Generic;
+        Assert.True(recorder.StartRecording());
+        Transform arm = figure.GetBone(Bone.LeftArm);
+        for (int i = 0; i < 30; i++)
+        {
+            arm.localRotation = Quaternion.Euler(0, 0, 3 * i);
+            figure.GetBone(Bone.Hips).localPosition = new Vector3(0.01f * i, 0.8f, 0);
+            _loop.Frame();
+        }
+
+        ClipTake take = recorder.Take!;
+        Assert.Equal(30, take.FrameCount);
+        Assert.Equal(29 / 60f, take.Length, 0.001f);
+        Assert.Equal(3 + (59 * 4), take.ValueCount);
+        ClipProperty[] properties = [.. take.Properties];
+        Assert.Equal("Hips", properties[0].Path);
+        Assert.Equal("m_LocalPosition", properties[0].Name);
+        int place = Array.FindIndex(properties, static property => property.Path == "Hips/Spine/Spine1/Spine2/LeftShoulder/LeftArm");
+        int first = properties.Take(place).Sum(static property => property.Components.Count);
+        Assert.Equal(0.2f, take.GetValue(20, 0), 1e-5f);
+        Quaternion wanted = Quaternion.Euler(0, 0, 60);
+        Assert.Equal(wanted.z, take.GetValue(20, first + 2), 1e-5f);
+        Assert.Equal(wanted.w, take.GetValue(20, first + 3), 1e-5f);
+    }
+
+    [Fact]
+    public void Rotations_run_on_without_a_jump()
+    {
+        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.Default());
+        ClipRecorder recorder = figure.Root.AddComponent<ClipRecorder>();
+        recorder.Kind = ClipKind.Generic;
+        recorder.StartRecording();
+        for (int i = 0; i < 80; i++)
+        {
+            // Twice round, and as whichever of the two quaternions.
+            var turn = Quaternion.Euler(0, 9 * i, 0);
+            figure.GetBone(Bone.Hips).localRotation = i % 3 == 0 ? new Quaternion(-turn.x, -turn.y, -turn.z, -turn.w) : turn;
+            _loop.Frame();
+        }
+
+        ClipTake take = recorder.Take!;
+        for (int frame = 1; frame < take.FrameCount; frame++)
+        {
+            for (int value = 3; value < 7; value++)
+                Assert.True(Math.Abs(take.GetValue(frame, value) - take.GetValue(frame - 1, value)) < 0.1f);
+        }
+    }
+
+    [Fact]
+    public void A_humanoid_take_does_not_depend_on_where_the_character_stands()
+    {
+        float[][] values = new float[2][];
+        for (int i = 0; i < 2; i++)
+        {
+            Transform parent = new GameObject("Parent").transform;
+            parent.SetPositionAndRotation(new Vector3(5 * i, 0, -3 * i), Quaternion.Euler(0, 120 * i, 0));
+            HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.Default(), parent: parent);
+            figure.GetBone(Bone.LeftForeArm).localRotation = Quaternion.Euler(0, 40, 0);
+            ClipRecorder recorder = figure.Root.AddComponent<ClipRecorder>();
+            recorder.StartRecording();
+            _loop.Frame();
+            values[i] = [.. Enumerable.Range(0, recorder.Take!.ValueCount).Select(value => recorder.Take.GetValue(0, value))];
+            Assert.Equal(7 + 95, values[i].Length);
+            Assert.Equal(new Vector3(5 * i, 0, -3 * i), figure.Root.transform.position);
+        }
+
+        for (int i = 0; i < values[0].Length; i++)
+            Assert.Equal(values[0][i], values[1][i], 1e-4f);
+
+        Assert.Contains(values[0].Skip(7), static muscle => Math.Abs(muscle) > 0.1f);
+    }
+
+    [Fact]
+    public void There_are_no_more_frames_than_asked_for()
+    {
+        ClipRecorder recorder = HumanoidFigure.Build(SkeletonBody.Default()).Root.AddComponent<ClipRecorder>();
+        recorder.FrameRate = 30;
+        recorder.StartRecording();
+
+        _loop.Frames(241, 1 / 120f);
+
+        Assert.InRange(recorder.Take!.FrameCount, 59, 62);
+        Assert.Equal(2, recorder.Take.Length, 0.05f);
+    }
+
+    [Fact]
+    public void What_cannot_be_is_said()
+    {
+        ClipRecorder recorder = new GameObject("Nothing").AddComponent<ClipRecorder>();
+        Assert.False(recorder.StartRecording());
+        Assert.Contains("Animator", recorder.Problem);
+
+        recorder.gameObject.AddComponent<Animator>();
+        Assert.False(recorder.StartRecording());
+        Assert.Contains("Humanoid", recorder.Problem);
+
+        recorder.Kind = ClipKind.Generic;
+        Assert.False(recorder.StartRecording());
+        Assert.Contains("Hips", recorder.Problem);
+    }
+}

@@ -1,0 +1,151 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Recording;
+
+namespace NeuronMocap.Unity.Tests.Recorders;
+
+public sealed class MotionRecorderTests : IDisposable
+{
+    private readonly PlayerLoop _loop = new();
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("takes");
+
+    public void Dispose()
+    {
+        _loop.Dispose();
+        _folder.Delete(recursive: true);
+    }
+
+    [Fact]
+    public void A_take_reads_back_with_all_its_frames()
+    {
+        MocapSource source = Stage.AddSimulator(performers: 2);
+        MotionRecorder recorder = AddRecorder(source);
+        recorder.Formats = TakeFormats.Bvh | TakeFormats.Recording;
+        IReadOnlyList<string>? finished = null;
+        recorder.Finished += files => finished = files;
+
+        // Before the source is open: the take waits.
+        Assert.True(recorder.StartRecording());
+        _loop.RunUntil(() => recorder.Frames >= 60);
+        Assert.Equal(RecorderState.Recording, recorder.State);
+        Assert.True(recorder.Elapsed > 0.3);
+        Assert.True(recorder.Bytes > 0);
+
+        recorder.StopRecording();
+        _loop.RunUntil(() => finished is not null);
+
+        Assert.Equal(RecorderState.Idle, recorder.State);
+        Assert.Empty(recorder.Problem);
+        Assert.Equal(3, finished!.Count);
+        long rows = 0;
+        foreach (string file in finished.Where(static file => file.EndsWith(".bvh", StringComparison.Ordinal)))
+        {
+            BvhDocument take = BvhDocument.Load(file);
+            Assert.Equal(59, take.Joints.Count);
+            rows += take.FrameCount;
+        }
+
+        Assert.Equal(recorder.Frames, rows);
+        Assert.Equal(finished.Sum(static file => new FileInfo(file).Length), recorder.Bytes);
+        using RecordingReader recording = RecordingReader.Open(finished.Single(static file => file.EndsWith(".nmrec", StringComparison.Ordinal)));
+        Assert.True(recording.IsComplete);
+        Assert.True(recording.Duration.TotalSeconds > 0.3);
+        Assert.Empty(recording.Problems);
+    }
+
+    [Fact]
+    public void Disabled_it_completes_the_take()
+    {
+        MocapSource source = Stage.AddSimulator();
+        MotionRecorder recorder = AddRecorder(source);
+        recorder.EveryPerformer = false;
+        recorder.RecordOnPlay = true;
+        _loop.RunUntil(() => recorder.Frames >= 10);
+
+        recorder.enabled = false;
+        Assert.Equal(RecorderState.Finishing, recorder.State);
+        recorder.enabled = true;
+        _loop.RunUntil(() => recorder.State == RecorderState.Idle);
+
+        Assert.Equal(recorder.Frames, BvhDocument.Load(Assert.Single(recorder.Files)).FrameCount);
+    }
+
+    [Fact]
+    public void Play_mode_s_end_completes_the_take()
+    {
+        MocapSource source = Stage.AddSimulator();
+        MotionRecorder recorder = AddRecorder(source);
+        recorder.RecordOnPlay = true;
+        _loop.RunUntil(() => recorder.Frames >= 10);
+        long frames = recorder.Frames;
+
+        _loop.ExitPlayMode();
+
+        string file = Directory.GetFiles(_folder.FullName).Single();
+        Assert.True(BvhDocument.Load(file).FrameCount >= frames);
+    }
+
+    [Fact]
+    public void The_source_s_end_is_the_take_s()
+    {
+        MocapSource source = Stage.AddSimulator();
+        MotionRecorder recorder = AddRecorder(source);
+        recorder.RecordOnPlay = true;
+        _loop.RunUntil(() => recorder.Frames >= 10);
+
+        source.enabled = false;
+        _loop.RunUntil(() => recorder.State == RecorderState.Idle);
+
+        Assert.Equal(recorder.Frames, BvhDocument.Load(Assert.Single(recorder.Files)).FrameCount);
+    }
+
+    [Fact]
+    public void What_cannot_be_is_said()
+    {
+        MotionRecorder recorder = AddRecorder(null);
+        Assert.False(recorder.StartRecording());
+        Assert.Contains("Source", recorder.Problem);
+
+        MocapSource source = Stage.AddSimulator();
+        recorder.Source = source;
+        recorder.Formats = TakeFormats.None;
+        Assert.False(recorder.StartRecording());
+        Assert.Contains("Formats", recorder.Problem);
+
+        recorder.Formats = TakeFormats.Bvh;
+        recorder.enabled = false;
+        Assert.False(recorder.StartRecording());
+        Assert.Contains("disabled", recorder.Problem);
+
+        // A file stands where the folder should be.
+        recorder.enabled = true;
+        string taken = Path.Combine(_folder.FullName, "taken");
+        File.WriteAllText(taken, "");
+        recorder.Folder = Path.Combine(taken, "below");
+        Assert.True(recorder.StartRecording());
+        Assert.False(recorder.StartRecording());
+        Assert.Contains("already", recorder.Problem);
+        _loop.RunUntil(() => recorder.State == RecorderState.Idle);
+        Assert.Contains("cannot be begun", recorder.Problem);
+    }
+
+    [Fact]
+    public void Steady_it_allocates_nothing()
+    {
+        MocapSource source = Stage.AddSimulator();
+        MotionRecorder recorder = AddRecorder(source);
+        recorder.Formats = TakeFormats.Bvh | TakeFormats.Recording;
+        recorder.RecordOnPlay = true;
+        _loop.RunUntil(() => recorder.Frames >= 10);
+
+        Assert.Equal(0, Measure.BytesPerFrame(_loop, recorder, "Update"));
+        Assert.Equal(RecorderState.Recording, recorder.State);
+    }
+
+    private MotionRecorder AddRecorder(MocapSource? source)
+    {
+        var recorder = new GameObject("Recorder").AddComponent<MotionRecorder>();
+        recorder.Source = source;
+        recorder.Folder = _folder.FullName;
+        return recorder;
+    }
+}

@@ -1,0 +1,4 @@
+namespace UnityEditor;
+
+[AttributeUsage(AttributeTargets.Class)]
+public sealed class InitializeOnLoadAttribute : Attribute;

@@ -1,3 +1,0 @@
-global using UnityEngine;
-global using UnityEngine.StandIn;
-global using Object = UnityEngine.Object;

@@ -1,0 +1,4 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("NeuronMocap.Unity.Tests")]
+[assembly: InternalsVisibleTo("NeuronMocap.Unity.Tests.EditMode")]

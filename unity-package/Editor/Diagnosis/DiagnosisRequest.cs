@@ -1,0 +1,20 @@
+#nullable enable
+
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    internal static class DiagnosisRequest
+    {
+        // What the source's own reader would be given.
+        public static NeuronReaderOptions OptionsOf(MocapSource source) => new NeuronReaderOptions
+        {
+            Transport = source.Transport,
+            Host = source.Transport == TransportKind.Udp && source.Address.Trim().Length == 0 ? "127.0.0.1" : source.Address.Trim(),
+            Port = source.Port,
+            CommandPort = source.CommandPort > 0 ? source.CommandPort : (int?)null,
+            RotationOrder = source.RotationOrder.ToOrder(),
+            SkeletonVariant = source.SkeletonVariant.ToVariant(),
+        };
+    }
+}

@@ -1,0 +1,33 @@
+#nullable enable
+
+using System;
+using System.Linq;
+using NeuronMocap.Transport;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // The open sources that hold a UDP port which a diagnosis wants to look at: a port belongs to one at a time.
+    internal sealed class PausedSources : IDisposable
+    {
+        private readonly MocapSource[] _sources;
+
+        private PausedSources(MocapSource[] sources)
+        {
+            _sources = sources;
+            foreach (MocapSource source in _sources)
+                source.Close();
+        }
+
+        public static PausedSources? SharingUdpPort(NeuronReaderOptions options) => options.Transport == TransportKind.Udp
+            ? new PausedSources(SceneSources.Find().Where(source => source.IsOpen && source.Kind == SourceKind.Network
+                && source.Transport == TransportKind.Udp && source.Port == options.Port).ToArray())
+            : null;
+
+        public void Dispose()
+        {
+            foreach (MocapSource source in _sources.Where(source => source != null && source.isActiveAndEnabled && Application.isPlaying))
+                source.Open();
+        }
+    }
+}

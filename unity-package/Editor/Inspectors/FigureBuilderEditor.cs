@@ -1,0 +1,30 @@
+#nullable enable
+
+using UnityEditor;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    [CustomEditor(typeof(FigureBuilder))]
+    [CanEditMultipleObjects]
+    internal sealed class FigureBuilderEditor : ProblemEditor
+    {
+        public const string Rebuild = "Rebuild";
+
+        protected override (Severity Severity, string Title, string Problem) Describe()
+        {
+            var builder = (FigureBuilder)target;
+            string title = builder.Figure is null ? "No figure yet"
+                : builder.Driver.Performer is { } performer ? $"A figure of the sizes of {performer.Name}"
+                : "A figure of usual sizes";
+            return (SeverityOf(builder.Problem), title, builder.Problem);
+        }
+
+        // A changed look counts from the next figure on.
+        protected override void DrawButtons()
+        {
+            if (GUILayout.Button(Rebuild))
+                ((FigureBuilder)target).Rebuild();
+        }
+    }
+}

@@ -1,0 +1,98 @@
+#nullable enable
+
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using UnityEditor;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // What the inspectors of both drivers have: the fields that mean something, whether the figure moves and why not, and the check of its rig.
+    internal abstract class FigureDriverEditor : Editor
+    {
+        public const string CheckAgain = "Check the Rig Again";
+
+        private RepaintTimer? _timer;
+        private DriverReport? _report;
+        private IReadOnlyList<RigProblem>? _problems;
+
+        internal IReadOnlyList<RigProblem> Problems => _problems ??= Examine();
+
+        public override void OnInspectorGUI()
+        {
+            serializedObject.Update();
+            FieldDrawing.Draw(serializedObject, IsHidden);
+            if (serializedObject.ApplyModifiedProperties())
+                _problems = null;
+
+            EditorGUILayout.Space();
+            if (targets.Length > 1)
+                return;
+
+            var driver = (FigureDriver)target;
+            if (_report is null || Event.current.type == EventType.Layout)
+            {
+                _report = DriverReport.Of(driver, Application.isPlaying);
+                _problems ??= Examine();
+            }
+
+            ReportGui.Headline(_report.Severity, _report.Title);
+            ReportGui.Message(_report.Severity, _report.Message);
+
+            // While it is driven the figure stands as the performer does, and its rest pose is taken.
+            if (!Application.isPlaying)
+                DrawRig(Problems);
+        }
+
+        protected abstract IReadOnlyList<RigProblem> Examine();
+
+        private void OnEnable()
+        {
+            _timer = new RepaintTimer(() => Application.isPlaying, Repaint);
+            EditorApplication.hierarchyChanged += Forget;
+            Undo.undoRedoPerformed += Forget;
+        }
+
+        private void OnDisable()
+        {
+            _timer?.Dispose();
+            EditorApplication.hierarchyChanged -= Forget;
+            Undo.undoRedoPerformed -= Forget;
+        }
+
+        private void Forget()
+        {
+            _problems = null;
+            Repaint();
+        }
+
+        private bool IsHidden(string name) => name switch
+        {
+            "_performerIndex" => serializedObject.Is("_performerChoice", (int)PerformerChoice.ByName),
+            "_performerName" => serializedObject.Is("_performerChoice", (int)PerformerChoice.ByIndex),
+            "_scale" => serializedObject.Is("_automaticScale", true),
+            "_groundHeight" or "_footBlendTime" => serializedObject.Is("_groundFeet", false),
+            "_idleBlendTime" => serializedObject.Is("_whenIdle", (int)IdleBehaviour.Hold),
+            _ => false,
+        };
+
+        private void DrawRig(IReadOnlyList<RigProblem> problems)
+        {
+            Severity worst = problems.Select(problem => problem.Severity).DefaultIfEmpty(Severity.Good).Max();
+            ReportGui.Headline(worst == Severity.None ? Severity.Good : worst, worst <= Severity.Good ? "The rig is right" : "The rig");
+            Action? chosen = null;
+            foreach (RigProblem problem in problems)
+            {
+                ReportGui.Message(problem.Severity, problem.Text);
+                if (problem.FixLabel is { } label && GUILayout.Button(label))
+                    chosen = problem.Fix;
+            }
+
+            bool again = GUILayout.Button(CheckAgain);
+            chosen?.Invoke();
+            if (chosen is not null || again)
+                _problems = null;
+        }
+    }
+}

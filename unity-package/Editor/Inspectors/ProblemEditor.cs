@@ -1,0 +1,42 @@
+#nullable enable
+
+using UnityEditor;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // All fields, and in play mode below them how it goes: for components that need no more.
+    internal abstract class ProblemEditor : Editor
+    {
+        private RepaintTimer? _timer;
+        private (Severity Severity, string Title, string Problem) _state;
+
+        public override void OnInspectorGUI()
+        {
+            DrawDefaultInspector();
+            if (targets.Length > 1 || !Application.isPlaying)
+                return;
+
+            if (Event.current.type == EventType.Layout)
+                _state = Describe();
+
+            EditorGUILayout.Space();
+            ReportGui.Headline(_state.Severity, _state.Title ?? string.Empty);
+            ReportGui.Message(_state.Severity, _state.Problem ?? string.Empty);
+            DrawButtons();
+        }
+
+        // Title: what it does. Problem: why not, or empty.
+        protected abstract (Severity Severity, string Title, string Problem) Describe();
+
+        protected virtual void DrawButtons()
+        {
+        }
+
+        protected static Severity SeverityOf(string problem) => problem.Length > 0 ? Severity.Warning : Severity.Good;
+
+        private void OnEnable() => _timer = new RepaintTimer(() => Application.isPlaying, Repaint);
+
+        private void OnDisable() => _timer?.Dispose();
+    }
+}

@@ -1,0 +1,68 @@
+#nullable enable
+
+using System.Linq;
+using UnityEditor;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // GameObject, NeuronMocap: everything that one click can set up, and one Undo takes back.
+    internal static class CreateMenu
+    {
+        private const string Menu = "GameObject/NeuronMocap/";
+        private const int Priority = 10;
+
+        [MenuItem(Menu + "Source", false, Priority)]
+        public static void CreateSource(MenuCommand command) => Create<MocapSource>("Mocap Source", command);
+
+        [MenuItem(Menu + "Performer Spawner", false, Priority)]
+        public static void CreateSpawner(MenuCommand command) => Create<PerformerSpawner>("Performer Spawner", command);
+
+        [MenuItem(Menu + "Skeleton View", false, Priority)]
+        public static void CreateView(MenuCommand command) => Create<SkeletonView>("Skeleton View", command);
+
+        [MenuItem(Menu + "Humanoid Driver on Selection", false, Priority + 20)]
+        public static void AddHumanoidDriver() => AddToSelection<HumanoidDriver>();
+
+        [MenuItem(Menu + "Humanoid Driver on Selection", true)]
+        public static bool CanAddHumanoidDriver() => Targets<HumanoidDriver>().Any(target => target.GetComponentInChildren<Animator>(true) != null);
+
+        [MenuItem(Menu + "Generic Rig Driver on Selection", false, Priority + 20)]
+        public static void AddGenericDriver() => AddToSelection<GenericRigDriver>();
+
+        [MenuItem(Menu + "Generic Rig Driver on Selection", true)]
+        public static bool CanAddGenericDriver() => Targets<GenericRigDriver>().Any();
+
+        // Everything that a first look needs, in the open scene; nothing of it is made twice.
+        [MenuItem(Menu + "Quick Start Scene", false, Priority + 40)]
+        public static void CreateQuickStart()
+        {
+            Undo.SetCurrentGroupName("Create NeuronMocap Quick Start Scene");
+            int group = Undo.GetCurrentGroup();
+            QuickStartScene.Create();
+            Undo.CollapseUndoOperations(group);
+        }
+
+        internal static T Create<T>(string name, MenuCommand? command)
+            where T : Component
+        {
+            var created = new GameObject(name);
+            GameObjectUtility.SetParentAndAlign(created, command?.context as GameObject);
+            Undo.RegisterCreatedObjectUndo(created, $"Create {name}");
+            T component = created.AddComponent<T>();
+            Selection.activeGameObject = created;
+            return component;
+        }
+
+        private static GameObject[] Targets<T>()
+            where T : Component =>
+            Selection.gameObjects.Where(target => !EditorUtility.IsPersistent(target) && target.GetComponent<T>() == null).ToArray();
+
+        private static void AddToSelection<T>()
+            where T : Component
+        {
+            foreach (GameObject target in Targets<T>())
+                Undo.AddComponent<T>(target);
+        }
+    }
+}

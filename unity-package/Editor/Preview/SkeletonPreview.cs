@@ -1,0 +1,103 @@
+#nullable enable
+
+using System.Collections.Generic;
+using NeuronMocap.Skeleton;
+using UnityEditor;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // A performer's bones in a rectangle of a window: drag turns it, the wheel makes it larger.
+    internal sealed class SkeletonPreview
+    {
+        private const float BoneWidth = 3f;
+        private const int GridCells = 4;
+
+        private static readonly Color Background = new Color(0.16f, 0.17f, 0.19f);
+        private static readonly Color Grid = new Color(0.30f, 0.32f, 0.36f);
+        private static readonly Color Left = new Color(0.35f, 0.65f, 1.00f);
+        private static readonly Color Right = new Color(1.00f, 0.55f, 0.35f);
+        private static readonly Color Middle = new Color(0.90f, 0.90f, 0.90f);
+
+        public PreviewView View { get; } = new PreviewView();
+
+        public void Draw(Rect rect, Performer? performer)
+        {
+            Event current = Event.current;
+            if (rect.Contains(current.mousePosition))
+                Respond(current);
+            if (current.type != EventType.Repaint)
+                return;
+
+            EditorGUI.DrawRect(rect, Background);
+            if (performer is null || !performer.HasPose)
+                return;
+
+            View.Center = CenterOf(performer.GetPosition(Bone.Hips));
+            GUI.BeginClip(rect);
+            var inside = new Rect(0f, 0f, rect.width, rect.height);
+            DrawGrid(inside);
+            foreach ((Vector2 from, Vector2 to, Bone bone) in LinesOf(performer, inside))
+            {
+                Handles.color = ColorOf(bone);
+                Handles.DrawAAPolyLine(BoneWidth, from, to);
+            }
+
+            GUI.EndClip();
+        }
+
+        // A line from each joint's parent to the joint, and one to the end of the bones that have no children.
+        internal IEnumerable<(Vector2 From, Vector2 To, Bone Bone)> LinesOf(Performer performer, Rect rect)
+        {
+            for (int i = 0; i < BoneHierarchy.BoneCount; i++)
+            {
+                var bone = (Bone)i;
+                if (BoneHierarchy.GetParent(bone, performer.Variant) is { } parent)
+                    yield return (View.Project(performer.GetPosition(parent), rect), View.Project(performer.GetPosition(bone), rect), bone);
+            }
+
+            foreach (Bone bone in JointPositions.EndSiteBones.ToArray())
+                yield return (View.Project(performer.GetPosition(bone), rect), View.Project(performer.GetEndPosition(bone), rect), bone);
+        }
+
+        private static Vector3 CenterOf(Vector3 hips) => new Vector3(hips.x, 0.95f, hips.z);
+
+        private static Color ColorOf(Bone bone)
+        {
+            string name = BoneHierarchy.GetName(bone);
+            return name.StartsWith("Left", System.StringComparison.Ordinal) ? Left
+                : name.StartsWith("Right", System.StringComparison.Ordinal) ? Right
+                : Middle;
+        }
+
+        private void Respond(Event current)
+        {
+            if (current.type == EventType.MouseDrag && current.button == 0)
+                View.Orbit(current.delta);
+            else if (current.type == EventType.ScrollWheel)
+                View.Zoom(current.delta.y > 0f ? 1.1f : 1f / 1.1f);
+            else
+                return;
+
+            current.Use();
+        }
+
+        // The ground under the performer, in squares of half a metre that stay where they are when the performer walks.
+        private void DrawGrid(Rect rect)
+        {
+            const float Cell = 0.5f;
+            float x = Mathf.Round(View.Center.x / Cell) * Cell;
+            float z = Mathf.Round(View.Center.z / Cell) * Cell;
+            float half = GridCells * Cell;
+            Handles.color = Grid;
+            for (int i = -GridCells; i <= GridCells; i++)
+            {
+                float step = i * Cell;
+                DrawLine(rect, new Vector3(x + step, 0f, z - half), new Vector3(x + step, 0f, z + half));
+                DrawLine(rect, new Vector3(x - half, 0f, z + step), new Vector3(x + half, 0f, z + step));
+            }
+        }
+
+        private void DrawLine(Rect rect, Vector3 from, Vector3 to) => Handles.DrawLine(View.Project(from, rect), View.Project(to, rect));
+    }
+}

@@ -1,0 +1,35 @@
+#nullable enable
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // Whether a figure moves, after whom, and why not.
+    internal sealed class DriverReport
+    {
+        private DriverReport(Severity severity, string title, string message)
+        {
+            Severity = severity;
+            Title = title;
+            Message = message;
+        }
+
+        public Severity Severity { get; }
+
+        public string Title { get; }
+
+        public string Message { get; }
+
+        public static DriverReport Of(FigureDriver driver, bool isPlaying)
+        {
+            if (!isPlaying)
+                return new DriverReport(Severity.None, "Moves in play mode", string.Empty);
+            if (!driver.isActiveAndEnabled)
+                return new DriverReport(Severity.None, "Disabled", string.Empty);
+            if (driver.Problem.Length > 0)
+                return new DriverReport(Severity.Error, "The figure does not move", driver.Problem);
+
+            return driver.IsDriving
+                ? new DriverReport(Severity.Good, $"Moves after {driver.Performer}", driver.RestPoseNote)
+                : new DriverReport(Severity.Waiting, "Waits for its performer", string.Empty);
+        }
+    }
+}

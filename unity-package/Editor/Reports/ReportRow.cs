@@ -1,0 +1,23 @@
+#nullable enable
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // A line of a report: what it is about, and what is the case.
+    internal readonly struct ReportRow
+    {
+        public ReportRow(string name, string value, Severity severity = Severity.None)
+        {
+            Name = name;
+            Value = value;
+            Severity = severity;
+        }
+
+        public string Name { get; }
+
+        public string Value { get; }
+
+        public Severity Severity { get; }
+
+        public override string ToString() => $"{Name}: {Value}";
+    }
+}

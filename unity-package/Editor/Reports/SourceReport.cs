@@ -1,0 +1,92 @@
+#nullable enable
+
+using System;
+using System.Collections.Generic;
+using NeuronMocap.Delivery;
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // What there is to know about a source at this moment, in words: made anew for each repaint, and drawn by the inspector and by the window.
+    internal sealed class SourceReport
+    {
+        private SourceReport(Severity severity, string title, string message, IReadOnlyList<ReportRow> rows, IReadOnlyList<PerformerRow> performers)
+        {
+            Severity = severity;
+            Title = title;
+            Message = message;
+            Rows = rows;
+            Performers = performers;
+        }
+
+        public Severity Severity { get; }
+
+        public string Title { get; }
+
+        // Why, and what to change; empty when all is well.
+        public string Message { get; }
+
+        public IReadOnlyList<ReportRow> Rows { get; }
+
+        public IReadOnlyList<PerformerRow> Performers { get; }
+
+        public static SourceReport Of(MocapSource source, bool isPlaying)
+        {
+            if (!source.IsOpen && !isPlaying)
+                return Closed("Not open", "Sources open in play mode. Press play, or ask below whether frames would arrive.");
+            if (!source.IsOpen && !source.isActiveAndEnabled)
+                return Closed("Closed", "The component or its object is disabled.");
+
+            NeuronReader? reader = source.Reader;
+            ConnectionStatus status = reader?.Status ?? default;
+            Severity severity = StateTitles.SeverityOf(source.State, source.Reason);
+            return new SourceReport(
+                severity,
+                StateTitles.Of(source.State, source.Reason),
+                severity == Severity.Good ? string.Empty : source.StatusMessage,
+                reader is null ? Array.Empty<ReportRow>() : RowsOf(source, status, reader.GetStatistics()),
+                PerformerRow.ListOf(source));
+        }
+
+        private static SourceReport Closed(string title, string message) =>
+            new SourceReport(Severity.None, title, message, Array.Empty<ReportRow>(), Array.Empty<PerformerRow>());
+
+        private static ReportRow[] RowsOf(MocapSource source, in ConnectionStatus status, in ReaderStatistics figures)
+        {
+            var rows = new List<ReportRow>();
+            if ((status.RemoteEndPoint ?? status.LocalEndPoint) is { } end)
+                rows.Add(new ReportRow(status.RemoteEndPoint is null ? "Listening On" : "Connected To", end.ToString()));
+            if (status.RetryIn is { } wait)
+                rows.Add(new ReportRow("Tries Again In", $"{PerformerRow.Number(wait.TotalSeconds, "0.0")} s (attempt {status.Attempt})", Severity.Waiting));
+
+            bool receives = source.State == SourceState.Receiving;
+            rows.Add(new ReportRow("Frame Rate", receives ? $"{PerformerRow.Number(source.FrameRate, "0.0")} /s" : "-"));
+            double share = figures.MotionFrames > 0 ? (double)source.LostFrames / (source.LostFrames + figures.MotionFrames) : 0;
+            rows.Add(new ReportRow(
+                "Lost Frames",
+                PerformerRow.Losses(source.LostFrames, figures.MotionFrames),
+                source.LostFrames == 0 ? Severity.None : share > 0.01 ? Severity.Error : Severity.Warning));
+            rows.Add(new ReportRow("Frames", PerformerRow.Number(figures.MotionFrames, "#,0")));
+            if (figures.Reconnects > 0)
+                rows.Add(new ReportRow("Reconnects", PerformerRow.Number(figures.Reconnects, "0"), Severity.Warning));
+            if (figures.SkippedBytes > 0)
+                rows.Add(new ReportRow("Bytes Of No Packet", PerformerRow.Number(figures.SkippedBytes, "#,0"), Severity.Warning));
+            if (figures.RefusedDatagrams > 0)
+                rows.Add(new ReportRow("Refused Datagrams", PerformerRow.Number(figures.RefusedDatagrams, "#,0"), Severity.Warning));
+            if (FormatName(status.Format) is { } format)
+                rows.Add(new ReportRow("Format", format, status.Format == StreamFormat.Text ? Severity.Warning : Severity.None));
+
+            return rows.ToArray();
+        }
+
+        private static string? FormatName(StreamFormat format) => format switch
+        {
+            StreamFormat.Binary => "binary",
+            StreamFormat.OldHeader => "binary, old header: losses cannot be seen",
+            StreamFormat.Text => "text: losses cannot be seen, and every number costs digits",
+            StreamFormat.Studio => "binary, of Axis Studio",
+            _ => null,
+        };
+    }
+}

@@ -1,0 +1,45 @@
+#nullable enable
+
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // The states of a source in a few words, as the monitor has them, and how much they matter.
+    internal static class StateTitles
+    {
+        public static string Of(SourceState state, ConnectionReason reason) => (state, reason) switch
+        {
+            (SourceState.Receiving, ConnectionReason.RotationOrderMismatch) => "Receiving, in another rotation order",
+            (SourceState.Receiving, ConnectionReason.SkeletonVariantMismatch) => "Receiving, of another skeleton variant",
+            (SourceState.Receiving, _) => "Receiving",
+            (SourceState.Loading, _) => "Reading the file",
+            (SourceState.Connecting, _) => "Connecting",
+            (SourceState.Connected, _) => "Connected, waiting for frames",
+            (SourceState.Silent, ConnectionReason.UnknownFormat) => "Data arrives, but no frames",
+            (SourceState.Silent, ConnectionReason.SenderNotAllowed) => "The sender is not allowed",
+            (SourceState.Silent, _) => "Nothing arrives",
+            (SourceState.Ended, _) => "The file is over",
+            (SourceState.Closed, _) => "Closed",
+            (_, ConnectionReason.Refused) => "Connection refused",
+            (_, ConnectionReason.TimedOut) => "No answer",
+            (_, ConnectionReason.HostNotFound) => "Host not found",
+            (_, ConnectionReason.Unreachable) => "No route",
+            (_, ConnectionReason.Reset or ConnectionReason.ClosedByPeer) => "Connection closed",
+            (_, ConnectionReason.PortInUse) => "Port in use",
+            (_, ConnectionReason.AddressUnavailable or ConnectionReason.AccessDenied) => "Not allowed",
+            (SourceState.Failed, _) => "It does not work",
+            _ => "No connection",
+        };
+
+        public static Severity SeverityOf(SourceState state, ConnectionReason reason) => state switch
+        {
+            SourceState.Receiving when reason is ConnectionReason.RotationOrderMismatch or ConnectionReason.SkeletonVariantMismatch => Severity.Error,
+            SourceState.Receiving when reason == ConnectionReason.NotDiscovered => Severity.Warning,
+            SourceState.Receiving => Severity.Good,
+            SourceState.Loading or SourceState.Connecting or SourceState.Connected => Severity.Waiting,
+            SourceState.Silent => Severity.Warning,
+            SourceState.Waiting or SourceState.Failed => Severity.Error,
+            _ => Severity.None,
+        };
+    }
+}

@@ -1,0 +1,133 @@
+#nullable enable
+
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using NeuronMocap.Retargeting;
+using UnityEditor;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // Looks at a Humanoid figure as its driver will, before play mode, and offers to set right what can be.
+    internal static class HumanoidCheck
+    {
+        public static IReadOnlyList<RigProblem> Examine(HumanoidDriver driver)
+        {
+            Animator? animator = driver.Animator != null ? driver.Animator : driver.GetComponentInChildren<Animator>(true);
+            if (animator == null)
+                return new[] { WithoutAnimator(driver) };
+
+            if (FindAvatarProblem(animator) is { } problem)
+                return new[] { problem };
+
+            var problems = new List<RigProblem>();
+            AddSettings(animator, problems);
+            if (animator.GetBoneTransform(HumanBodyBones.Hips) == null)
+                problems.Add(WithoutTransforms(animator));
+            else
+                AddRig(animator, problems);
+
+            return problems.OrderByDescending(found => found.Severity).ToArray();
+        }
+
+        private static RigProblem WithoutAnimator(HumanoidDriver driver)
+        {
+            Animator? above = driver.GetComponentInParent<Animator>();
+            return above != null
+                ? new RigProblem(
+                    Severity.Error,
+                    $"The Animator of this figure is on {above.name}, above this object, where the driver does not look by itself.",
+                    $"Assign {above.name}",
+                    () => RigFixes.SetReference(driver, "_animator", above))
+                : new RigProblem(
+                    Severity.Error,
+                    "There is no Animator. Put this component on the figure, or assign the figure's Animator.",
+                    "Add an Animator",
+                    () => Undo.AddComponent<Animator>(driver.gameObject));
+        }
+
+        private static RigProblem? FindAvatarProblem(Animator animator)
+        {
+            ModelFile? model = ModelFile.Of(animator);
+            if (animator.avatar == null)
+            {
+                return model?.FindAvatar() is { isHuman: true } avatar
+                    ? new RigProblem(Severity.Error, "The Animator has no avatar; the model has one.", $"Assign {avatar.name}", () => RigFixes.SetAvatar(animator, avatar))
+                    : new RigProblem(
+                        Severity.Error,
+                        "The Animator has no avatar." + (model is null ? " In the model's import settings, tab Rig, choose Humanoid, and assign the avatar." : string.Empty),
+                        model is null ? null : "Import the Model as Humanoid",
+                        () => RigFixes.ImportAsHumanoid(animator, model!));
+            }
+
+            if (animator.avatar.isHuman && animator.avatar.isValid)
+                return null;
+
+            string fault = animator.avatar.isHuman
+                ? $"The avatar {animator.avatar.name} is not valid: {MissingOf(animator.avatar)}. In the model's import settings, tab Rig, open Configure."
+                : $"The avatar {animator.avatar.name} is not Humanoid.";
+            return model is null || animator.avatar.isHuman
+                ? new RigProblem(Severity.Error, animator.avatar.isHuman ? fault : $"{fault} Choose Humanoid in the model's import settings, or use a Generic Rig Driver.")
+                : new RigProblem(Severity.Error, fault, "Import the Model as Humanoid", () => RigFixes.ImportAsHumanoid(animator, model));
+        }
+
+        // The required bones that the avatar maps to nothing, by their names in Unity.
+        private static string MissingOf(Avatar avatar)
+        {
+            var mapped = new HashSet<string>((avatar.humanDescription.human ?? Array.Empty<HumanBone>()).Select(bone => bone.humanName), StringComparer.Ordinal);
+            string[] missing = Enumerable.Range(0, HumanoidBones.Count).Select(index => (HumanoidBone)index)
+                .Where(bone => HumanoidBones.IsRequired(bone) && !mapped.Contains(HumanoidBones.GetName(bone)))
+                .Select(bone => HumanoidBones.GetName(bone))
+                .ToArray();
+            return missing.Length > 0 ? $"it does not map {string.Join(", ", missing)}" : "Unity did not accept its bones";
+        }
+
+        private static void AddSettings(Animator animator, List<RigProblem> problems)
+        {
+            if (animator.applyRootMotion && animator.runtimeAnimatorController != null)
+            {
+                problems.Add(new RigProblem(
+                    Severity.Warning,
+                    "Apply Root Motion is on: animations move the object away while the driver moves the figure in it.",
+                    "Switch Root Motion Off",
+                    () => RigFixes.Change(animator, "Switch Root Motion Off", () => animator.applyRootMotion = false)));
+            }
+        }
+
+        private static RigProblem WithoutTransforms(Animator animator)
+        {
+            const string Text = "The figure's bones are no transforms of the scene: Optimize Game Objects is on in the model's import settings.";
+            return ModelFile.Of(animator) is { } model
+                ? new RigProblem(Severity.Error, Text, "Switch Optimizing Off", model.KeepTransforms)
+                : new RigProblem(Severity.Error, Text);
+        }
+
+        private static void AddRig(Animator animator, List<RigProblem> problems)
+        {
+            Transform root = animator.transform;
+            var bones = new Transform?[HumanoidBones.Count];
+            for (int bone = 0; bone < bones.Length; bone++)
+                bones[bone] = animator.GetBoneTransform((HumanBodyBones)bone);
+
+            RestPose rest = RestPose.OfAvatar(root, animator.avatar!);
+            RigCapture capture = RigCapture.Take(root, bones, rest);
+            int[] nodeOf = Array.ConvertAll(bones, capture.IndexOf);
+            IReadOnlyList<RigFinding> findings = RigCheck.Examine(capture.Nodes, nodeOf);
+            Action? fix = FindFix(animator, capture, nodeOf, rest);
+            problems.AddRange(RigFindings.ToProblems(findings, fix));
+        }
+
+        // A rest pose that the import settings keep is changed there; one that is how the transforms stand, in the scene; a bind pose only in the
+        // program that the model comes from.
+        private static Action? FindFix(Animator animator, RigCapture capture, int[] nodeOf, RestPose rest)
+        {
+            if (rest.Note is RestPose.FromPresent)
+                return () => RigFixes.Pose(capture.Transforms, TPose.Enforce(TargetRig.Humanoid(capture.Nodes, nodeOf)));
+            if (rest.Note.Length == 0 && ModelFile.Of(animator) is { } model)
+                return () => model.SetRestPose(TPose.Enforce(TargetRig.Humanoid(capture.Nodes, nodeOf)).Nodes);
+
+            return null;
+        }
+    }
+}

@@ -1,0 +1,121 @@
+#nullable enable
+
+using System;
+using System.IO;
+using UnityEditor;
+using UnityEngine;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // One source in the window: its state, its buttons, its performers.
+    internal sealed class SourcePanel : IDisposable
+    {
+        public const string Record = "Record";
+        public const string StopRecording = "Stop Recording";
+        public const string ZeroOutAll = "Zero Out All";
+
+        private readonly MocapSource _source;
+        private readonly DiagnosisPanel _diagnosis = new DiagnosisPanel();
+        private SourceReport? _report;
+        private SourceRecording? _recording;
+        private string _recordingText = string.Empty;
+        private ZeroOut? _zeroOut;
+        private (Severity Severity, string Text) _zeroOutState;
+
+        public SourcePanel(MocapSource source) => _source = source;
+
+        public bool IsDirty => _diagnosis.IsDirty || _recording?.IsRunning == true || _zeroOutState.Severity == Severity.Waiting;
+
+        public SourceRecording? Recording => _recording;
+
+        // Beside Assets, not in it: Unity would import the file.
+        private static string RecordingFolder => Path.Combine(Path.GetDirectoryName(Application.dataPath) ?? string.Empty, "Recordings");
+
+        // The performer that was clicked, if one was.
+        public Performer? Draw(Performer? shown)
+        {
+            // The rows of a pass have to be those of its layout, whatever arrives in between.
+            if (_report is null || Event.current.type == EventType.Layout)
+                Refresh();
+
+            SourceReport report = _report!;
+            ReportGui.Headline(report.Severity, $"{_source.name}: {report.Title}");
+            ReportGui.Message(report.Severity, report.Message);
+            foreach (ReportRow row in report.Rows)
+                ReportGui.Row(row);
+
+            Performer? chosen = null;
+            foreach (PerformerRow row in report.Performers)
+            {
+                if (ReportGui.Performer(row, row.Performer == shown))
+                    chosen = row.Performer;
+            }
+
+            DrawButtons();
+            if (_source.Kind == SourceKind.Network)
+                _diagnosis.Draw(_source);
+
+            return chosen;
+        }
+
+        public void Dispose()
+        {
+            _diagnosis.Dispose();
+            _recording?.Dispose();
+            _zeroOut?.Dispose();
+        }
+
+        private void Refresh()
+        {
+            _report = SourceReport.Of(_source, Application.isPlaying);
+            _recordingText = _recording?.Describe() ?? string.Empty;
+            _zeroOutState = _zeroOut is { } zero ? (zero.Severity, zero.Describe()) : default;
+        }
+
+        private void DrawButtons()
+        {
+            using (new EditorGUILayout.HorizontalScope())
+            {
+                if (GUILayout.Button("Select"))
+                    Selection.activeGameObject = _source.gameObject;
+
+                bool isRecording = _recording?.IsRunning == true;
+                using (new EditorGUI.DisabledScope(_source.Reader is null || _source.Kind == SourceKind.Recording))
+                {
+                    if (GUILayout.Button(isRecording ? StopRecording : Record))
+                        ToggleRecording();
+                }
+
+                using (new EditorGUI.DisabledScope(_source.Kind != SourceKind.Network || _source.CommandPort <= 0 || _zeroOutState.Severity == Severity.Waiting))
+                {
+                    if (GUILayout.Button(new GUIContent(ZeroOutAll, "Takes the performers' present directions as forward. Needs the command port.")))
+                        _zeroOut = new ZeroOut(_source.Address, _source.CommandPort, avatar: null);
+                }
+            }
+
+            ReportGui.Message(Severity.None, _recordingText);
+            if (!string.IsNullOrEmpty(_zeroOutState.Text))
+                ReportGui.Message(_zeroOutState.Severity, _zeroOutState.Text);
+        }
+
+        private void ToggleRecording()
+        {
+            if (_recording?.IsRunning == true)
+            {
+                _recording.Dispose();
+                return;
+            }
+
+            try
+            {
+                _recording = _source.Reader is { } reader
+                    ? SourceRecording.Start(reader, RecordingFolder, _source.name, DateTime.Now)
+                    : null;
+            }
+            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or InvalidOperationException)
+            {
+                Debug.LogError($"NeuronMocap: the recording could not begin: {exception.Message}", _source);
+            }
+        }
+    }
+}

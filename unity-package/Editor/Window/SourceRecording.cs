@@ -1,0 +1,45 @@
+#nullable enable
+
+using System;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using NeuronMocap.Recording;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // A recording of everything that a source receives, begun with one click: where it goes needs no question.
+    internal sealed class SourceRecording : IDisposable
+    {
+        private readonly StreamRecorder _recorder;
+
+        private SourceRecording(StreamRecorder recorder) => _recorder = recorder;
+
+        public string FilePath => _recorder.Path;
+
+        public bool IsRunning => _recorder.IsRecording;
+
+        // For the line under the buttons.
+        public string Describe()
+        {
+            if (_recorder.Failure is { } failure)
+                return $"The recording ended: {failure.Message}";
+
+            RecordingStatistics figures = _recorder.GetStatistics();
+            string size = $"{PerformerRow.Number(figures.Duration.TotalSeconds, "0.0")} s, {PerformerRow.Number(figures.Bytes / 1e6, "0.0")} MB";
+            string lost = figures.LostBytes > 0 ? $"; the disk was too slow for {PerformerRow.Number(figures.LostBytes, "#,0")} bytes" : string.Empty;
+            return $"{(IsRunning ? "Recording to" : "Recorded")} {Path.GetFileName(FilePath)}: {size}{lost}";
+        }
+
+        // The folder is made when it is not there.
+        public static SourceRecording Start(NeuronReader reader, string folder, string name, DateTime now)
+        {
+            Directory.CreateDirectory(folder);
+            string safe = new string(name.Select(letter => Path.GetInvalidFileNameChars().Contains(letter) ? '_' : letter).ToArray());
+            string file = $"{safe}-{now.ToString("yyyyMMdd-HHmmss", CultureInfo.InvariantCulture)}.nmrec";
+            return new SourceRecording(reader.StartRecording(Path.Combine(folder, file)));
+        }
+
+        public void Dispose() => _recorder.Dispose();
+    }
+}

@@ -1,0 +1,47 @@
+#nullable enable
+
+using System;
+using System.Runtime.CompilerServices;
+using System.Threading;
+using System.Threading.Tasks;
+using NeuronMocap.Commands;
+
+namespace NeuronMocap.Unity.EditorTools
+{
+    // Asks the server, on the pool, to take the suit's present orientation as zero.
+    internal sealed class ZeroOut : IDisposable
+    {
+        private readonly CancellationTokenSource _stop = new CancellationTokenSource();
+        private readonly Task _task;
+        private readonly string _whom;
+
+        // avatar: null for all.
+        public ZeroOut(string host, int commandPort, int? avatar)
+        {
+            _whom = avatar is { } index ? $"avatar {index}" : "all avatars";
+            _task = Task.Run(() => RunAsync(host, commandPort, avatar, _stop.Token));
+        }
+
+        public bool IsRunning => !_task.IsCompleted;
+
+        public Severity Severity => IsRunning ? Severity.Waiting : _task.Status == TaskStatus.RanToCompletion ? Severity.Good : Severity.Error;
+
+        public string Describe()
+        {
+            if (IsRunning)
+                return $"Zeroing {_whom} out";
+
+            return _task.Exception?.InnerException is { } fault ? fault.Message : _task.IsCanceled ? "Cancelled" : $"Zeroed {_whom} out";
+        }
+
+        // The task ends by itself; nobody waits for it.
+        public void Dispose() => _stop.Cancel();
+
+        private static async Task RunAsync(string host, int port, int? avatar, CancellationToken stop)
+        {
+            var client = new NeuronCommandClient(host, port);
+            await using ConfiguredAsyncDisposable closing = client.ConfigureAwait(false);
+            await (avatar is { } index ? client.ZeroOutAsync(index, stop) : client.ZeroOutAllAsync(stop)).ConfigureAwait(false);
+        }
+    }
+}
