@@ -25,7 +25,7 @@ internal sealed class FootLeg
     {
         (_rig, _thigh, _shin, _foot) = (rig, thigh, shin, foot);
         ReadOnlySpan<Vector3> rest = rig.RestPositions;
-        Length = Vector3.Distance(rest[thigh], rest[shin]) + Vector3.Distance(rest[shin], rest[foot]);
+        Length = LengthIn(rest);
         Vector3 toes = FindToes() is { } node ? rest[node] : rest[foot] + (Forward * (UsualToes * Length));
 
         // At rest a figure stands on its root, unless that is above the feet.
@@ -34,7 +34,8 @@ internal sealed class FootLeg
         _ball = toes - rest[foot] + (rig.Up * (ground - Height(toes)));
     }
 
-    public float Length { get; }
+    // Of a sheared rig it changes with the pose.
+    public float Length { get; private set; }
 
     public Vector3 Up => _rig.Up;
 
@@ -65,6 +66,7 @@ internal sealed class FootLeg
     public void Measure(RetargetedPose pose)
     {
         IsReady = pose.IsDriven(_thigh) && pose.IsDriven(_shin) && pose.IsDriven(_foot);
+        Length = LengthIn(pose.WorldPositions);
         _hip = pose.WorldPositions[_thigh];
         Ankle = pose.WorldPositions[_foot];
         Rotation = pose.WorldRotations[_foot];
@@ -134,6 +136,8 @@ internal sealed class FootLeg
 
         return node == ancestor;
     }
+
+    private float LengthIn(ReadOnlySpan<Vector3> at) => Vector3.Distance(at[_thigh], at[_shin]) + Vector3.Distance(at[_shin], at[_foot]);
 
     private Vector3 Turned(Vector3 atRest, Quaternion rotation) =>
         Vector3.Transform(atRest, rotation * Quaternion.Conjugate(_rig.RestRotations[_foot]));
