@@ -35,6 +35,9 @@ decode.SetAction((result, _) => Decode.RunAsync(result.GetValue(runs), Open(resu
 var kinematics = new Command("kinematics", "Cost of a frame from its values to world transforms, velocities, contacts and retimed poses.") { runs, json };
 kinematics.SetAction((result, _) => PoseCost.RunAsync(result.GetValue(runs), Open(result)));
 
+var retarget = new Command("retarget", "Cost of a frame on a Humanoid character: rotations, places, feet that stand.") { runs, json };
+retarget.SetAction((result, _) => RetargetCost.RunAsync(result.GetValue(runs), Open(result)));
+
 var recording = new Command("record", "What a recording costs the receive thread.") { runs, json };
 recording.SetAction((result, _) => Record.RunAsync(result.GetValue(runs), Open(result)));
 
@@ -81,7 +84,7 @@ sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(conne
 
 return await new RootCommand("Measures the receive path as ratios to a floor that is measured in the same run.")
     {
-        throughput, latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, recording, playback, micro, flood, pace, sinks,
+        throughput, latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, retarget, recording, playback, micro, flood, pace, sinks,
     }
     .Parse(args)
     .InvokeAsync();

@@ -86,12 +86,22 @@ public sealed class RetargetedPose
         UpdateWorld(Rig.HipsNode);
     }
 
+    internal void Drive(int node, Quaternion rotation)
+    {
+        _driven[node] = true;
+        SetLocalRotation(node, rotation);
+    }
+
+    internal void Rest(int node)
+    {
+        _driven[node] = false;
+        _local[node] = Rig.LocalRest[node];
+    }
+
     // Normalised, and of both quaternions of the rotation the one nearer to what the node had.
-    internal void SetLocalRotation(int node, Quaternion rotation)
+    private void SetLocalRotation(int node, Quaternion rotation)
     {
         float factor = 1 / rotation.Length();
         _local[node] = rotation * (Quaternion.Dot(_local[node], rotation) < 0 ? -factor : factor);
     }
-
-    internal void SetDriven(int node, bool driven) => _driven[node] = driven;
 }

@@ -119,10 +119,9 @@ public sealed class Retargeter
     private void Apply(in RetargetLink link, RetargetedPose result)
     {
         float weight = GetWeight(link);
-        result.SetDriven(link.Node, weight > 0);
         if (weight == 0)
         {
-            result.SetLocalRotation(link.Node, Rig.LocalRest[link.Node]);
+            result.Rest(link.Node);
             return;
         }
 
@@ -130,7 +129,7 @@ public sealed class Retargeter
         if (weight < 1)
             bend = Part(bend, weight);
 
-        result.SetLocalRotation(link.Node, Handedness.Apply(link.Handedness, link.Before * bend * link.After));
+        result.Drive(link.Node, Handedness.Apply(link.Handedness, link.Before * bend * link.After));
     }
 
     private void MoveHips(Vector3 position, RetargetedPose result)

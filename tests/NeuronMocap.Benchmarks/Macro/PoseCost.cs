@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Numerics;
 using NeuronMocap.Benchmarks.Harness;
 using NeuronMocap.Kinematics;
@@ -10,7 +9,6 @@ namespace NeuronMocap.Benchmarks.Macro;
 // What one frame costs from its values to whatever is computed of it, on one thread and a hot cache.
 internal static class PoseCost
 {
-    private const int Rounds = 200_000;
     private const int Frames = 64;
     private const double Interval = 1 / 120.0;
 
@@ -18,44 +16,29 @@ internal static class PoseCost
 
     public static async Task<int> RunAsync(int runs, Report report)
     {
-        report.Begin($"Nanoseconds a frame of 59 bones with displacement, against copying its 354 values once; {Rounds} frames a run, {runs} runs.");
+        report.Begin($"Nanoseconds a frame of 59 bones with displacement, against copying its 354 values once; {HotLoop.Rounds} frames a run, {runs} runs.");
         var take = new Take();
         Way[] ways =
         [
-            new("values to local", () => Measure(take.Decode)),
-            new("local to world", () => Measure(take.ToWorld)),
-            new("values to world", () => Measure(i =>
+            new("values to local", () => HotLoop.Measure(take.Decode)),
+            new("local to world", () => HotLoop.Measure(take.ToWorld)),
+            new("values to world", () => HotLoop.Measure(i =>
             {
                 take.Decode(i);
                 ForwardKinematics.ToWorld(take.Pose, take.Pose);
             })),
-            new("world to local", () => Measure(take.ToLocal)),
-            new("72 positions", () => Measure(take.CopyPositions)),
-            new("centre of mass", () => Measure(take.FindCentre)),
-            new("velocities", () => Measure(take.FindVelocities)),
-            new("foot contacts", () => Measure(new Feet(take).Update)),
-            new("interpolate, linear", () => Measure(take.InterpolateLinear)),
-            new("interpolate, cubic", () => Measure(take.InterpolateCubic)),
-            new("buffer: push and sample", () => Measure(new Retiming(take).PushAndSample)),
+            new("world to local", () => HotLoop.Measure(take.ToLocal)),
+            new("72 positions", () => HotLoop.Measure(take.CopyPositions)),
+            new("centre of mass", () => HotLoop.Measure(take.FindCentre)),
+            new("velocities", () => HotLoop.Measure(take.FindVelocities)),
+            new("foot contacts", () => HotLoop.Measure(new Feet(take).Update)),
+            new("interpolate, linear", () => HotLoop.Measure(take.InterpolateLinear)),
+            new("interpolate, cubic", () => HotLoop.Measure(take.InterpolateCubic)),
+            new("buffer: push and sample", () => HotLoop.Measure(new Retiming(take).PushAndSample)),
         ];
         Aim[] aims = [new("ns/frame", 2000, Way: "values to world"), new("B/frame", 0)];
-        report.Add(await Alternation.RunAsync("one frame", runs, new Way("copy", () => Measure(take.Copy)), ways, aims));
+        report.Add(await Alternation.RunAsync("one frame", runs, new Way("copy", () => HotLoop.Measure(take.Copy)), ways, aims));
         return report.End();
-    }
-
-    private static Figures Measure(Action<int> step)
-    {
-        for (int i = 0; i < 1000; i++)
-            step(i);
-
-        long allocated = GC.GetAllocatedBytesForCurrentThread();
-        long start = Stopwatch.GetTimestamp();
-        for (int i = 0; i < Rounds; i++)
-            step(i);
-
-        double nanoseconds = Stopwatch.GetElapsedTime(start).TotalNanoseconds / Rounds;
-        allocated = GC.GetAllocatedBytesForCurrentThread() - allocated;
-        return new Figures { ["ns/frame"] = nanoseconds, ["B/frame"] = allocated / (double)Rounds };
     }
 
     private sealed class Take

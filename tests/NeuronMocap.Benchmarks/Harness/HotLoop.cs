@@ -1,0 +1,24 @@
+using System.Diagnostics;
+
+namespace NeuronMocap.Benchmarks.Harness;
+
+// What one frame costs on one thread and a hot cache.
+internal static class HotLoop
+{
+    public const int Rounds = 200_000;
+
+    public static Figures Measure(Action<int> step)
+    {
+        for (int i = 0; i < 1000; i++)
+            step(i);
+
+        long allocated = GC.GetAllocatedBytesForCurrentThread();
+        long start = Stopwatch.GetTimestamp();
+        for (int i = 0; i < Rounds; i++)
+            step(i);
+
+        double nanoseconds = Stopwatch.GetElapsedTime(start).TotalNanoseconds / Rounds;
+        allocated = GC.GetAllocatedBytesForCurrentThread() - allocated;
+        return new Figures { ["ns/frame"] = nanoseconds, ["B/frame"] = allocated / (double)Rounds };
+    }
+}

@@ -1,0 +1,40 @@
+using System.Numerics;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tests.Retargeting;
+
+/// <summary>Poses of the stream and bodies that no actor has.</summary>
+internal static class RandomPoses
+{
+    /// <summary>Any rotation.</summary>
+    public static Quaternion Turn(Random random) => Quaternion.CreateFromYawPitchRoll(
+        (random.NextSingle() - 0.5f) * 2 * MathF.PI, MathF.Asin((random.NextSingle() * 2) - 1), (random.NextSingle() - 0.5f) * 2 * MathF.PI);
+
+    /// <summary>A rotation about any axis.</summary>
+    public static Quaternion Turn(Random random, float mostDegrees) =>
+        Quaternion.CreateFromAxisAngle(Direction(random), random.NextSingle() * mostDegrees * MathF.PI / 180);
+
+    public static Vector3 Direction(Random random) => Vector3.Transform(Vector3.UnitX, Turn(random));
+
+    /// <summary>Every joint turned as it likes, the hips up to two metres from the origin; positions of bones as with displacement.</summary>
+    public static BoneTransform[] Pose(Random random, float mostDegrees = 180)
+    {
+        BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
+        for (int bone = 0; bone < pose.Length; bone++)
+        {
+            float reach = bone == 0 ? 200 : 30;
+            pose[bone] = new BoneTransform(Direction(random) * (random.NextSingle() * reach), Turn(random, bone == 0 ? 180 : mostDegrees));
+        }
+
+        return pose;
+    }
+
+    /// <summary>A body at rest of any sizes, its hips wherever its hierarchy has put them.</summary>
+    public static SkeletonBody Body(Random random)
+    {
+        SkeletonVariant variant = random.Next(2) == 0 ? SkeletonVariant.Neck1 : SkeletonVariant.Spine3;
+        Vector3[] offsets = [.. SkeletonBody.Default(variant).Offsets.ToArray().Select(offset => offset * (0.6f + (random.NextSingle() * 0.8f)))];
+        offsets[0] = new Vector3(0, random.NextSingle() * 100, 0);
+        return new SkeletonBody(offsets, default, variant);
+    }
+}

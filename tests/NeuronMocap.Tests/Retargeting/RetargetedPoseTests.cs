@@ -1,0 +1,81 @@
+using System.Numerics;
+using NeuronMocap.Retargeting;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tests.Retargeting;
+
+public sealed class RetargetedPoseTests
+{
+    [Fact]
+    public void It_begins_and_resets_at_rest()
+    {
+        TargetRig rig = new RandomRig(1, RigScales.Signs).Create();
+        var pose = new RetargetedPose(rig);
+        AssertRest(pose);
+        Assert.True(new Retargeter(rig, SkeletonBody.Default()).TryRetarget(RandomPoses.Pose(new Random(1)), pose));
+        Assert.True(pose.IsDriven(rig.HipsNode));
+        pose.Reset();
+        AssertRest(pose);
+    }
+
+    // What corrects legs turns one node after the other in the world, and reads where the rest has gone.
+    [Fact]
+    public void A_node_is_turned_and_all_that_hangs_from_it_follows()
+    {
+        for (int seed = 0; seed < 200; seed++)
+        {
+            var random = new Random(seed);
+            TargetRig rig = new RandomRig(seed, (RigScales)(seed % 4)).Create();
+            var pose = new RetargetedPose(rig);
+            Assert.True(new Retargeter(rig, SkeletonBody.Default()).TryRetarget(RandomPoses.Pose(random), pose));
+            pose.UpdateWorld();
+            for (int i = 0; i < 5; i++)
+            {
+                int node = random.Next(rig.Nodes.Length);
+                Quaternion[] before = pose.LocalRotations.ToArray();
+                Quaternion turn = RandomPoses.Turn(random);
+                pose.SetWorldRotation(node, turn);
+                Assert.True(Affine.Turned(turn).AngleTo(pose.WorldRotations[node]) < 2e-6, $"seed {seed}, node {node}");
+                Assert.True(Quaternion.Dot(before[node], pose.LocalRotations[node]) >= 0);
+                before[node] = pose.LocalRotations[node];
+                Assert.Equal(before, pose.LocalRotations.ToArray());
+                AssertUpToDate(pose, $"seed {seed}, node {node}");
+            }
+        }
+    }
+
+    [Fact]
+    public void The_hips_are_moved_to_a_place_in_the_root()
+    {
+        for (int seed = 0; seed < 100; seed++)
+        {
+            TargetRig rig = new RandomRig(seed, (RigScales)(seed % 4)).Create();
+            var pose = new RetargetedPose(rig);
+            Assert.True(new Retargeter(rig, SkeletonBody.Default()).TryRetarget(RandomPoses.Pose(new Random(seed)), pose));
+            pose.UpdateWorld();
+            Vector3 place = RandomPoses.Direction(new Random(seed)) * 2;
+            pose.SetHipsWorldPosition(place);
+            Assert.True(Vector3.Distance(place, pose.WorldPositions[rig.HipsNode]) < 1e-5f, $"seed {seed}");
+            AssertUpToDate(pose, $"seed {seed}");
+        }
+    }
+
+    private static void AssertUpToDate(RetargetedPose pose, string where)
+    {
+        Vector3[] positions = pose.WorldPositions.ToArray();
+        Quaternion[] rotations = pose.WorldRotations.ToArray();
+        pose.UpdateWorld();
+        Assert.True(positions.AsSpan().SequenceEqual(pose.WorldPositions), where);
+        Assert.True(rotations.AsSpan().SequenceEqual(pose.WorldRotations), where);
+    }
+
+    private static void AssertRest(RetargetedPose pose)
+    {
+        TargetRig rig = pose.Rig;
+        Assert.Equal(rig.Nodes.ToArray().Select(node => node.Rotation), pose.LocalRotations.ToArray());
+        Assert.Equal(rig.Nodes[rig.HipsNode].Position, pose.HipsLocalPosition);
+        Assert.Equal(rig.RestPositions.ToArray(), pose.WorldPositions.ToArray());
+        Assert.Equal(rig.RestRotations.ToArray(), pose.WorldRotations.ToArray());
+        Assert.DoesNotContain(true, Enumerable.Range(0, rig.Nodes.Length).Select(pose.IsDriven));
+    }
+}

@@ -1,0 +1,145 @@
+using System.Numerics;
+using NeuronMocap.Retargeting;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tests.Retargeting;
+
+public sealed class TargetRigTests
+{
+    [Fact]
+    public void A_rig_knows_its_bones_and_nodes()
+    {
+        TargetRig rig = TestRigs.Humanoid(2, HumanoidBone.UpperChest, HumanoidBone.Jaw);
+        Assert.True(rig.IsHumanoid);
+        Assert.Equal(HumanoidBoneSet.All.Without(HumanoidBone.UpperChest).Without(HumanoidBone.Jaw), rig.Bones);
+        Assert.Equal(-1, rig.GetNode(HumanoidBone.Jaw));
+        Assert.Equal(-1, rig.GetNode(Bone.Head));
+        Assert.Equal(rig.HipsNode, rig.GetNode(HumanoidBone.Hips));
+        int hand = rig.GetNode(HumanoidBone.LeftHand);
+        Assert.Equal(HumanoidBone.LeftHand, rig.GetHumanoidBone(hand));
+        Assert.Null(rig.GetBone(hand));
+        Assert.Null(rig.GetHumanoidBone(Array.IndexOf(TestRigs.Order, HumanoidBone.Jaw)));
+        Assert.Equal(2 * 0.84102f, rig.HipsHeight, 1e-5f);
+        Assert.Equal(2 * 0.74102f, rig.LegLength, 1e-5f);
+        Assert.False(rig.IsSheared);
+        Assert.Throws<ArgumentOutOfRangeException>(() => rig.GetNode((HumanoidBone)55));
+    }
+
+    [Fact]
+    public void A_generic_rig_knows_the_bones_of_the_stream()
+    {
+        TargetRig rig = TestRigs.Actor(SkeletonBody.Default());
+        Assert.False(rig.IsHumanoid);
+        Assert.Equal((int)Bone.LeftInHandRing, rig.GetNode(Bone.LeftInHandRing));
+        Assert.Equal(Bone.LeftHand, rig.GetBone((int)Bone.LeftHand));
+        Assert.Null(rig.GetHumanoidBone((int)Bone.LeftHand));
+        Assert.Equal((int)Bone.LeftFoot, rig.GetNode(HumanoidBone.LeftFoot));
+        Assert.Equal(-1, rig.GetNode(HumanoidBone.LeftToes));
+        Assert.Equal(50, rig.Bones.Count);
+        Assert.Equal(0.74102f, rig.LegLength, 1e-5f);
+        Assert.Throws<ArgumentOutOfRangeException>(() => rig.GetNode((Bone)59));
+    }
+
+    // From the T-pose alone, to quarter turns: exactly none for the many characters that stand as they should.
+    [Fact]
+    public void Which_way_a_character_faces_is_found()
+    {
+        Assert.Equal(Quaternion.Identity, TestRigs.Humanoid().Facing);
+        Assert.Equal(Quaternion.Identity, TestRigs.Actor(SkeletonBody.Default()).Facing);
+        var tilted = Quaternion.CreateFromYawPitchRoll(0.3f, 0.2f, -0.2f);
+        foreach (float degrees in (ReadOnlySpan<float>)[0, 90, 180, 270])
+        {
+            var turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, degrees * MathF.PI / 180);
+            RigNode[] nodes = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, turn * tilted), TestRigs.HumanoidNodes());
+            TargetRig rig = TargetRig.Humanoid(nodes, TestRigs.Under(TestRigs.NodeOf()));
+            Assert.True(Affine.Turned(turn).AngleTo(rig.Facing) < 1e-6, $"{degrees}");
+        }
+    }
+
+    [Fact]
+    public void Where_it_is_not_clear_a_character_faces_forward()
+    {
+        var between = Quaternion.CreateFromAxisAngle(Vector3.UnitY, MathF.PI / 4);
+        RigNode[] nodes = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, between), TestRigs.HumanoidNodes());
+        Assert.Equal(Quaternion.Identity, TargetRig.Humanoid(nodes, TestRigs.Under(TestRigs.NodeOf())).Facing);
+
+        // Nothing but hips.
+        int[] nodeOf = [.. Enumerable.Repeat(-1, HumanoidBones.Count)];
+        nodeOf[0] = 0;
+        TargetRig lone = TargetRig.Humanoid([new RigNode("Hips", -1, Vector3.UnitY, Quaternion.Identity)], nodeOf);
+        Assert.Equal(Quaternion.Identity, lone.Facing);
+        Assert.Equal(0, lone.LegLength);
+    }
+
+    [Fact]
+    public void Rotations_are_normalised()
+    {
+        RigNode[] nodes = TestRigs.HumanoidNodes();
+        nodes[3] = nodes[3] with { Rotation = new Quaternion(0, 3, 0, 4) };
+        Assert.Equal(new Quaternion(0, 0.6f, 0, 0.8f), TargetRig.Humanoid(nodes, TestRigs.NodeOf()).Nodes[3].Rotation);
+    }
+
+    [Fact]
+    public void A_shear_is_seen()
+    {
+        RigNode[] nodes = TestRigs.HumanoidNodes();
+        nodes[0] = nodes[0] with { Scale = new Vector3(1, 1.1f, 1) };
+        Assert.True(TargetRig.Humanoid(nodes, TestRigs.NodeOf()).IsSheared);
+        nodes[0] = nodes[0] with { Scale = new Vector3(1.1f, -1.1f, 1.1f) };
+        Assert.False(TargetRig.Humanoid(nodes, TestRigs.NodeOf()).IsSheared);
+
+        // Nothing hangs from it.
+        nodes[0] = nodes[0] with { Scale = Vector3.One };
+        nodes[^1] = nodes[^1] with { Scale = new Vector3(1, 2, 3) };
+        Assert.False(TargetRig.Humanoid(nodes, TestRigs.NodeOf()).IsSheared);
+    }
+
+    [Fact]
+    public void What_is_no_rig_is_refused()
+    {
+        AssertRefused("stands before its parent", nodes => nodes[2] = nodes[2] with { Parent = 2 });
+        AssertRefused("stands before its parent", nodes => nodes[2] = nodes[2] with { Parent = -2 });
+        AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Position = new Vector3(0, float.NaN, 0) });
+        AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Scale = new Vector3(0, 0, float.PositiveInfinity) });
+        AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Rotation = new Quaternion(float.NaN, 0, 0, 1) });
+        AssertRefused("length zero", nodes => nodes[2] = nodes[2] with { Rotation = default });
+        AssertRefused("is two bones", change: null, nodeOf => nodeOf[5] = nodeOf[6]);
+        AssertRefused("no node 55", change: null, nodeOf => nodeOf[5] = 55);
+        AssertRefused("no node -2", change: null, nodeOf => nodeOf[5] = -2);
+        AssertRefused("hips have no node", change: null, nodeOf => nodeOf[0] = -1);
+        AssertRefused("hang from another bone", change: null, nodeOf => (nodeOf[0], nodeOf[7]) = (nodeOf[7], nodeOf[0]));
+        RigNode[] flat = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, Quaternion.Identity, Vector3.Zero), TestRigs.HumanoidNodes());
+        ArgumentException error = Assert.Throws<ArgumentException>(() => TargetRig.Humanoid(flat, TestRigs.Under(TestRigs.NodeOf())));
+        Assert.Contains("scale of zero", error.Message, StringComparison.Ordinal);
+        Assert.Throws<ArgumentException>(() => TargetRig.Humanoid(TestRigs.HumanoidNodes(), new int[59]));
+        Assert.Throws<ArgumentException>(() => TargetRig.Generic(TestRigs.HumanoidNodes(), new int[55]));
+    }
+
+    // Bones that hang side by side, as some exporters and physics set-ups have them.
+    [Fact]
+    public void A_flat_rig_takes_over_the_turns_in_the_world()
+    {
+        RigNode[] nodes = [.. TestRigs.HumanoidNodes().Select(node => node with { Parent = -1 }).Reverse()];
+        int[] nodeOf = [.. TestRigs.NodeOf().Select(node => nodes.Length - 1 - node)];
+        TargetRig rig = TargetRig.Humanoid(nodes, nodeOf, Quaternion.Identity);
+        BoneTransform[] pose = RandomPoses.Pose(new Random(1));
+        var result = new RetargetedPose(rig);
+        Assert.True(new Retargeter(rig, SkeletonBody.Default()).TryRetarget(pose, result));
+        Affine[] turns = ReferenceRetargeter.SourceTurns(pose, SkeletonVariant.Neck1);
+        Assert.True(turns[(int)Bone.LeftHand].AngleTo(result.LocalRotations[nodeOf[(int)HumanoidBone.LeftHand]]) < 3e-6);
+        Assert.True(turns[0].AngleTo(result.LocalRotations[rig.HipsNode]) < 1e-6);
+        Vector3 way = UnityAxes.ToUnityPosition(pose[0].Position) - new Vector3(0, 0.84102f, 0);
+        Vector3 expected = nodes[rig.HipsNode].Position + (way * new Retargeter(rig, SkeletonBody.Default()).Scale);
+        Assert.True(Vector3.Distance(expected, result.HipsLocalPosition) < 1e-5f);
+    }
+
+    private static void AssertRefused(string words, Action<RigNode[]>? change, Action<int[]>? remap = null)
+    {
+        RigNode[] nodes = TestRigs.HumanoidNodes();
+        int[] nodeOf = TestRigs.NodeOf();
+        change?.Invoke(nodes);
+        remap?.Invoke(nodeOf);
+        ArgumentException error = Assert.Throws<ArgumentException>(() => TargetRig.Humanoid(nodes, nodeOf));
+        Assert.Contains(words, error.Message, StringComparison.Ordinal);
+    }
+}
