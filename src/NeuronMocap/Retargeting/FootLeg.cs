@@ -11,6 +11,9 @@ internal sealed class FootLeg
     // Stretched so far, a leg counts as straight; further it goes only when the actor's is.
     private const float Straight = 0.999f;
 
+    private const int MostAttempts = 8;
+    private const float Exact = 1e-5f;
+
     private readonly TargetRig _rig;
     private readonly int _thigh;
     private readonly int _shin;
@@ -98,7 +101,7 @@ internal sealed class FootLeg
     {
         // Once, but for sheared rigs, whose bones change their lengths as they turn.
         Vector3 aim = target;
-        for (int attempt = 0; attempt < (_rig.IsSheared ? 8 : 1); attempt++)
+        for (int attempt = 0; attempt < (_rig.IsSheared ? MostAttempts : 1); attempt++)
         {
             ReadOnlySpan<Vector3> at = pose.WorldPositions;
             Quaternion upper = pose.WorldRotations[_thigh];
@@ -107,7 +110,11 @@ internal sealed class FootLeg
             TwoBoneSolution solution = TwoBoneIk.Solve(at[_thigh], at[_shin], at[_foot], aim, knee);
             pose.SetWorldRotation(_thigh, solution.Upper * upper);
             pose.SetWorldRotation(_shin, solution.Lower * lower);
-            aim += target - pose.WorldPositions[_foot];
+            Vector3 rest = target - pose.WorldPositions[_foot];
+            if (rest.LengthSquared() < Exact * Exact)
+                break;
+
+            aim += rest;
         }
 
         pose.SetWorldRotation(_foot, rotation);

@@ -57,6 +57,6 @@ internal sealed partial class SvgDrawing(int width, int height)
     private static string Invariant(FormattableString text) => FormattableString.Invariant(text);
 
     // -0.0 is a number, and so is the 1 of x1.
-    [GeneratedRegex(@"-?\d+(\.\d+)?")]
+    [GeneratedRegex(@"-?[0-9]+(?:\.[0-9]+)?", RegexOptions.None, matchTimeoutMilliseconds: 10_000)]
     private static partial Regex Number();
 }
