@@ -8,8 +8,8 @@ internal sealed class FootLeg
     // Where a rig has no toes: how far the ball of the foot is in front of the ankle, as a part of the leg.
     private const float UsualToes = 0.16f;
 
-    // Stretched so far, a leg counts as straight; further it goes only when the actor's is.
-    private const float Straight = 0.999f;
+    // From here on, as a part of its length, a leg is stretched ever less: one that becomes straight at once throws its knee.
+    private const float NearlyStraight = 0.96f;
 
     private const int MostAttempts = 8;
     private const float Exact = 1e-5f;
@@ -78,7 +78,7 @@ internal sealed class FootLeg
     // How far the hips, moved up by that much, have to come down again before the ankle reaches the target.
     public float LoweringFor(Vector3 target, float shift)
     {
-        float reach = Math.Max(Straight * Length, Vector3.Distance(_hip, Ankle));
+        float reach = Math.Max(Stretched(Vector3.Distance(_hip + (_rig.Up * shift), target)), Vector3.Distance(_hip, Ankle));
         return Math.Max(0, Height(_hip) + shift - Height(target) - Drop(_hip, target, reach));
     }
 
@@ -120,18 +120,18 @@ internal sealed class FootLeg
         pose.SetWorldRotation(_foot, rotation);
     }
 
-    // Raises the toes of a turned foot as far as they would be in the ground.
-    public Quaternion KeepToesAbove(float ground, Vector3 ankle, Quaternion rotation, float weight)
+    // The foot as the actor has it, its toes raised as far as they would be in the ground.
+    public Quaternion KeepToesAbove(float ground, Vector3 ankle)
     {
-        Vector3 ball = Turned(_ball, rotation);
+        Vector3 ball = Turned(_ball, Rotation);
         float length = ball.Length();
         float least = ground - Height(ankle);
         var axis = Vector3.Cross(ball, _rig.Up);
         if (least <= Height(ball) || least > 0 || axis.LengthSquared() < 1e-6f * length * length)
-            return rotation;
+            return Rotation;
 
         float angle = MathF.Asin(Math.Max(-1, least / length)) - MathF.Asin(Math.Max(-1, Height(ball) / length));
-        return Quaternion.CreateFromAxisAngle(Vector3.Normalize(axis), angle * weight) * rotation;
+        return Quaternion.CreateFromAxisAngle(Vector3.Normalize(axis), angle) * Rotation;
     }
 
     private static bool HangsFrom(TargetRig rig, int node, int ancestor)
@@ -148,6 +148,13 @@ internal sealed class FootLeg
 
     private Vector3 Turned(Vector3 atRest, Quaternion rotation) =>
         Vector3.Transform(atRest, rotation * Quaternion.Conjugate(_rig.RestRotations[_foot]));
+
+    private float Stretched(float distance)
+    {
+        float from = NearlyStraight * Length;
+        float rest = Length - from;
+        return distance <= from ? distance : from + (rest * (1 - MathF.Exp((from - distance) / rest)));
+    }
 
     // How far below the hip a leg of that length ends that leads to the place.
     private float Drop(Vector3 hip, Vector3 place, float length)

@@ -29,7 +29,7 @@ public sealed class FootPlanterTests
             Assert.True(walk.FramesLetGo == 0, figures);
             Assert.True(walk.LargestHipsShift <= 0.1001f * walk.Rig.LegLength, figures);
             Assert.True(walk.LeastKnee > -1e-4f, figures);
-            Assert.True(walk.LargestAddedSpeed() < 0.6f, figures);
+            Assert.True(walk.LargestAddedSpeed() < 0.6f && walk.LargestKneeSpeed < 0.8f && walk.LargestTurn < 100, figures);
             slide = Math.Max(slide, walk.LargestSlide(planted: false));
         }
 
@@ -80,17 +80,18 @@ public sealed class FootPlanterTests
 
     // Dances and martial arts on one leg, with the contacts that the software recorded and with estimated ones, on a character of other proportions.
     [Theory]
-    [InlineData("MasterLiuPerformanceChar00.calc", false)]
-    [InlineData("hiphop_up_Char00.calc", false)]
-    [InlineData("salsa_left_Char00.calc", false)]
-    [InlineData("salsa_left_Char00.calc", true)]
-    public void Recorded_dances_stand_on_their_feet(string take, bool estimated)
+    [InlineData("MasterLiuPerformanceChar00.calc", false, FootRotation.Keep)]
+    [InlineData("hiphop_up_Char00.calc", false, FootRotation.Flatten)]
+    [InlineData("salsa_left_Char00.calc", false, FootRotation.Keep)]
+    [InlineData("salsa_left_Char00.calc", true, FootRotation.Flatten)]
+    public void Recorded_dances_stand_on_their_feet(string take, bool estimated, FootRotation rotation)
     {
         CalculationDocument document = CalculationDocument.Load(Fixtures.Require("calc", take));
         var skeleton = CalculationSkeleton.Measure(document);
         var live = new FootContactEstimator();
         var rig = new StandingRig(thigh: 0.4f, shin: 0.46f, hips: 0.12f, arm: 0.3f, forearm: 0.2f) { HasTwistNodes = true };
-        var walk = new FootWalk(rig.WithAxes(new Random(1)).Create(), skeleton.Body, document.FrameRate);
+        var planting = new FootPlanterOptions { FootRotation = rotation };
+        var walk = new FootWalk(rig.WithAxes(new Random(1)).Create(), skeleton.Body, document.FrameRate, planting: planting);
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
         BoneTransform[] world = new BoneTransform[BoneHierarchy.BoneCount];
         for (int frame = 0; frame < document.FrameCount; frame++)
@@ -104,7 +105,7 @@ public sealed class FootPlanterTests
         Assert.True(walk.LargestSlide(planted: true) < 0.005f && walk.LargestMove(planted: true, after: 0.1) < 0.005f, figures);
         Assert.True(walk.LargestSlide(planted: false) > 0.02f, figures);
         Assert.True(walk.LargestHipsShift <= 0.1001f * walk.Rig.LegLength && walk.LeastKnee > -1e-4f, figures);
-        Assert.True(walk.LargestAddedSpeed() < 2, figures);
+        Assert.True(walk.LargestAddedSpeed() < 2 && walk.LargestKneeSpeed < 4 && walk.LargestTurn < 600, figures);
         Assert.True(walk.FramesLetGo == 0, figures);
     }
 
@@ -144,6 +145,35 @@ public sealed class FootPlanterTests
         FootWalk one = FootWalk.OfActor(plain.Create(), Rate, 6);
         FootWalk other = FootWalk.OfActor(scaled.WithAxes(new Random(1)).Create(), Rate, 6);
         Assert.True(one.LargestDistance(other, 1) < 2e-4f, $"{one.LargestDistance(other, 1)} m");
+    }
+
+    [Theory]
+    [InlineData(0, 1, 0, 180)]
+    [InlineData(1, 0, 0, -90)]
+    [InlineData(1, 0, 0, 90)]
+    public void A_character_that_rests_turned_in_its_root_is_held_on_its_own_ground(float x, float y, float z, float degrees)
+    {
+        // About its root, so that its soles are still at the root's height, whichever way that is.
+        StandingRig rig = new StandingRig(0.5f, 0.38f, 0.1f, 0.3f, 0.3f).WithAxes(new Random(2));
+        var turn = Quaternion.CreateFromAxisAngle(new Vector3(x, y, z), degrees * MathF.PI / 180);
+        rig.Turn(HumanoidBone.Hips, new Vector3(x, y, z), degrees).Move(HumanoidBone.Hips, Vector3.Transform(rig.At(HumanoidBone.Hips), turn) - rig.At(HumanoidBone.Hips));
+        FootWalk walk = FootWalk.OfActor(rig.Create(), Rate, 8);
+        FootWalk plain = FootWalk.OfActor(new StandingRig(0.5f, 0.38f, 0.1f, 0.3f, 0.3f).Create(), Rate, 8);
+
+        Assert.True(walk.LeastKnee > -1e-4f && walk.FramesLetGo == 0, Figures(walk, "Turned"));
+        Assert.Equal(plain.Planter.HipsShift, walk.Planter.HipsShift, 1e-4f);
+        for (int frame = 0; frame < walk.Count; frame++)
+        {
+            for (int side = 0; side < 2; side++)
+                Assert.True(Vector3.Distance(Vector3.Transform(plain.Ankle(side, frame), turn), walk.Ankle(side, frame)) < 3e-4f, $"Frame {frame}");
+        }
+    }
+
+    [Fact]
+    public void A_generic_rig_is_held_as_well()
+    {
+        FootWalk walk = FootWalk.OfActor(TestRigs.Actor(SkeletonBody.Default()), Rate, 8, drift: new Vector3(3, 0, 2));
+        Assert.True(walk.LargestSlide(planted: true) < Still && walk.LargestSlide(planted: false) > 0.02f && walk.FramesLetGo == 0, Figures(walk, "Generic"));
     }
 
     [Fact]
@@ -352,6 +382,7 @@ public sealed class FootPlanterTests
         var planting = new FootPlanterOptions { BlendIn = blendIn, BlendOut = blendOut, FootRotation = FootRotation.Flatten };
         FootWalk walk = FootWalk.OfActor(StandingRig.Random(new Random(4)).Create(), Rate, 8, planting: planting);
         Assert.True(walk.LargestSlide(planted: true) < Still, Figures(walk, "Blends"));
+        Assert.True(walk.LargestTurn < 100, Figures(walk, "Blends"));
     }
 
     [Fact]
@@ -386,7 +417,7 @@ public sealed class FootPlanterTests
     private static string Figures(FootWalk walk, string name)
     {
         string figures = FormattableString.Invariant(
-            $"{name}: slides {walk.LargestSlide(planted: false) * 1000:0.0} mm, planted {walk.LargestSlide(planted: true) * 1000:0.000}, settled {walk.LargestMove(planted: true, 0.1) * 1000:0.000}; hips {walk.LargestHipsShift * 1000:0} mm of leg {walk.Rig.LegLength:0.00}; knee {walk.LeastKnee * 1000:0.00}; added {walk.LargestAddedSpeed():0.00} m/s; let go {walk.FramesLetGo}");
+            $"{name}: slides {walk.LargestSlide(planted: false) * 1000:0.0} mm, planted {walk.LargestSlide(planted: true) * 1000:0.000}, settled {walk.LargestMove(planted: true, 0.1) * 1000:0.000}; hips {walk.LargestHipsShift * 1000:0} mm of leg {walk.Rig.LegLength:0.00}; knee {walk.LeastKnee * 1000:0.00}; added {walk.LargestAddedSpeed():0.00} m/s, knee {walk.LargestKneeSpeed:0.00} m/s, {walk.LargestTurn:0} degrees/s; let go {walk.FramesLetGo}");
         TestContext.Current.TestOutputHelper?.WriteLine(figures);
         return figures;
     }

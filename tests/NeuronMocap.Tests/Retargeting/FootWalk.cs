@@ -12,13 +12,14 @@ internal sealed class FootWalk
     private readonly List<FootContacts> _held = [];
     private readonly List<Vector3>[] _planted = [[], []];
     private readonly List<Vector3>[] _free = [[], []];
-    private readonly SkeletonBody _body;
+    private readonly Track[] _knees = [new(), new()];
+    private readonly Track[] _soles = [new(), new()];
     private readonly double _rate;
     private readonly int[] _feet;
 
     public FootWalk(TargetRig rig, SkeletonBody body, double rate, RetargetOptions? options = null, FootPlanterOptions? planting = null)
     {
-        (Rig, _body, _rate) = (rig, body, rate);
+        (Rig, _rate) = (rig, rate);
         Retargeter = new Retargeter(rig, body, options);
         Planter = new FootPlanter(rig, planting);
         Pose = new RetargetedPose(rig);
@@ -42,6 +43,12 @@ internal sealed class FootWalk
 
     public int FramesLetGo { get; private set; }
 
+    /// <summary>By how much faster a knee moves than without planting; metres a second.</summary>
+    public float LargestKneeSpeed { get; private set; }
+
+    /// <summary>By how much faster a foot turns than without planting; degrees a second.</summary>
+    public float LargestTurn { get; private set; }
+
     public static FootWalk OfActor(TargetRig rig, double rate, double seconds, int avatar = 0, RetargetOptions? options = null, FootPlanterOptions? planting = null, Vector3 drift = default)
     {
         var walk = new FootWalk(rig, SkeletonBody.Default(), rate, options, planting);
@@ -62,7 +69,11 @@ internal sealed class FootWalk
         Assert.True(Retargeter.TryRetarget(pose, Pose));
         Pose.UpdateWorld();
         for (int side = 0; side < 2; side++)
+        {
             _free[side].Add(Pose.WorldPositions[_feet[side]]);
+            _knees[side].Free = Pose.WorldPositions[KneeNode(side)];
+            _soles[side].Free = TipOf(side);
+        }
 
         Planter.Plant(Pose, contacts, Count / _rate);
 
@@ -72,6 +83,8 @@ internal sealed class FootWalk
         {
             _planted[side].Add(Pose.WorldPositions[_feet[side]]);
             LeastKnee = Math.Min(LeastKnee, Knee(side));
+            LargestKneeSpeed = Math.Max(LargestKneeSpeed, _knees[side].Add(Pose.WorldPositions[KneeNode(side)]) * (float)_rate);
+            LargestTurn = Math.Max(LargestTurn, _soles[side].Add(TipOf(side)) * (float)_rate * 180 / MathF.PI);
         }
 
         _contacts.Add(contacts);
@@ -144,15 +157,36 @@ internal sealed class FootWalk
         return largest;
     }
 
+    private int KneeNode(int side) => Rig.GetNode(HumanoidBone.LeftLowerLeg + side);
+
+    // A point that moves as the foot turns.
+    private Vector3 TipOf(int side) =>
+        Vector3.Transform(Vector3.UnitZ, Pose.WorldRotations[_feet[side]] * Quaternion.Conjugate(Rig.RestRotations[_feet[side]]));
+
     private float Knee(int side)
     {
         int thigh = Rig.GetNode(HumanoidBone.LeftUpperLeg + side);
         ReadOnlySpan<Vector3> at = Pose.WorldPositions;
         Vector3 hip = at[thigh];
         Vector3 axis = Vector3.Normalize(at[_feet[side]] - hip);
-        Vector3 knee = at[Rig.GetNode(HumanoidBone.LeftLowerLeg + side)] - hip;
-        Vector3 ahead = Vector3.Transform(Vector3.UnitZ, Pose.WorldRotations[thigh] * Quaternion.Conjugate(Rig.RestRotations[thigh]));
+        Vector3 knee = at[KneeNode(side)] - hip;
+        Vector3 ahead = Vector3.Transform(Vector3.Transform(Vector3.UnitZ, Rig.Facing), Pose.WorldRotations[thigh] * Quaternion.Conjugate(Rig.RestRotations[thigh]));
         ahead -= axis * Vector3.Dot(ahead, axis);
         return Vector3.Dot(knee, Vector3.Normalize(ahead));
+    }
+
+    // Where a point is with planting and without, and how much further it goes from one frame to the next with it.
+    private sealed class Track
+    {
+        private (Vector3 Planted, Vector3 Free)? _last;
+
+        public Vector3 Free { get; set; }
+
+        public float Add(Vector3 planted)
+        {
+            float more = _last is { } last ? Vector3.Distance(planted, last.Planted) - Vector3.Distance(Free, last.Free) : 0;
+            _last = (planted, Free);
+            return more;
+        }
     }
 }
