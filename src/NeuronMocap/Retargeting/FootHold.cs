@@ -20,8 +20,11 @@ internal sealed class FootHold(FootLeg leg)
     private float _soleHeight;
     private double _sinceStart;
     private double _sinceEnd;
-    private float _blend;
     private bool _isLost;
+
+    // What turns the actor's foot into the character's: as it is, and as it was when the contact began or ended.
+    private Quaternion _turn = Quaternion.Identity;
+    private Quaternion _turnBefore = Quaternion.Identity;
 
     public FootLeg Leg { get; } = leg;
 
@@ -41,7 +44,8 @@ internal sealed class FootHold(FootLeg leg)
         IsHeld = false;
         _isLost = false;
         _offset = Vector3.Zero;
-        _blend = 0;
+        _turn = Quaternion.Identity;
+        _turnBefore = Quaternion.Identity;
         Rise = null;
     }
 
@@ -57,9 +61,6 @@ internal sealed class FootHold(FootLeg leg)
         Target = free + (_offset * (1 - Smooth(Part(_sinceEnd, options.BlendOut))));
         if (contact && !IsHeld && !_isLost)
             Hold(ground, options.FootRotation == FootRotation.Flatten);
-        _blend = IsHeld
-            ? Ramp(_blend, Math.Min(elapsed, _sinceStart), options.BlendIn)
-            : 1 - Ramp(1 - _blend, Math.Min(elapsed, _sinceEnd), options.BlendOut);
         if (!IsHeld)
             return;
 
@@ -74,44 +75,46 @@ internal sealed class FootHold(FootLeg leg)
         if (IsHeld)
             KeepWithinReach(pose, shift);
 
-        Quaternion rotation = Leg.Rotation;
-        float weight = Smooth(_blend);
-        if (weight > 0)
-        {
-            rotation = options.FootRotation == FootRotation.Flatten
-                ? Quaternion.Slerp(rotation, _flat, weight)
-                : Leg.KeepToesAbove(_soleHeight, Target, rotation, weight);
-        }
-
-        Leg.Bend(pose, Target, rotation);
+        Leg.Bend(pose, Target, Turn(options) * Leg.Rotation);
     }
-
-    private static float Ramp(float value, double elapsed, double seconds) => seconds > elapsed ? Math.Min(1, value + (float)(elapsed / seconds)) : 1;
 
     private static double Part(double elapsed, double seconds) => elapsed < seconds ? elapsed / seconds : 1;
 
     private static float Smooth(double part) => (float)(part * part * (3 - (2 * part)));
 
+    private Quaternion Turn(FootPlanterOptions options)
+    {
+        Quaternion goal = Quaternion.Identity;
+        if (IsHeld)
+        {
+            Quaternion held = options.FootRotation == FootRotation.Flatten ? _flat : Leg.KeepToesAbove(_soleHeight, Target);
+            goal = held * Quaternion.Conjugate(Leg.Rotation);
+        }
+
+        double part = IsHeld ? Part(_sinceStart, options.BlendIn) : Part(_sinceEnd, options.BlendOut);
+        _turn = Quaternion.Normalize(Quaternion.Slerp(_turnBefore, goal, Smooth(part)));
+        return _turn;
+    }
+
     private void Hold(float ground, bool flatten)
     {
         IsHeld = true;
         _sinceStart = 0;
+        _turnBefore = _turn;
+        _flat = Leg.Flattened();
         _startHeight = Leg.Height(Target);
         _place = Target - (Leg.Up * _startHeight);
         float ankle = flatten ? Leg.FlatAnkleHeight : Leg.AnkleHeight;
         Rise = GetRise(ground);
         _goalHeight = Rise is null ? _startHeight : ground + ankle;
         _soleHeight = _goalHeight - ankle;
-
-        // A foot that comes back before it was let go altogether keeps the way that it points.
-        if (_blend == 0)
-            _flat = Leg.Flattened();
     }
 
     private void Release(Vector3 free)
     {
         IsHeld = false;
         _sinceEnd = 0;
+        _turnBefore = _turn;
         _offset = Target - free;
         Rise = null;
     }

@@ -8,8 +8,11 @@ internal sealed class FootLeg
     // Where a rig has no toes: how far the ball of the foot is in front of the ankle, as a part of the leg.
     private const float UsualToes = 0.16f;
 
-    // Stretched so far, a leg counts as straight; further it goes only when the actor's is.
-    private const float Straight = 0.999f;
+    // From here on, as a part of its length, a leg is stretched ever less: one that becomes straight at once throws its knee.
+    private const float NearlyStraight = 0.96f;
+
+    private const int MostAttempts = 8;
+    private const float Exact = 1e-5f;
 
     private readonly TargetRig _rig;
     private readonly int _thigh;
@@ -25,7 +28,7 @@ internal sealed class FootLeg
     {
         (_rig, _thigh, _shin, _foot) = (rig, thigh, shin, foot);
         ReadOnlySpan<Vector3> rest = rig.RestPositions;
-        Length = Vector3.Distance(rest[thigh], rest[shin]) + Vector3.Distance(rest[shin], rest[foot]);
+        Length = LengthIn(rest);
         Vector3 toes = FindToes() is { } node ? rest[node] : rest[foot] + (Forward * (UsualToes * Length));
 
         // At rest a figure stands on its root, unless that is above the feet.
@@ -34,7 +37,8 @@ internal sealed class FootLeg
         _ball = toes - rest[foot] + (rig.Up * (ground - Height(toes)));
     }
 
-    public float Length { get; }
+    // Of a sheared rig it changes with the pose.
+    public float Length { get; private set; }
 
     public Vector3 Up => _rig.Up;
 
@@ -65,6 +69,7 @@ internal sealed class FootLeg
     public void Measure(RetargetedPose pose)
     {
         IsReady = pose.IsDriven(_thigh) && pose.IsDriven(_shin) && pose.IsDriven(_foot);
+        Length = LengthIn(pose.WorldPositions);
         _hip = pose.WorldPositions[_thigh];
         Ankle = pose.WorldPositions[_foot];
         Rotation = pose.WorldRotations[_foot];
@@ -73,7 +78,7 @@ internal sealed class FootLeg
     // How far the hips, moved up by that much, have to come down again before the ankle reaches the target.
     public float LoweringFor(Vector3 target, float shift)
     {
-        float reach = Math.Max(Straight * Length, Vector3.Distance(_hip, Ankle));
+        float reach = Math.Max(Stretched(Vector3.Distance(_hip + (_rig.Up * shift), target)), Vector3.Distance(_hip, Ankle));
         return Math.Max(0, Height(_hip) + shift - Height(target) - Drop(_hip, target, reach));
     }
 
@@ -96,7 +101,7 @@ internal sealed class FootLeg
     {
         // Once, but for sheared rigs, whose bones change their lengths as they turn.
         Vector3 aim = target;
-        for (int attempt = 0; attempt < (_rig.IsSheared ? 8 : 1); attempt++)
+        for (int attempt = 0; attempt < (_rig.IsSheared ? MostAttempts : 1); attempt++)
         {
             ReadOnlySpan<Vector3> at = pose.WorldPositions;
             Quaternion upper = pose.WorldRotations[_thigh];
@@ -105,24 +110,28 @@ internal sealed class FootLeg
             TwoBoneSolution solution = TwoBoneIk.Solve(at[_thigh], at[_shin], at[_foot], aim, knee);
             pose.SetWorldRotation(_thigh, solution.Upper * upper);
             pose.SetWorldRotation(_shin, solution.Lower * lower);
-            aim += target - pose.WorldPositions[_foot];
+            Vector3 rest = target - pose.WorldPositions[_foot];
+            if (rest.LengthSquared() < Exact * Exact)
+                break;
+
+            aim += rest;
         }
 
         pose.SetWorldRotation(_foot, rotation);
     }
 
-    // Raises the toes of a turned foot as far as they would be in the ground.
-    public Quaternion KeepToesAbove(float ground, Vector3 ankle, Quaternion rotation, float weight)
+    // The foot as the actor has it, its toes raised as far as they would be in the ground.
+    public Quaternion KeepToesAbove(float ground, Vector3 ankle)
     {
-        Vector3 ball = Turned(_ball, rotation);
+        Vector3 ball = Turned(_ball, Rotation);
         float length = ball.Length();
         float least = ground - Height(ankle);
         var axis = Vector3.Cross(ball, _rig.Up);
         if (least <= Height(ball) || least > 0 || axis.LengthSquared() < 1e-6f * length * length)
-            return rotation;
+            return Rotation;
 
         float angle = MathF.Asin(Math.Max(-1, least / length)) - MathF.Asin(Math.Max(-1, Height(ball) / length));
-        return Quaternion.CreateFromAxisAngle(Vector3.Normalize(axis), angle * weight) * rotation;
+        return Quaternion.CreateFromAxisAngle(Vector3.Normalize(axis), angle) * Rotation;
     }
 
     private static bool HangsFrom(TargetRig rig, int node, int ancestor)
@@ -135,8 +144,17 @@ internal sealed class FootLeg
         return node == ancestor;
     }
 
+    private float LengthIn(ReadOnlySpan<Vector3> at) => Vector3.Distance(at[_thigh], at[_shin]) + Vector3.Distance(at[_shin], at[_foot]);
+
     private Vector3 Turned(Vector3 atRest, Quaternion rotation) =>
         Vector3.Transform(atRest, rotation * Quaternion.Conjugate(_rig.RestRotations[_foot]));
+
+    private float Stretched(float distance)
+    {
+        float from = NearlyStraight * Length;
+        float rest = Length - from;
+        return distance <= from ? distance : from + (rest * (1 - MathF.Exp((from - distance) / rest)));
+    }
 
     // How far below the hip a leg of that length ends that leads to the place.
     private float Drop(Vector3 hip, Vector3 place, float length)

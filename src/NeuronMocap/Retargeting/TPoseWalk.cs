@@ -6,6 +6,8 @@ namespace NeuronMocap.Retargeting;
 // Stands a rig into a T-pose, from the hips outwards, and notes what it had to turn: each bone as it is once those above it are right.
 internal sealed class TPoseWalk
 {
+    private const float UsualSlope = 30;
+
     private readonly TargetRig _rig;
     private readonly RetargetedPose _pose;
 
@@ -20,10 +22,10 @@ internal sealed class TPoseWalk
 
     public void Run()
     {
-        float ground = LowestFoot();
-        Quaternion turn = TurnBody(out bool lay);
-        Quaternion leftFoot = turn * RotationOf(HumanoidBone.LeftFoot);
-        Quaternion rightFoot = turn * RotationOf(HumanoidBone.RightFoot);
+        float ankle = LowestAnkle();
+        TurnBody();
+        Quaternion leftFoot = RotationOf(HumanoidBone.LeftFoot);
+        Quaternion rightFoot = RotationOf(HumanoidBone.RightFoot);
         foreach (TPoseSegment segment in TPoseSegment.All)
         {
             if (segment.IsFoot)
@@ -35,8 +37,8 @@ internal sealed class TPoseWalk
                 TurnPalm(segment);
         }
 
-        if (Corrections.Count > 0 && !float.IsNaN(ground))
-            _pose.SetHipsWorldPosition(PositionOf(HumanoidBone.Hips)!.Value + (Vector3.UnitY * ((lay ? 0 : ground) - LowestFoot())));
+        if (Corrections.Exists(static correction => correction.Fault == RigFault.NotUpright || IsOfLeg(correction.Bone)))
+            StandOn(ankle);
     }
 
     public TargetRig Rebuild()
@@ -65,19 +67,29 @@ internal sealed class TPoseWalk
         return way.Length() > 1e-4f ? Vector3.Normalize(way) : null;
     }
 
-    private float LowestFoot() => new[] { HumanoidBone.LeftFoot, HumanoidBone.RightFoot, HumanoidBone.LeftToes, HumanoidBone.RightToes }
-        .Select(bone => PositionOf(bone)?.Y ?? float.NaN)
-        .Where(static height => !float.IsNaN(height))
-        .DefaultIfEmpty(float.NaN)
-        .Min();
+    private static bool IsOfLeg(HumanoidBone bone) => HumanoidBones.GetPart(bone) is BodyParts.LeftLeg or BodyParts.RightLeg;
+
+    private float LowestAnkle() =>
+        Math.Min(PositionOf(HumanoidBone.LeftFoot)?.Y ?? float.PositiveInfinity, PositionOf(HumanoidBone.RightFoot)?.Y ?? float.PositiveInfinity);
+
+    // The ankles as high as before, if that was the height of one that stands.
+    private void StandOn(float ankle)
+    {
+        float leg = _rig.LegLength;
+        if (!(ankle > 0.05f * leg && ankle < 0.25f * leg))
+            ankle = 0.1f * leg;
+        float now = LowestAnkle();
+        if (Numbers.IsFinite(now))
+            _pose.SetHipsWorldPosition(_pose.WorldPositions[_rig.HipsNode] + (Vector3.UnitY * (ankle - now)));
+    }
 
     // Upright first, then to the front.
-    private Quaternion TurnBody(out bool lay)
+    private void TurnBody()
     {
         Vector3? up = Way(HumanoidBone.Hips, HumanoidBone.Head);
         Vector3 right = (Way(HumanoidBone.LeftUpperLeg, HumanoidBone.RightUpperLeg) ?? Vector3.Zero)
             + (Way(HumanoidBone.LeftUpperArm, HumanoidBone.RightUpperArm) ?? Vector3.Zero);
-        lay = up is { } crooked && Degrees(crooked, Vector3.UnitY) > TPoseSegment.Straight * 2;
+        bool lay = up is { } crooked && Degrees(crooked, Vector3.UnitY) > TPoseSegment.Straight * 2;
         Quaternion turn = lay ? TwoBoneIk.ShortestTurn(up!.Value, Vector3.UnitY) : Quaternion.Identity;
         if (lay)
             Corrections.Add(new TPoseCorrection(RigFault.NotUpright, HumanoidBone.Hips, Degrees(up!.Value, Vector3.UnitY)));
@@ -93,7 +105,6 @@ internal sealed class TPoseWalk
         }
 
         Turn(_rig.HipsNode, turn);
-        return turn;
     }
 
     private void Straighten(TPoseSegment segment)
@@ -121,14 +132,20 @@ internal sealed class TPoseWalk
         return sum.Length() > 0.5f ? Vector3.Normalize(sum) : null;
     }
 
-    // A foot stands as it stood, whatever became of the leg, but for the way that it points.
+    // A foot that stood stands as before, whatever became of the leg; one that hung from a lifted leg goes with it. Which of the two it did, its slope says.
+    // Either way it points ahead in the end.
     private void SetFoot(TPoseSegment segment, Quaternion rotation)
     {
         int foot = _rig.GetNode(segment.Bone);
         if (foot < 0)
             return;
 
+        Quaternion hanging = _pose.WorldRotations[foot];
+        float slope = SlopeFault(segment);
         _pose.SetWorldRotation(foot, rotation);
+        if (SlopeFault(segment) > slope + 1)
+            _pose.SetWorldRotation(foot, hanging);
+
         if (WayOf(segment) is not { } way || (way * new Vector3(1, 0, 1)).Length() < 0.2f)
             return;
 
@@ -140,6 +157,10 @@ internal sealed class TPoseWalk
         Corrections.Add(new TPoseCorrection(RigFault.NotInTPose, segment.Bone, degrees));
         Turn(foot, Quaternion.CreateFromAxisAngle(Vector3.UnitY, -heading));
     }
+
+    // In degrees, from the way that ankle and toes of a foot on the ground lie.
+    private float SlopeFault(TPoseSegment foot) =>
+        WayOf(foot) is { } way ? Math.Abs((MathF.Asin(Math.Clamp(-way.Y, -1, 1)) * (180 / MathF.PI)) - UsualSlope) : 0;
 
     // The little finger is behind the index finger when the palm looks down.
     private void TurnPalm(TPoseSegment hand)

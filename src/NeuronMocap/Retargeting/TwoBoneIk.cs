@@ -80,7 +80,8 @@ public static class TwoBoneIk
     // straightens.
     private static Vector3 BendDirection(Vector3 middle, Vector3 axis, Vector3 forward, float least)
     {
-        Vector3 ahead = forward - (axis * Vector3.Dot(forward, axis));
+        // By way of the axis that the joint turns about: that of a limb folded however far.
+        Vector3 ahead = Vector3.Cross(Vector3.Cross(Vector3.Normalize(middle), forward), axis);
         ahead = ahead.LengthSquared() > Nothing * forward.LengthSquared() ? Vector3.Normalize(ahead) : Perpendicular(axis);
         Vector3 bend = middle - (axis * Vector3.Dot(middle, axis));
         return Vector3.Normalize(bend + (ahead * Math.Max(0, least - Vector3.Dot(bend, ahead))));

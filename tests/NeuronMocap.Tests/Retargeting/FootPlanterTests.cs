@@ -1,0 +1,424 @@
+using System.Numerics;
+using NeuronMocap.Bvh;
+using NeuronMocap.Calculation;
+using NeuronMocap.Kinematics;
+using NeuronMocap.Retargeting;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tests.Retargeting;
+
+public sealed class FootPlanterTests
+{
+    private const double Rate = 60;
+
+    // A planted foot may move by five millimetres; what it moves by is what floats round off.
+    private const float Still = 0.0005f;
+
+    [Fact]
+    public void A_planted_foot_stays_where_it_is_on_any_rig()
+    {
+        float slide = 0;
+        for (int seed = 0; seed < 24; seed++)
+        {
+            var random = new Random(seed);
+            FootWalk walk = FootWalk.OfActor(StandingRig.Random(random).Create(), Rate, 12, avatar: seed);
+            string figures = Figures(walk, $"Rig {seed}");
+            Assert.True(walk.LargestSlide(planted: true) < Still, figures);
+            Assert.True(walk.LargestMove(planted: true, after: walk.Planter.Options.BlendIn) < Still, figures);
+            Assert.True(walk.FramesLetGo == 0, figures);
+            Assert.True(walk.LargestHipsShift <= 0.1001f * walk.Rig.LegLength, figures);
+            Assert.True(walk.LeastKnee > -1e-4f, figures);
+            Assert.True(walk.LargestAddedSpeed() < 0.6f && walk.LargestKneeSpeed < 0.8f && walk.LargestTurn < 100, figures);
+            slide = Math.Max(slide, walk.LargestSlide(planted: false));
+        }
+
+        // The false friend: without planting the same walks slide.
+        Assert.True(slide > 0.015f, $"{slide} m");
+    }
+
+    [Fact]
+    public void A_drifting_actor_and_one_of_other_steps_are_held_too()
+    {
+        for (int seed = 0; seed < 8; seed++)
+        {
+            var random = new Random(seed);
+            TargetRig rig = StandingRig.Random(random).Create();
+            var drift = new Vector3(random.Range(-4, 4), 0, random.Range(-4, 4));
+            float scale = rig.LegLength / 0.741f * random.Range(0.8f, 1.1f);
+            FootWalk walk = FootWalk.OfActor(rig, Rate, 12, seed, new RetargetOptions { Scale = scale }, drift: drift);
+
+            string figures = Figures(walk, $"Rig {seed}");
+            Assert.True(walk.LargestSlide(planted: true) < Still && walk.LargestMove(planted: true, after: 0.1) < Still, figures);
+            Assert.True(walk.LargestSlide(planted: false) > 0.03f && walk.FramesLetGo == 0, figures);
+            Assert.True(walk.LargestHipsShift <= 0.1001f * rig.LegLength && walk.LeastKnee > -1e-4f, figures);
+        }
+    }
+
+    [Fact]
+    public void The_recorded_take_stands_still()
+    {
+        BvhDocument document = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
+        Assert.True(BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out _));
+        var source = new BvhSource(document);
+        var rig = new StandingRig(thigh: 0.5f, shin: 0.38f, hips: 0.13f, arm: 0.3f, forearm: 0.2f);
+        var live = new FootContactEstimator();
+        var walk = new FootWalk(rig.Create(), map.GetBody(), source.FrameRate, new RetargetOptions { Scale = 1.3f });
+        BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
+        BoneTransform[] world = new BoneTransform[BoneHierarchy.BoneCount];
+        for (int frame = 0; frame < document.FrameCount; frame++)
+        {
+            source.GetPose(frame, pose);
+            ForwardKinematics.ToWorld(pose, world, source.Variant);
+            walk.Add(pose, live.Update(world, map.GetBody(), frame / source.FrameRate));
+        }
+
+        string figures = Figures(walk, "The take");
+        Assert.True(walk.LargestSlide(planted: true) < Still && walk.LargestMove(planted: true, after: 0.1) < 0.005f, figures);
+        Assert.True(walk.LeastKnee > -1e-4f && walk.LargestAddedSpeed() < 0.6f, figures);
+    }
+
+    // Dances and martial arts on one leg, with the contacts that the software recorded and with estimated ones, on a character of other proportions.
+    [Theory]
+    [InlineData("MasterLiuPerformanceChar00.calc", false, FootRotation.Keep)]
+    [InlineData("hiphop_up_Char00.calc", false, FootRotation.Flatten)]
+    [InlineData("salsa_left_Char00.calc", false, FootRotation.Keep)]
+    [InlineData("salsa_left_Char00.calc", true, FootRotation.Flatten)]
+    public void Recorded_dances_stand_on_their_feet(string take, bool estimated, FootRotation rotation)
+    {
+        CalculationDocument document = CalculationDocument.Load(Fixtures.Require("calc", take));
+        var skeleton = CalculationSkeleton.Measure(document);
+        var live = new FootContactEstimator();
+        var rig = new StandingRig(thigh: 0.4f, shin: 0.46f, hips: 0.12f, arm: 0.3f, forearm: 0.2f) { HasTwistNodes = true };
+        var planting = new FootPlanterOptions { FootRotation = rotation };
+        var walk = new FootWalk(rig.WithAxes(new Random(1)).Create(), skeleton.Body, document.FrameRate, planting: planting);
+        BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
+        BoneTransform[] world = new BoneTransform[BoneHierarchy.BoneCount];
+        for (int frame = 0; frame < document.FrameCount; frame++)
+        {
+            skeleton.CopyLocalTransforms(document.GetValues(frame), pose);
+            ForwardKinematics.ToWorld(pose, world, skeleton.Body.Variant);
+            walk.Add(pose, estimated ? live.Update(world, skeleton.Body, frame / document.FrameRate) : document.GetFootContacts(frame));
+        }
+
+        string figures = Figures(walk, take);
+        Assert.True(walk.LargestSlide(planted: true) < 0.005f && walk.LargestMove(planted: true, after: 0.1) < 0.005f, figures);
+        Assert.True(walk.LargestSlide(planted: false) > 0.02f, figures);
+        Assert.True(walk.LargestHipsShift <= 0.1001f * walk.Rig.LegLength && walk.LeastKnee > -1e-4f, figures);
+        Assert.True(walk.LargestAddedSpeed() < 2 && walk.LargestKneeSpeed < 4 && walk.LargestTurn < 600, figures);
+        Assert.True(walk.FramesLetGo == 0, figures);
+    }
+
+    [Theory]
+    [InlineData(30, 120)]
+    [InlineData(60, 240)]
+    [InlineData(72, 144)]
+    public void The_frame_rate_does_not_matter(int rate, int other)
+    {
+        // Both see the contacts that the slower one sees.
+        TargetRig rig = StandingRig.Random(new Random(5)).Create();
+        var actor = new SyntheticActor(other);
+        int stride = other / rate;
+        var slow = new FootWalk(rig, SkeletonBody.Default(), rate);
+        var fast = new FootWalk(rig, SkeletonBody.Default(), other);
+        BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
+        for (int frame = 0; frame < 8 * other; frame++)
+        {
+            actor.GetPose(frame, pose);
+            FootContacts contacts = actor.GetFootContacts(frame - (frame % stride));
+            fast.Add(pose, contacts);
+            if (frame % stride == 0)
+                slow.Add(pose, contacts);
+        }
+
+        Assert.True(slow.LargestDistance(fast, stride) < 0.003f, $"{slow.LargestDistance(fast, stride)} m");
+    }
+
+    [Theory]
+    [InlineData(0.01f)]
+    [InlineData(39.37f)]
+    public void A_scaled_and_turned_root_changes_nothing(float scale)
+    {
+        var plain = new StandingRig(0.35f, 0.5f, 0.1f, 0.3f, 0.3f);
+        var scaled = new StandingRig(0.35f, 0.5f, 0.1f, 0.3f, 0.3f);
+        scaled.Above.Add(new RigNode("Armature", -1, new Vector3(0.1f, 0.2f, 0), new Random(2).Rotation(), new Vector3(scale)));
+        FootWalk one = FootWalk.OfActor(plain.Create(), Rate, 6);
+        FootWalk other = FootWalk.OfActor(scaled.WithAxes(new Random(1)).Create(), Rate, 6);
+        Assert.True(one.LargestDistance(other, 1) < 2e-4f, $"{one.LargestDistance(other, 1)} m");
+    }
+
+    [Theory]
+    [InlineData(0, 1, 0, 180)]
+    [InlineData(1, 0, 0, -90)]
+    [InlineData(1, 0, 0, 90)]
+    public void A_character_that_rests_turned_in_its_root_is_held_on_its_own_ground(float x, float y, float z, float degrees)
+    {
+        // About its root, so that its soles are still at the root's height, whichever way that is.
+        StandingRig rig = new StandingRig(0.5f, 0.38f, 0.1f, 0.3f, 0.3f).WithAxes(new Random(2));
+        var turn = Quaternion.CreateFromAxisAngle(new Vector3(x, y, z), degrees * MathF.PI / 180);
+        rig.Turn(HumanoidBone.Hips, new Vector3(x, y, z), degrees).Move(HumanoidBone.Hips, Vector3.Transform(rig.At(HumanoidBone.Hips), turn) - rig.At(HumanoidBone.Hips));
+        FootWalk walk = FootWalk.OfActor(rig.Create(), Rate, 8);
+        FootWalk plain = FootWalk.OfActor(new StandingRig(0.5f, 0.38f, 0.1f, 0.3f, 0.3f).Create(), Rate, 8);
+
+        Assert.True(walk.LeastKnee > -1e-4f && walk.FramesLetGo == 0, Figures(walk, "Turned"));
+        Assert.Equal(plain.Planter.HipsShift, walk.Planter.HipsShift, 1e-4f);
+        for (int frame = 0; frame < walk.Count; frame++)
+        {
+            for (int side = 0; side < 2; side++)
+                Assert.True(Vector3.Distance(Vector3.Transform(plain.Ankle(side, frame), turn), walk.Ankle(side, frame)) < 3e-4f, $"Frame {frame}");
+        }
+    }
+
+    [Fact]
+    public void A_generic_rig_is_held_as_well()
+    {
+        FootWalk walk = FootWalk.OfActor(TestRigs.Actor(SkeletonBody.Default()), Rate, 8, drift: new Vector3(3, 0, 2));
+        Assert.True(walk.LargestSlide(planted: true) < Still && walk.LargestSlide(planted: false) > 0.02f && walk.FramesLetGo == 0, Figures(walk, "Generic"));
+    }
+
+    [Fact]
+    public void A_sheared_rig_is_held_as_well()
+    {
+        (RigNode[] nodes, int[] nodeOf) = new StandingRig().WithAxes(new Random(1)).Build();
+        nodes[0] = nodes[0] with { Scale = new Vector3(1.1f, 1, 0.95f) };
+        FootWalk walk = FootWalk.OfActor(TargetRig.Humanoid(nodes, nodeOf), Rate, 8);
+        Assert.True(walk.Rig.IsSheared);
+        Assert.True(walk.LargestSlide(planted: true) < 0.005f, Figures(walk, "Sheared"));
+    }
+
+    [Fact]
+    public void A_figure_at_rest_stays_at_rest()
+    {
+        for (int seed = 0; seed < 20; seed++)
+        {
+            TargetRig rig = StandingRig.Random(new Random(seed)).Create();
+            var walk = new FootWalk(rig, SkeletonBody.Default(), Rate);
+            BoneTransform[] rest = new BoneTransform[BoneHierarchy.BoneCount];
+            SkeletonBody.Default().CopyRestPose(rest);
+            for (int frame = 0; frame < 60; frame++)
+                walk.Add(rest, new FootContacts(Left: frame % 20 < 10, Right: true));
+
+            Assert.True(walk.LargestHipsShift < 1e-3f, $"Rig {seed}: {walk.LargestHipsShift}");
+            for (int side = 0; side < 2; side++)
+                Assert.True(Vector3.Distance(walk.Ankle(side, 59), walk.FreeAnkle(side, 0)) < 1e-3f, $"Rig {seed}");
+        }
+    }
+
+    [Fact]
+    public void The_feet_settle_on_the_ground_that_is_set_and_the_hips_follow()
+    {
+        foreach (float height in new[] { -0.04f, 0, 0.03f })
+        {
+            FootWalk walk = FootWalk.OfActor(new StandingRig().Create(), Rate, 3, planting: new FootPlanterOptions { GroundHeight = height });
+            Assert.Equal(height, walk.Planter.HipsShift, 0.01f);
+            (bool left, bool right) = walk.Planter.Planted;
+            Assert.True(left || right);
+            for (int side = 0; side < 2; side++)
+            {
+                if (side == 0 ? left : right)
+                    Assert.Equal(StandingRig.Ankle + height, walk.Ankle(side, walk.Count - 1).Y, 0.004f);
+            }
+        }
+    }
+
+    [Fact]
+    public void Ground_that_is_learnt_is_where_the_feet_come_down()
+    {
+        FootWalk walk = FootWalk.OfActor(
+            new StandingRig().Create(), Rate, 8, options: new RetargetOptions { HeightOffset = 0.5f }, planting: new FootPlanterOptions { GroundHeight = null });
+        Assert.True(walk.LargestSlide(planted: true) < Still);
+        Assert.True(walk.LargestHipsShift < 0.01f, $"{walk.LargestHipsShift}");
+
+        // Half a metre above a ground that is set they stand on something else.
+        FootWalk raised = FootWalk.OfActor(new StandingRig().Create(), Rate, 8, options: new RetargetOptions { HeightOffset = 0.5f });
+        Assert.True(raised.LargestSlide(planted: true) < Still && raised.LargestHipsShift < 0.01f, Figures(raised, "Raised"));
+    }
+
+    [Fact]
+    public void A_foot_that_the_leg_cannot_hold_is_let_go_gently()
+    {
+        var walk = new FootWalk(new StandingRig().Create(), SkeletonBody.Default(), Rate);
+        BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
+        SkeletonBody.Default().CopyRestPose(pose);
+        for (int frame = 0; frame < 180; frame++)
+        {
+            // Slides away at a metre a second while both feet are said to stand.
+            pose[0] = pose[0] with { Position = pose[0].Position + new Vector3(0, 0, 100f / 60) };
+            walk.Add(pose, new FootContacts(Left: true, Right: true));
+        }
+
+        Assert.Equal(default, walk.Planter.Planted);
+        Assert.InRange(walk.FramesLetGo, 120, 175);
+        Assert.True(walk.LargestAddedSpeed() < 6, Figures(walk, "Sliding"));
+        Assert.True(Vector3.Distance(walk.Ankle(0, 179), walk.FreeAnkle(0, 179)) < 1e-3f, Figures(walk, "Sliding"));
+    }
+
+    [Theory]
+    [InlineData(FootRotation.Keep)]
+    [InlineData(FootRotation.Flatten)]
+    public void The_sole_is_kept_as_the_actor_has_it_or_flat(FootRotation rotation)
+    {
+        TargetRig rig = new StandingRig().WithAxes(new Random(3)).Create();
+        var walk = new FootWalk(rig, SkeletonBody.Default(), Rate, planting: new FootPlanterOptions { FootRotation = rotation });
+        BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
+        SkeletonBody.Default().CopyRestPose(pose);
+        pose[(int)Bone.LeftFoot] = pose[(int)Bone.LeftFoot] with { Rotation = Quaternion.CreateFromYawPitchRoll(0.4f, -0.2f, 0.15f) };
+        for (int frame = 0; frame < 30; frame++)
+            walk.Add(pose, new FootContacts(Left: true, Right: true));
+
+        int foot = rig.GetNode(HumanoidBone.LeftFoot);
+        Quaternion turn = walk.Pose.WorldRotations[foot] * Quaternion.Conjugate(rig.RestRotations[foot]);
+        Vector3 up = Vector3.Transform(Vector3.UnitY, turn);
+        Vector3 ahead = Vector3.Transform(Vector3.UnitZ, turn);
+        Assert.Equal(rotation == FootRotation.Flatten ? 1 : Vector3.Transform(Vector3.UnitY, Quaternion.CreateFromYawPitchRoll(0.4f, -0.2f, 0.15f)).Y, up.Y, 1e-3f);
+        Assert.Equal(-0.4f, MathF.Atan2(ahead.X, ahead.Z), 0.05f);
+    }
+
+    [Fact]
+    public void Toes_of_a_planted_foot_do_not_go_into_the_ground()
+    {
+        TargetRig rig = new StandingRig().Create();
+        var walk = new FootWalk(rig, SkeletonBody.Default(), Rate);
+        BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
+        SkeletonBody.Default().CopyRestPose(pose);
+        for (int frame = 0; frame < 60; frame++)
+        {
+            // The heel comes off while the foot is said to stand.
+            pose[(int)Bone.LeftFoot] = pose[(int)Bone.LeftFoot] with { Rotation = Quaternion.CreateFromAxisAngle(Vector3.UnitX, Math.Max(0, frame - 20) * 0.02f) };
+            walk.Add(pose, new FootContacts(Left: true, Right: true));
+            Assert.True(walk.Pose.WorldPositions[rig.GetNode(HumanoidBone.LeftToes)].Y > 0.018f, $"Frame {frame}");
+        }
+    }
+
+    [Fact]
+    public void Knees_that_are_bent_backwards_are_bent_forward()
+    {
+        var walk = new FootWalk(new StandingRig().WithAxes(new Random(3)).Create(), SkeletonBody.Default(), Rate);
+        BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
+        for (int frame = 0; frame < 120; frame++)
+        {
+            SkeletonBody.Default().CopyRestPose(pose);
+            float bend = MathF.Sin(frame / 10f) * 0.12f;
+            pose[(int)Bone.LeftUpLeg] = pose[(int)Bone.LeftUpLeg] with { Rotation = Quaternion.CreateFromAxisAngle(Vector3.UnitX, -bend) };
+            pose[(int)Bone.LeftLeg] = pose[(int)Bone.LeftLeg] with { Rotation = Quaternion.CreateFromAxisAngle(Vector3.UnitX, 2 * bend) };
+            walk.Add(pose, new FootContacts(Left: frame % 60 < 30, Right: true));
+        }
+
+        Assert.True(walk.LeastKnee > -1e-4f, $"{walk.LeastKnee}");
+    }
+
+    [Fact]
+    public void Legs_and_hips_that_are_not_driven_are_left_alone()
+    {
+        var options = new RetargetOptions();
+        options.Weights.SetPart(BodyParts.LeftLeg | BodyParts.Hips, 0);
+        FootWalk walk = FootWalk.OfActor(new StandingRig().Create(), Rate, 4, options: options);
+        Assert.Equal(0, walk.LargestHipsShift);
+        Assert.All(Enumerable.Range(0, walk.Count), frame => Assert.Equal(walk.FreeAnkle(0, frame), walk.Ankle(0, frame)));
+        Assert.NotEqual(walk.FreeAnkle(1, walk.Count - 1), walk.Ankle(1, walk.Count - 1));
+    }
+
+    [Fact]
+    public void Without_contacts_feet_go_where_the_actor_has_them()
+    {
+        var walk = new FootWalk(new StandingRig().WithAxes(new Random(9)).Create(), SkeletonBody.Default(), Rate);
+        var actor = new SyntheticActor(Rate);
+        BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
+        for (int frame = 0; frame < 300; frame++)
+        {
+            actor.GetPose(frame, pose);
+            walk.Add(pose, default);
+        }
+
+        Assert.All(Enumerable.Range(0, 600), i => Assert.True(Vector3.Distance(walk.FreeAnkle(i % 2, i / 2), walk.Ankle(i % 2, i / 2)) < 1e-5f));
+    }
+
+    [Fact]
+    public void Rigs_without_legs_or_with_loose_ones_are_left_alone()
+    {
+        TargetRig rig = new StandingRig().Without(HumanoidBone.LeftLowerLeg).Without(HumanoidBone.RightFoot).Create();
+        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        var pose = new RetargetedPose(rig);
+        BoneTransform[] source = new BoneTransform[BoneHierarchy.BoneCount];
+        new SyntheticActor().GetPose(0, source);
+        Assert.True(retargeter.TryRetarget(source, pose));
+        Quaternion[] before = pose.LocalRotations.ToArray();
+        Vector3 hips = pose.HipsLocalPosition;
+
+        new FootPlanter(rig).Plant(pose, new FootContacts(Left: true, Right: true), 0);
+
+        Assert.Equal(before, pose.LocalRotations.ToArray());
+        Assert.Equal(hips, pose.HipsLocalPosition);
+        Assert.Throws<ArgumentException>(() => new FootPlanter(new StandingRig().Create()).Plant(pose, default, 0));
+    }
+
+    [Fact]
+    public void Time_that_stands_still_and_a_long_gap_are_no_trouble()
+    {
+        TargetRig rig = new StandingRig().Create();
+        var planter = new FootPlanter(rig);
+        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        var pose = new RetargetedPose(rig);
+        BoneTransform[] source = new BoneTransform[BoneHierarchy.BoneCount];
+        var actor = new SyntheticActor();
+        double[] times = [0, 0, 0.1, 0.05, double.NaN, 0.2, 100, 100.1, -5];
+        for (int i = 0; i < times.Length; i++)
+        {
+            actor.GetPose(i, source);
+            Assert.True(retargeter.TryRetarget(source, pose));
+            planter.Plant(pose, actor.GetFootContacts(i), times[i]);
+            Assert.All(pose.LocalRotations.ToArray(), rotation => Assert.Equal(1, rotation.Length(), 1e-4f));
+        }
+
+        planter.Reset();
+        Assert.Equal((default, 0), (planter.Planted, planter.HipsShift));
+    }
+
+    [Theory]
+    [InlineData(0, 0)]
+    [InlineData(0.5, 1)]
+    public void Blends_may_take_no_time_or_long(double blendIn, double blendOut)
+    {
+        var planting = new FootPlanterOptions { BlendIn = blendIn, BlendOut = blendOut, FootRotation = FootRotation.Flatten };
+        FootWalk walk = FootWalk.OfActor(StandingRig.Random(new Random(4)).Create(), Rate, 8, planting: planting);
+        Assert.True(walk.LargestSlide(planted: true) < Still, Figures(walk, "Blends"));
+        Assert.True(walk.LargestTurn < 100, Figures(walk, "Blends"));
+    }
+
+    [Fact]
+    public void Options_are_checked()
+    {
+        var options = new FootPlanterOptions();
+        Assert.Throws<ArgumentOutOfRangeException>(() => options.BlendIn = -1);
+        Assert.Throws<ArgumentOutOfRangeException>(() => options.BlendOut = double.NaN);
+        Assert.Throws<ArgumentOutOfRangeException>(() => options.GroundHeight = float.PositiveInfinity);
+        Assert.Throws<ArgumentOutOfRangeException>(() => options.LargestHipsShift = 1.1f);
+        Assert.Equal((0.1, 0.2, 0f, 0.1f), (options.BlendIn, options.BlendOut, options.GroundHeight, options.LargestHipsShift));
+    }
+
+    [Fact]
+    public void Nothing_is_allocated()
+    {
+        TargetRig rig = StandingRig.Random(new Random(1)).Create();
+        var planter = new FootPlanter(rig, new FootPlanterOptions { FootRotation = FootRotation.Flatten, GroundHeight = null });
+        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        var pose = new RetargetedPose(rig);
+        BoneTransform[] source = new BoneTransform[BoneHierarchy.BoneCount];
+        var actor = new SyntheticActor();
+        int frame = 0;
+        Allocations.AssertNone(() =>
+        {
+            actor.GetPose(frame, source);
+            retargeter.TryRetarget(source, pose);
+            planter.Plant(pose, actor.GetFootContacts(frame), frame++ / 60.0);
+        });
+    }
+
+    private static string Figures(FootWalk walk, string name)
+    {
+        string figures = FormattableString.Invariant(
+            $"{name}: slides {walk.LargestSlide(planted: false) * 1000:0.0} mm, planted {walk.LargestSlide(planted: true) * 1000:0.000}, settled {walk.LargestMove(planted: true, 0.1) * 1000:0.000}; hips {walk.LargestHipsShift * 1000:0} mm of leg {walk.Rig.LegLength:0.00}; knee {walk.LeastKnee * 1000:0.00}; added {walk.LargestAddedSpeed():0.00} m/s, knee {walk.LargestKneeSpeed:0.00} m/s, {walk.LargestTurn:0} degrees/s; let go {walk.FramesLetGo}");
+        TestContext.Current.TestOutputHelper?.WriteLine(figures);
+        return figures;
+    }
+}
