@@ -9,7 +9,7 @@ public sealed class ClipWriterTests : IDisposable
 {
     private readonly PlayerLoop _loop = new();
 
-    public ClipWriterTests() => System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(ClipSaver).TypeHandle);
+    public ClipWriterTests() => ClipSaver.Register();
 
     public void Dispose() => _loop.Dispose();
 
