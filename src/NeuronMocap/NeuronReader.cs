@@ -31,6 +31,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly NeuronReaderOptions _options;
     private readonly CancellationTokenSource _stop = new();
     private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly TaskCompletionSource<bool> _stopped = new();
     private readonly TaskCompletionSource<bool> _connected = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private readonly FrameFormat _format;
     private readonly ReaderMetrics _metrics;
@@ -47,6 +48,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly bool _isPlayback;
     private Timer? _watchdog;
     private int _started;
+    private int _begun;
     private int _disposed;
     private int _tellingThread;
 
@@ -114,8 +116,8 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     }
 
     /// <summary>
-    /// Called with every change of the connection's state, in order and one at a time, on one of the reader's threads, or on the thread that
-    /// disposes of a reader that never started. A handler may do anything, dispose of the reader included, but should not take long.
+    /// Called with every change of the connection's state, in order and one at a time, on one of the reader's threads or the pool's, or on the thread
+    /// that disposes of a reader that never started. A handler may do anything, dispose of the reader included, but should not take long.
     /// </summary>
     public event Action<ConnectionStatus>? StatusChanged
     {
@@ -202,19 +204,24 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     /// </summary>
     public void Dispose()
     {
-        // Not for both in one task: that would complete on a thread of the pool, and in a busy process there may be none for a while.
-        Task[] stopped = Stop();
+        // Not for both in one task, nor for Completion: that would take a thread of the pool, and in a busy process there may be none for a while.
+        Stop();
         if (!IsHandlerThread)
-            Task.WaitAll(stopped, StopTimeout);
+            Task.WaitAll([_stopped.Task, _reporter.Over], StopTimeout);
     }
 
     /// <summary>As <see cref="Dispose"/>, without blocking the thread.</summary>
     /// <returns>A task that completes when the reader has stopped, or after 2 s.</returns>
     public async ValueTask DisposeAsync()
     {
-        Task[] stopped = Stop();
-        if (!IsHandlerThread)
-            await Task.WhenAny(Task.WhenAll(stopped), Task.Delay(StopTimeout)).ConfigureAwait(false);
+        Stop();
+        if (IsHandlerThread)
+            return;
+
+        // What follows is the caller's, and not for a thread of the reader.
+        Task stopped = Task.WhenAll(_stopped.Task, _reporter.Over).ContinueWith(
+            static _ => { }, CancellationToken.None, TaskContinuationOptions.RunContinuationsAsynchronously, TaskScheduler.Default);
+        await Task.WhenAny(stopped, Task.Delay(StopTimeout)).ConfigureAwait(false);
     }
 
     // Only the thread itself can find its own number here, so no barrier is needed.
@@ -227,7 +234,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         }
     }
 
-    private Task[] Stop()
+    private void Stop()
     {
         if (Interlocked.Exchange(ref _disposed, 1) == 0)
         {
@@ -235,16 +242,31 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
             _metrics.Dispose();
             _watchdog?.Dispose();
             _discovery?.Dispose();
-            _stop.Cancel();
             if (Interlocked.Exchange(ref _started, 1) == 0)
-                _ = EndAsync(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller."));
+                End();
+            else
+                _ = DedicatedThread.RunAsync("NeuronMocap stop", End);
         }
+    }
 
-        return [_completion.Task, _reporter.Over];
+    // What waits goes on in here as far as it can, down to the handlers of the last status, so that no end needs a pool thread: in a busy process
+    // there may be none for a while. On a thread of its own, because those handlers may take longer than a stop.
+    private void End()
+    {
+        _stop.Cancel();
+        if (Interlocked.Exchange(ref _begun, 1) == 0)
+            _ = EndAsync(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, LinkEnd.Requested.Message));
     }
 
     private async Task RunAsync()
     {
+        // Stopped before a pool thread had time for the start.
+        if (Interlocked.Exchange(ref _begun, 1) != 0)
+        {
+            _watchdog?.Dispose();
+            return;
+        }
+
         ConnectionStatus last;
         try
         {
@@ -285,12 +307,13 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     }
 
     // When the handlers of Stopped, the last status, have run.
-    private void End(ConnectionStatus last)
+    private void Complete(ConnectionStatus last)
     {
         _connected.TrySetException(new NeuronConnectionException(last.Reason, last.Message));
         _ = _connected.Task.Exception; // observed: most programs never wait for the connection
         _pipeline.End();
         _completion.TrySetResult(true);
+        _stopped.TrySetResult(true);
     }
 
     private Link CreateLink() => _options.Transport == TransportKind.Tcp ? new TcpLink(_options.Link) : new UdpLink(_options.Link, _senders);
@@ -311,7 +334,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _statusHandlers.Invoke(status);
         _tellingThread = 0;
         if (status.State == ConnectionState.Stopped)
-            End(status);
+            Complete(status);
     }
 
     private void OnFormatLearnt()

@@ -107,7 +107,7 @@ internal sealed class ReaderRecordings
             recorder.Stop();
 
         if (all.Length > 0)
-            await Task.WhenAny(Task.WhenAll(all.Select(static recorder => recorder.Completion)), Task.Delay(Patience)).ConfigureAwait(false);
+            await Task.WhenAny(Task.WhenAll(all.Select(static recorder => recorder.Ended)), Task.Delay(Patience)).ConfigureAwait(false);
     }
 
     private void Learn(string key, string value)

@@ -173,9 +173,15 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     {
         lock (_lock)
         {
+            long dropped = 0;
+            foreach (long closed in _droppedByClosedQueues.Values)
+                dropped += closed;
+            foreach (FrameQueue queue in _queues)
+                dropped += queue.Dropped;
+
             return _counters.Snapshot() with
             {
-                Dropped = _droppedByClosedQueues.Values.Sum() + _queues.Sum(static queue => queue.Dropped),
+                Dropped = dropped,
                 RefusedDatagrams = _senders.RefusedDatagrams,
                 CallbackFailures = Volatile.Read(ref _callbackFailures),
             };

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using System.Globalization;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor.Files;
@@ -42,7 +41,7 @@ internal sealed class FileArguments(Option<bool> overwrite)
     {
         HelpName = "HZ",
         Description = $"With --convert: make this many frames per second, {LowestRate} to {HighestRate}; what lies between two frames is interpolated. Default: as many as IN has.",
-        CustomParser = static result => ParseNumber(result, LowestRate, HighestRate, "a number from 0.01 to 10000"),
+        CustomParser = static result => NumberArgument.Parse(result, LowestRate, HighestRate, "a number from 0.01 to 10000"),
         Arity = ArgumentArity.ExactlyOne,
     };
 
@@ -50,7 +49,7 @@ internal sealed class FileArguments(Option<bool> overwrite)
     {
         HelpName = "SECONDS",
         Description = "With --convert and --plot: begin at this time of the take.",
-        CustomParser = static result => ParseNumber(result, 0, LongestTime, "a number of seconds, 0 to 1000000"),
+        CustomParser = static result => NumberArgument.Parse(result, 0, LongestTime, "a number of seconds, 0 to 1000000"),
         Arity = ArgumentArity.ExactlyOne,
     };
 
@@ -58,7 +57,7 @@ internal sealed class FileArguments(Option<bool> overwrite)
     {
         HelpName = "SECONDS",
         Description = "With --convert and --plot: end at this time of the take.",
-        CustomParser = static result => ParseNumber(result, 0, LongestTime, "a number of seconds, 0 to 1000000"),
+        CustomParser = static result => NumberArgument.Parse(result, 0, LongestTime, "a number of seconds, 0 to 1000000"),
         Arity = ArgumentArity.ExactlyOne,
     };
 
@@ -134,14 +133,4 @@ internal sealed class FileArguments(Option<bool> overwrite)
     // Null when it is missing, which the parser tells.
     private static string? OutputOf(CommandResult result, Option option) =>
         result.GetResult(option) is { Tokens: [_, var output] } ? output.Value : null;
-
-    private static double? ParseNumber(ArgumentResult result, double least, double most, string expected)
-    {
-        string text = result.Tokens[0].Value;
-        if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double value) && value >= least && value <= most)
-            return value;
-
-        result.AddError($"{((OptionResult)result.Parent!).Option.Name}: '{text}' is not {expected}.");
-        return null;
-    }
 }

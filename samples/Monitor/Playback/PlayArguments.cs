@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using System.Globalization;
 using NeuronMocap.Playback;
 
 namespace NeuronMocap.Monitor.Playback;
@@ -19,8 +18,9 @@ internal sealed class PlayArguments
     {
         HelpName = "N|max",
         Description = "With --play: how many times as fast as it was recorded, 0.01 to 100, or max: as fast as it can be shown, with nothing left out. Default: 1.",
-        CustomParser = static result => Parse(
-            result, 0.01, 100, "a number from 0.01 to 100, or max", max: RecordingPlayer.MaxSpeed),
+        CustomParser = static result => string.Equals(result.Tokens[0].Value, "max", StringComparison.OrdinalIgnoreCase)
+            ? RecordingPlayer.MaxSpeed
+            : NumberArgument.Parse(result, 0.01, 100, "a number from 0.01 to 100, or max"),
         Arity = ArgumentArity.ExactlyOne,
     };
 
@@ -28,7 +28,7 @@ internal sealed class PlayArguments
     {
         HelpName = "HZ",
         Description = "With --play, --info, --convert and --plot: frames of each avatar per second of a file that holds bytes without times, or of a calculation export, 0.01 to 100000. Default: as its timecodes say, or 120.",
-        CustomParser = static result => Parse(result, 0.01, 100_000, "a number from 0.01 to 100000", max: null),
+        CustomParser = static result => NumberArgument.Parse(result, 0.01, 100_000, "a number from 0.01 to 100000"),
         Arity = ArgumentArity.ExactlyOne,
     };
 
@@ -77,16 +77,4 @@ internal sealed class PlayArguments
     public PlaySettings? Read(ParseResult result) => result.GetValue(_play) is { } file
         ? new PlaySettings(file, result.GetValue(_speed) ?? 1, result.GetValue(_rate), result.GetValue(_loop))
         : null;
-
-    private static double? Parse(ArgumentResult result, double from, double to, string expected, double? max)
-    {
-        string text = result.Tokens[0].Value;
-        if (max is not null && string.Equals(text, "max", StringComparison.OrdinalIgnoreCase))
-            return max;
-        if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double number) && number >= from && number <= to)
-            return number;
-
-        result.AddError($"{((OptionResult)result.Parent!).Option.Name}: '{text}' is not {expected}.");
-        return null;
-    }
 }

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using System.Globalization;
 using NeuronMocap.Recording;
 
 namespace NeuronMocap.Monitor.Recordings;
@@ -101,13 +100,6 @@ internal sealed class RecordingArguments
         });
     }
 
-    private static int? Parse(ArgumentResult result, int least, int most, string unit)
-    {
-        string text = result.Tokens[0].Value;
-        if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number >= least && number <= most)
-            return number;
-
-        result.AddError($"{((OptionResult)result.Parent!).Option.Name}: '{text}' is not a whole number of {unit} from {least} to {most}.");
-        return null;
-    }
+    private static int? Parse(ArgumentResult result, int least, int most, string unit) =>
+        NumberArgument.ParseWhole(result, least, most, $"a whole number of {unit} from {least} to {most}");
 }

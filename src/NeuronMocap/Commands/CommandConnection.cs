@@ -144,7 +144,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
             if (!Adopt(socket))
                 return (ConnectionReason.Requested, null);
 
-            if (!Run("NeuronMocap command connect", () => socket.Connect(remote)))
+            if (!Run("NeuronMocap command connect", () => TcpConnect.Run(socket, remote)))
             {
                 socket.Dispose();
                 return (ConnectionReason.TimedOut, new TimeoutException());

@@ -4,7 +4,10 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Delivery;
 
 // What the totals of a reader are made of.
-internal readonly record struct LossTotals(long Lost, long Gaps, long Restarts);
+internal readonly record struct LossTotals(long Lost, long Gaps, long Restarts)
+{
+    public LossTotals Add(LossTotals other) => new(Lost + other.Lost, Gaps + other.Gaps, Restarts + other.Restarts);
+}
 
 // Counts one kind of frame of one avatar. The receive thread writes, anyone reads: each figure is whole by itself. It carries on the losses of
 // those that it took the place of, so that the sum over all trackers stays right while one replaces another.
@@ -33,7 +36,7 @@ internal sealed class AvatarTracker(
     public IndexTracker Index => _index;
 
     // Its own and those of its predecessors.
-    public LossTotals Totals => new(_index.Lost + forgotten.Lost, _index.Gaps + forgotten.Gaps, _index.Restarts + forgotten.Restarts);
+    public LossTotals Totals => new LossTotals(_index.Lost, _index.Gaps, _index.Restarts).Add(forgotten);
 
     // Receive loop only.
     public long LastTimestamp => _lastTimestamp;

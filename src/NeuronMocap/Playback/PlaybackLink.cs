@@ -19,13 +19,13 @@ internal sealed class PlaybackLink(RecordingPlayer player) : Link
     public override void Close()
     {
         _isClosed = true;
-        player.Wake();
+        player.Control.Wake();
     }
 
     private async Task<LinkEnd> RunAsync(Func<PlaybackRun, LinkEnd> action)
     {
         LinkEnd end = LinkEnd.Requested;
-        await DedicatedThread.RunAsync("NeuronMocap playback", Run).ConfigureAwait(false);
+        await DedicatedThread.RunAsync("NeuronMocap playback", Run, TaskCreationOptions.None).ConfigureAwait(false);
         return _isClosed ? LinkEnd.Requested : end;
 
         void Run()

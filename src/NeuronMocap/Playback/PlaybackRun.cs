@@ -12,6 +12,7 @@ internal sealed class PlaybackRun
     private static readonly TimeSpan BeforeAll = TimeSpan.FromTicks(-1);
 
     private readonly RecordingPlayer _player;
+    private readonly PlaybackControl _control;
     private readonly ArrivalSource _source;
     private readonly PlaybackReceiver _receiver = new();
     private readonly ArrivalParser _parser;
@@ -24,6 +25,7 @@ internal sealed class PlaybackRun
     public PlaybackRun(RecordingPlayer player, SenderFilter filter, int maxValues)
     {
         _player = player;
+        _control = player.Control;
         _source = player.Source;
         _parser = new ArrivalParser(maxValues, filter, _receiver);
     }
@@ -34,18 +36,18 @@ internal sealed class PlaybackRun
         while (!_parser.IsOpen)
         {
             Arrival arrival = Peek();
-            switch (_player.WaitFor(arrival.Time, link, out _))
+            switch (_control.WaitFor(arrival.Time, link, out _))
             {
                 case PlaybackTurn.Stop:
                     return LinkEnd.Requested;
                 case PlaybackTurn.Seek:
-                    GoTo(_player.TakeSeek());
+                    GoTo(_control.TakeSeek());
                     continue;
                 case PlaybackTurn.StepBack:
-                    GoBack(_player.TakeStepsBack());
+                    GoBack(_control.TakeStepsBack());
                     continue;
                 case PlaybackTurn.Step when arrival.Kind == ArrivalKind.End:
-                    _player.EndStep();
+                    _control.EndStep();
                     continue;
             }
 
@@ -77,16 +79,16 @@ internal sealed class PlaybackRun
         while (true)
         {
             Arrival arrival = Peek();
-            PlaybackTurn turn = _player.WaitFor(arrival.Time, link, out long timestamp);
+            PlaybackTurn turn = _control.WaitFor(arrival.Time, link, out long timestamp);
             if (turn == PlaybackTurn.Stop)
                 return LinkEnd.Requested;
 
             if (turn is PlaybackTurn.Seek or PlaybackTurn.StepBack)
             {
                 if (turn == PlaybackTurn.Seek)
-                    GoTo(_player.TakeSeek());
+                    GoTo(_control.TakeSeek());
                 else
-                    GoBack(_player.TakeStepsBack());
+                    GoBack(_control.TakeStepsBack());
 
                 if (!_parser.IsOpen)
                     return new LinkEnd(ConnectionReason.ClosedByPeer, "The playback has gone to another place, where no connection stood.");
@@ -97,8 +99,8 @@ internal sealed class PlaybackRun
 
             if (turn == PlaybackTurn.Step && (arrival.Kind == ArrivalKind.End || IsOfConnection(arrival)))
             {
-                if (arrival.Kind == ArrivalKind.End || PushToFrame(arrival, _player.StepTo(arrival.Time)))
-                    _player.EndStep();
+                if (arrival.Kind == ArrivalKind.End || PushToFrame(arrival, _control.StepTo(arrival.Time)))
+                    _control.EndStep();
 
                 continue;
             }
@@ -143,7 +145,7 @@ internal sealed class PlaybackRun
     // Null when another pass follows.
     private LinkEnd? EndPass()
     {
-        if (!_player.BeginPass())
+        if (!_control.BeginPass())
             return _player.Complete();
 
         Rewind(TimeSpan.Zero);

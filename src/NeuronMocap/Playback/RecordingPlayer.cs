@@ -28,20 +28,10 @@ public sealed class RecordingPlayer : IDisposable
     public const int Endless = int.MaxValue;
 
     private readonly object _gate = new();
-    private readonly PlaybackClock _clock = new();
     private readonly ArrivalSource _source;
-    private readonly PlaybackTime _time;
+    private readonly PlaybackControl _control;
     private PlaybackRun? _run;
     private Action<Exception>? _callbackFailed;
-    private TimeSpan? _seek;
-    private int _steps;
-    private int _stepsBack;
-
-    // Of steps back: the place was found, and a step forward shall show the frame.
-    private bool _isShowing;
-    private int _passes = 1;
-    private int _pass = 1;
-    private bool _isPaused;
     private bool _isRunning;
     private bool _isDisposed;
     private volatile bool _waitsForQueues = true;
@@ -50,7 +40,7 @@ public sealed class RecordingPlayer : IDisposable
     internal RecordingPlayer(ArrivalSource source, PlaybackOptions options, PlaybackTime? time = null)
     {
         _source = source;
-        _time = time ?? PlaybackTime.Real;
+        _control = new PlaybackControl(time ?? PlaybackTime.Real, source.Duration);
         Options = options;
     }
 
@@ -64,34 +54,19 @@ public sealed class RecordingPlayer : IDisposable
     public TimeSpan Duration => _source.Duration;
 
     /// <summary>Where the playback stands in the recording, from zero to <see cref="Duration"/>. To change it: <see cref="Seek"/>.</summary>
-    public TimeSpan Position
-    {
-        get
-        {
-            lock (_gate)
-            {
-                TimeSpan position = _seek ?? _clock.PositionAt(_time.Now);
-                return position < Duration ? position : Duration;
-            }
-        }
-    }
+    public TimeSpan Position => _control.Position;
 
     /// <summary>How many times as fast as it was recorded: 0.01 to 100, or <see cref="MaxSpeed"/>. 1 unless set; also while it plays.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is outside its range.</exception>
     public double Speed
     {
-        get
-        {
-            lock (_gate)
-                return _clock.Speed;
-        }
-
+        get => _control.Speed;
         set
         {
             if (value is not ((>= 0.01 and <= 100) or MaxSpeed))
                 throw new ArgumentOutOfRangeException(nameof(value), value, "The speed is 0.01 to 100, or MaxSpeed.");
 
-            Change(() => _clock.SetSpeed(value, _time.Now));
+            _control.Speed = value;
             _isPaced = !double.IsPositiveInfinity(value);
         }
     }
@@ -103,40 +78,21 @@ public sealed class RecordingPlayer : IDisposable
     /// <exception cref="ArgumentOutOfRangeException">The value is less than 1.</exception>
     public int Passes
     {
-        get
-        {
-            lock (_gate)
-                return _passes;
-        }
-
+        get => _control.Passes;
         set
         {
             if (value < 1)
                 throw new ArgumentOutOfRangeException(nameof(value), value, "A recording is played once at least.");
 
-            Change(() => _passes = value);
+            _control.Passes = value;
         }
     }
 
     /// <summary>Which pass it is, from 1.</summary>
-    public int Pass
-    {
-        get
-        {
-            lock (_gate)
-                return _pass;
-        }
-    }
+    public int Pass => _control.Pass;
 
     /// <summary>Whether the playback is paused.</summary>
-    public bool IsPaused
-    {
-        get
-        {
-            lock (_gate)
-                return _isPaused;
-        }
-    }
+    public bool IsPaused => _control.IsPaused;
 
     /// <summary>
     /// Whether at <see cref="MaxSpeed"/> the playback waits for queues that are full, so that whoever pumps one, or awaits frames, gets them all. True unless set.
@@ -156,6 +112,8 @@ public sealed class RecordingPlayer : IDisposable
 
     internal ArrivalSource Source => _source;
 
+    internal PlaybackControl Control => _control;
+
     /// <summary>Opens a file.</summary>
     /// <param name="path">A recording (<c>.nmrec</c>), or the bytes of a stream as they came off the wire. Which one it is, its first bytes tell, not its name.</param>
     /// <param name="options">How to read it; null for what the file says.</param>
@@ -172,36 +130,22 @@ public sealed class RecordingPlayer : IDisposable
     }
 
     /// <summary>Stops before the next piece; also before the reader is started. Pausing again does nothing.</summary>
-    public void Pause() => Change(Halt);
+    public void Pause() => _control.Pause();
 
     /// <summary>Goes on from where it was paused.</summary>
-    public void Resume() => Change(() => _isPaused = false);
+    public void Resume() => _control.Resume();
 
     /// <summary>
     /// Pauses, and hands out the next frame of any avatar. Several calls hand out several. At the end of the recording nothing happens. Over UDP the
     /// smallest step is a datagram, which may hold several frames.
     /// </summary>
-    public void Step() => Change(() =>
-    {
-        Halt();
-        if (_stepsBack > 0)
-            _stepsBack--;
-        else
-            _steps++;
-    });
+    public void Step() => _control.Step();
 
     /// <summary>
     /// Pauses, goes back and hands out the frame before the one that was handed out last; at the start, the first one again. For the reader that is a
     /// jump, as <see cref="Seek"/> is.
     /// </summary>
-    public void StepBack() => Change(() =>
-    {
-        Halt();
-        if (_steps > 1 && _isShowing)
-            _steps--;
-        else
-            _stepsBack++;
-    });
+    public void StepBack() => _control.StepBack();
 
     /// <summary>
     /// Goes on at another place, in either direction, paused or not. Parsers begin anew: what precedes the place is read silently to find where a packet begins, and the first
@@ -209,25 +153,20 @@ public sealed class RecordingPlayer : IDisposable
     /// between the places. Over UDP, senders are numbered anew.
     /// </summary>
     /// <param name="position">Time since the start; what lies outside the recording is its start or end.</param>
-    public void Seek(TimeSpan position)
-    {
-        TimeSpan target = position < TimeSpan.Zero ? TimeSpan.Zero : position < Duration ? position : Duration;
-        Change(() =>
-        {
-            _seek = target;
-            (_steps, _stepsBack, _isShowing) = (0, 0, false);
-        });
-    }
+    public void Seek(TimeSpan position) =>
+        _control.Seek(position < TimeSpan.Zero ? TimeSpan.Zero : position < Duration ? position : Duration);
 
     /// <summary>Closes the file. The reader stops, if it has not; within milliseconds, whatever the playback waits for.</summary>
     public void Dispose()
     {
-        bool isIdle = false;
-        Change(() =>
+        bool isIdle;
+        lock (_gate)
         {
             isIdle = !_isRunning && !_isDisposed;
             _isDisposed = true;
-        });
+        }
+
+        _control.End();
         if (isIdle)
             _source.Dispose();
     }
@@ -253,8 +192,6 @@ public sealed class RecordingPlayer : IDisposable
 
     internal FrameFormat CreateFormat(RotationOrder? order, SkeletonVariant? variant) =>
         _source.CreateFormat(order ?? Options.RotationOrder, variant ?? Options.SkeletonVariant);
-
-    internal void Wake() => Change(static () => { });
 
     // Playback thread, of which there is one at a time: the file stays open meanwhile.
     internal LinkEnd Run(Func<PlaybackRun, LinkEnd> action)
@@ -291,103 +228,6 @@ public sealed class RecordingPlayer : IDisposable
         return end.IsFinal ? end : Over($"The player of {Target} was disposed of.");
     }
 
-    // Playback thread: waits until it is known what to do next. Of what is due at the time, timestamp is when it was.
-    internal PlaybackTurn WaitFor(TimeSpan time, PlaybackLink link, out long timestamp)
-    {
-        timestamp = 0;
-        lock (_gate)
-        {
-            while (true)
-            {
-                if (link.IsClosed || _isDisposed)
-                    return PlaybackTurn.Stop;
-                if (_seek is not null)
-                    return PlaybackTurn.Seek;
-                if (_stepsBack > 0 && (_steps == 0 || _isShowing))
-                    return PlaybackTurn.StepBack;
-                if (_steps > 0)
-                    return PlaybackTurn.Step;
-
-                if (_isPaused)
-                {
-                    Monitor.Wait(_gate);
-                    continue;
-                }
-
-                long now = _time.Now;
-                if (!_clock.IsRunning)
-                    _clock.Run(now);
-                if (_clock.IsPaced && _clock.DueAt(time) is var due && due > now)
-                {
-                    _time.Wait(_gate, due);
-                    continue;
-                }
-
-                timestamp = _clock.Reach(time, now);
-                return PlaybackTurn.Play;
-            }
-        }
-    }
-
-    // Playback thread: the place that a seek asked for.
-    internal TimeSpan TakeSeek()
-    {
-        lock (_gate)
-        {
-            TimeSpan target = _seek ?? TimeSpan.Zero;
-            _seek = null;
-            _clock.MoveTo(target, _time.Now);
-            return target;
-        }
-    }
-
-    // Playback thread: frames to go back by, from the one that was passed last; a step forward, to show the frame, takes their place. The one that was
-    // to be shown has not been passed.
-    internal int TakeStepsBack()
-    {
-        lock (_gate)
-        {
-            int count = _stepsBack - (_isShowing ? 1 : 0);
-            (_steps, _stepsBack, _isShowing) = (1, 0, true);
-            return count;
-        }
-    }
-
-    // Playback thread: a step has come to a place, whose bytes are due now.
-    internal long StepTo(TimeSpan time)
-    {
-        lock (_gate)
-        {
-            long now = _time.Now;
-            _clock.MoveTo(time, now);
-            return _clock.Reach(time, now);
-        }
-    }
-
-    // Playback thread: a frame was handed out, or there is none.
-    internal void EndStep()
-    {
-        lock (_gate)
-        {
-            _steps = Math.Max(0, _steps - 1);
-            _isShowing = false;
-        }
-    }
-
-    // Playback thread, at the end of a pass: whether another follows. It begins at the very instant at which this one ends.
-    internal bool BeginPass()
-    {
-        lock (_gate)
-        {
-            if (_passes != Endless && _pass >= _passes)
-                return false;
-
-            _pass += _pass < Endless ? 1 : 0;
-            _clock.MoveTo(TimeSpan.Zero, _clock.IsPaced ? _clock.DueAt(Duration) : _time.Now);
-            return true;
-        }
-    }
-
     // Playback thread.
     internal LinkEnd Complete()
     {
@@ -404,22 +244,4 @@ public sealed class RecordingPlayer : IDisposable
     }
 
     private static LinkEnd Over(string message) => new(ConnectionReason.EndOfRecording, message) { IsFinal = true };
-
-    // Under the gate.
-    private void Halt()
-    {
-        if (!_isPaused)
-            _clock.Halt(_time.Now);
-
-        _isPaused = true;
-    }
-
-    private void Change(Action change)
-    {
-        lock (_gate)
-        {
-            change();
-            Monitor.PulseAll(_gate);
-        }
-    }
 }

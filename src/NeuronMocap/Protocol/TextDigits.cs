@@ -15,6 +15,9 @@ internal static class TextDigits
     public const int MaxSize = 64;
 
     private const int HiddenBit = 1 << 23;
+
+    // 256 bits: 24 bits times 10 to the 54th, or 24 bits shifted up by 104.
+    private const int Limbs = 8;
     private const uint LimbDigits = 1_000_000_000;
 
     // 24 bits times the largest power stay below 2 to the 61st, and a half of 2 to the 60th does not carry out of that.
@@ -118,7 +121,7 @@ internal static class TextDigits
 
     private static int WriteInteger(Span<byte> destination, uint mantissa, int power, int decimals)
     {
-        var number = new WideInteger(stackalloc uint[WideInteger.Limbs]);
+        var number = new WideInteger(stackalloc uint[Limbs]);
         number.Set(mantissa);
         number.ShiftLeft(power);
         Span<byte> reversed = stackalloc byte[MaxSize];
@@ -130,9 +133,9 @@ internal static class TextDigits
     // As Write and TryRound, for what does not fit into 64 bits: few values of a take.
     private static int WriteLong(Span<byte> destination, uint mantissa, int shift, bool isNarrowBelow, int decimals)
     {
-        var digits = new WideInteger(stackalloc uint[WideInteger.Limbs]);
-        var distance = new WideInteger(stackalloc uint[WideInteger.Limbs]);
-        var spacing = new WideInteger(stackalloc uint[WideInteger.Limbs]);
+        var digits = new WideInteger(stackalloc uint[Limbs]);
+        var distance = new WideInteger(stackalloc uint[Limbs]);
+        var spacing = new WideInteger(stackalloc uint[Limbs]);
         decimals = Math.Max(decimals, LeadingZeros(shift));
         while (!TryRound(digits, distance, spacing, mantissa, shift, isNarrowBelow, decimals))
             decimals++;
@@ -170,7 +173,7 @@ internal static class TextDigits
     // |scaled - digits * 2^shift|, in place of scaled.
     private static void Differ(WideInteger scaled, WideInteger digits, int shift, bool isUp)
     {
-        var back = new WideInteger(stackalloc uint[WideInteger.Limbs]);
+        var back = new WideInteger(stackalloc uint[Limbs]);
         digits.CopyTo(back);
         back.ShiftLeft(shift);
         if (!isUp)

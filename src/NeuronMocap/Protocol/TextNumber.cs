@@ -5,19 +5,19 @@ using System.Text;
 namespace NeuronMocap.Protocol;
 
 /// <summary>
-/// Reads a decimal number as the nearest binary32, ties to even: the same bits as float.Parse with the invariant culture.
+/// Reads a decimal number as the nearest binary32, ties to even: the same bits as .NET's float.Parse with the invariant culture, on every runtime.
 /// <para>
-/// With at most 53 bits of digits and a power of ten that a double holds exactly, one division gives the double nearest to the decimal.
-/// Narrowing that rounds a second time, which goes wrong only where the double lies exactly between two floats: then, and outside those
-/// bounds, float.Parse itself decides, which on Mono rounds twice and may miss the last bit. Nearly all that motion files and text streams contain takes the short way. Utf8Parser would need no copy, but is not exact:
-/// halfway between two floats it rounds up where zeros follow the fraction (7.115569763501211648000000E+19, .NET 10).
+/// With at most 53 bits of digits and a power of ten that a double holds exactly, one division gives the double nearest to the decimal; with more
+/// digits, one a few last bits away. Narrowing that rounds a second time, which goes wrong only where the double lies between two floats, or so near
+/// to there: then, and with other powers, <see cref="TextDecimal"/> decides. Nearly all that motion files and text streams contain takes the short
+/// way. No runtime's own parser does: float.Parse rounds twice on Mono, and Utf8Parser rounds up halfway between two floats where zeros follow the
+/// fraction (7.115569763501211648000000E+19, .NET 10).
 /// </para>
 /// </summary>
 internal static class TextNumber
 {
     private const ulong ExactIntegers = 1UL << 53;
     private const ulong RoomForADigit = (ulong.MaxValue - 9) / 10;
-    private const int ShortWord = 128;
 
     // Bytes of a number that fits into 64 bits in any case; and of those that are looked at with it.
     private const int LongestPlain = 16;
@@ -26,6 +26,9 @@ internal static class TextNumber
     private const int LargestExponent = 99_999;
     private const long DiscardedBits = (1L << 29) - 1;
     private const long HalfOfThem = 1L << 28;
+
+    // Last bits of a double that digits which do not fit into one, and the operation on them, can be off by: two and a little, and some room.
+    private const long Uncertainty = 8;
 
     private static readonly double[] PowersOfTen =
     [
@@ -37,16 +40,12 @@ internal static class TextNumber
     {
         if (!TryScan(word, out Scanned number))
             return TryParseNotFinite(word, out value);
-        if (number.IsExact && TryNarrow(number, out value))
+        if (number.HasExactPower && TryNarrow(number, out value))
             return true;
 
-        Span<char> text = word.Length <= ShortWord ? stackalloc char[ShortWord] : new char[word.Length];
-        text = text[..Encoding.ASCII.GetChars(word, text)];
-
-        // Older runtimes reject what is too large.
-        if (!float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out value))
-            value = number.IsNegative ? float.NegativeInfinity : float.PositiveInfinity;
-
+        ReadOnlySpan<byte> rest = number.CutAt > 0 ? word[number.CutAt..] : default;
+        float magnitude = TextDecimal.ToSingle(number.Digits, rest, number.Exponent);
+        value = number.IsNegative ? -magnitude : magnitude;
         return true;
     }
 
@@ -117,6 +116,13 @@ internal static class TextNumber
             return false;
 
         lastDigit = number.Exponent;
+        if (number.HasExactDigits && number.HasExactPower)
+        {
+            double magnitude = Approximate(number);
+            value = number.IsNegative ? -magnitude : magnitude;
+            return true;
+        }
+
         return double.TryParse(Encoding.ASCII.GetString(word), NumberStyles.Float, CultureInfo.InvariantCulture, out value)
             && double.IsFinite(value);
     }
@@ -139,15 +145,19 @@ internal static class TextNumber
         return (others & FirstSix) == 0 && (others & Seventh) != 0;
     }
 
-    // False where the double lies halfway between two floats: the decimal may lie to either side of it.
+    // False where the double lies halfway between two floats, or may: the decimal may lie to either side of it.
     private static bool TryNarrow(in Scanned number, out float value)
     {
-        double magnitude = number.Exponent < 0
-            ? number.Digits / PowersOfTen[-number.Exponent]
-            : number.Digits * PowersOfTen[number.Exponent];
+        double magnitude = Approximate(number);
         value = number.IsNegative ? -(float)magnitude : (float)magnitude;
-        return (BitConverter.DoubleToInt64Bits(magnitude) & DiscardedBits) != HalfOfThem;
+        long distance = Math.Abs((BitConverter.DoubleToInt64Bits(magnitude) & DiscardedBits) - HalfOfThem);
+        return distance > (number.HasExactDigits ? 0 : Uncertainty);
     }
+
+    // The nearest double where the digits are exact, too.
+    private static double Approximate(in Scanned number) => number.Exponent < 0
+        ? number.Digits / PowersOfTen[-number.Exponent]
+        : number.Digits * PowersOfTen[number.Exponent];
 
     private static bool TryScan(ReadOnlySpan<byte> word, out Scanned number)
     {
@@ -175,7 +185,8 @@ internal static class TextNumber
         {
             if (number.Digits > RoomForADigit)
             {
-                number.IsCut = true;
+                if (number.CutAt == 0)
+                    number.CutAt = at;
                 number.Exponent += exponentStep + 1;
                 continue;
             }
@@ -251,15 +262,16 @@ internal static class TextNumber
 
     private static bool IsDigit(byte letter) => letter is >= (byte)'0' and <= (byte)'9';
 
-    // Digits times ten to the Exponent; cut when there were more digits than fit.
+    // Digits times ten to the Exponent; there were more digits than fit from CutAt on, which is never the first letter, or 0.
     private struct Scanned
     {
         public bool IsNegative;
         public ulong Digits;
         public int Exponent;
-        public bool IsCut;
+        public int CutAt;
 
-        public readonly bool IsExact =>
-            !IsCut && Digits <= ExactIntegers && Exponent > -PowersOfTen.Length && Exponent < PowersOfTen.Length;
+        public readonly bool HasExactDigits => CutAt == 0 && Digits <= ExactIntegers;
+
+        public readonly bool HasExactPower => Exponent > -PowersOfTen.Length && Exponent < PowersOfTen.Length;
     }
 }

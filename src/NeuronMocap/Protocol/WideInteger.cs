@@ -1,11 +1,8 @@
 namespace NeuronMocap.Protocol;
 
-// An unsigned integer in memory of the caller's, lowest limb first; what exceeds it is lost. For the exact decimal digits of a float 256 bits are
-// enough: 24 bits times 10 to the 54th, or 24 bits shifted up by 104. BigInteger would allocate.
+// An unsigned integer in memory of the caller's, lowest limb first; what exceeds it is lost. BigInteger would allocate.
 internal readonly ref struct WideInteger(Span<uint> limbs)
 {
-    public const int Limbs = 8;
-
     private const int LimbBits = 32;
 
     private readonly Span<uint> _limbs = limbs;
@@ -24,6 +21,18 @@ internal readonly ref struct WideInteger(Span<uint> limbs)
         }
     }
 
+    public int BitLength
+    {
+        get
+        {
+            int length = _limbs.Length * LimbBits;
+            while (length > 0 && !HasBit(length - 1))
+                length--;
+
+            return length;
+        }
+    }
+
     public void Set(uint value)
     {
         _limbs.Clear();
@@ -32,10 +41,16 @@ internal readonly ref struct WideInteger(Span<uint> limbs)
 
     public void CopyTo(WideInteger other) => _limbs.CopyTo(other._limbs);
 
-    public void Increment()
+    public void Increment() => Add(1);
+
+    public void Add(uint value)
     {
-        for (int i = 0; i < _limbs.Length && ++_limbs[i] == 0; i++)
+        ulong carry = value;
+        for (int i = 0; i < _limbs.Length && carry != 0; i++)
         {
+            carry += _limbs[i];
+            _limbs[i] = (uint)carry;
+            carry >>= LimbBits;
         }
     }
 

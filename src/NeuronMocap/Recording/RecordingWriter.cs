@@ -21,24 +21,18 @@ public sealed class RecordingWriter : IDisposable
     private const int ClosingBytes = 4096;
     private const int IndexPlaceBytes = 18;
 
-    private readonly Stream _stream;
-    private readonly bool _compress;
-    private readonly bool _leaveOpen;
-    private readonly uint _seed;
     private readonly RecordingHeader _header;
+    private readonly BlockWriter _blocks;
     private readonly RecordingState _state;
     private readonly RecordingIndex _index = new();
     private readonly EntryEncoder _entries = new();
     private readonly EntryEncoder _checkpoint = new();
-    private readonly BlockCompression _compression = new();
     private RecordingTotals _totals;
-    private uint _sequence;
     private long _time;
     private long _lastCheckpoint;
     private long _checkpointBytes;
     private long _checkpointLength;
     private bool _isStateNew;
-    private bool _hasFailed;
     private bool _isDisposed;
 
     /// <summary>Begins a recording.</summary>
@@ -57,18 +51,12 @@ public sealed class RecordingWriter : IDisposable
         if (!stream.CanWrite)
             throw new ArgumentException("The stream cannot be written to.", nameof(stream));
 
-        _stream = stream;
         _state = state;
-        _compress = options.Compress;
-        _leaveOpen = options.LeaveOpen;
         _header = new RecordingHeader(
             (options.StartTime ?? DateTimeOffset.UtcNow).ToUniversalTime(),
             options.RecordingId == Guid.Empty ? Guid.NewGuid() : options.RecordingId,
             options.FileNumber);
-
-        byte[] head = new byte[RecordingLayout.FileHeaderSize];
-        _seed = _header.Write(head);
-        WriteToStream(head);
+        _blocks = new BlockWriter(stream, _header, options.Compress, options.LeaveOpen);
         WriteCheckpoint();
     }
 
@@ -92,7 +80,7 @@ public sealed class RecordingWriter : IDisposable
         Length + piece + ClosingBytes + (2 * _checkpointLength) + (IndexPlaceBytes * (long)(_index.Count + 1));
 
     /// <summary>Bytes that were handed to the stream.</summary>
-    public long WrittenLength { get; private set; }
+    public long WrittenLength => _blocks.Length;
 
     /// <summary>What the file holds so far.</summary>
     public RecordingTotals Totals => _totals;
@@ -135,8 +123,8 @@ public sealed class RecordingWriter : IDisposable
         new RecordingWriterOptions
         {
             StartTime = StartTime + time,
-            Compress = _compress,
-            LeaveOpen = _leaveOpen,
+            Compress = _blocks.Compress,
+            LeaveOpen = _blocks.LeaveOpen,
             RecordingId = RecordingId,
             FileNumber = FileNumber + 1,
         });
@@ -250,8 +238,7 @@ public sealed class RecordingWriter : IDisposable
     {
         ObjectDisposedException.ThrowIf(_isDisposed, this);
         WriteEntries();
-        if (!_hasFailed)
-            _stream.Flush();
+        _blocks.Flush();
     }
 
     /// <summary>Writes what was gathered, the index and the end, and closes the stream.</summary>
@@ -263,14 +250,12 @@ public sealed class RecordingWriter : IDisposable
         _isDisposed = true;
         try
         {
-            if (!_hasFailed)
+            if (!_blocks.HasFailed)
                 WriteEnd();
         }
         finally
         {
-            _compression.Dispose();
-            if (!_leaveOpen)
-                _stream.Dispose();
+            _blocks.Dispose();
         }
     }
 
@@ -291,7 +276,7 @@ public sealed class RecordingWriter : IDisposable
         if (_entries.IsEmpty)
             return;
 
-        WriteBlock(BlockKind.Entries, _entries);
+        _blocks.Write(BlockKind.Entries, _entries, _entries.FirstTime);
         if (_isStateNew || WrittenLength - _lastCheckpoint >= CheckpointDistance)
             WriteCheckpointWithinBounds();
     }
@@ -308,7 +293,7 @@ public sealed class RecordingWriter : IDisposable
         _index.Add(_time, WrittenLength);
         long before = WrittenLength;
         _state.Write(_checkpoint, _time);
-        WriteBlock(BlockKind.Checkpoint, _checkpoint);
+        _blocks.Write(BlockKind.Checkpoint, _checkpoint, _checkpoint.IsEmpty ? _time : _checkpoint.FirstTime);
         _checkpointLength = WrittenLength - before;
         _checkpointBytes += _checkpointLength;
         _lastCheckpoint = WrittenLength;
@@ -325,48 +310,12 @@ public sealed class RecordingWriter : IDisposable
         _ = payload.Extend(RecordingLayout.BlockHeaderSize);
         _index.Write(payload);
         var end = new RecordingEnd(WrittenLength, _time, _totals);
-        WriteBlock(BlockKind.Index, BlockEncoding.Plain, _time, payload.Array.AsSpan(0, payload.Length));
+        _blocks.Write(BlockKind.Index, payload, _time);
 
         payload.Length = RecordingLayout.BlockHeaderSize;
         end.Write(payload.Extend(RecordingEnd.Size));
-        WriteBlock(BlockKind.End, BlockEncoding.Plain, _time, payload.Array.AsSpan(0, payload.Length));
-        _stream.Flush();
-    }
-
-    private void WriteBlock(BlockKind kind, EntryEncoder entries)
-    {
-        Span<byte> block = entries.Block;
-        long time = entries.IsEmpty ? _time : entries.FirstTime;
-        try
-        {
-            if (_compress && _compression.TryPack(block[RecordingLayout.BlockHeaderSize..], out Span<byte> packed))
-                WriteBlock(kind, BlockEncoding.Deflate, time, packed);
-            else
-                WriteBlock(kind, BlockEncoding.Plain, time, block);
-        }
-        finally
-        {
-            entries.Clear();
-        }
-    }
-
-    // Header and payload in one write: what a killed process leaves are whole blocks.
-    private void WriteBlock(BlockKind kind, BlockEncoding encoding, long time, Span<byte> block)
-    {
-        ReadOnlySpan<byte> payload = block[RecordingLayout.BlockHeaderSize..];
-        new BlockHeader(kind, encoding, _sequence++, payload.Length, time, Crc32C.Append(0, payload)).Write(block, _seed);
-        WriteToStream(block);
-    }
-
-    private void WriteToStream(ReadOnlySpan<byte> bytes)
-    {
-        if (_hasFailed)
-            return;
-
-        _hasFailed = true;
-        _stream.Write(bytes);
-        _hasFailed = false;
-        WrittenLength += bytes.Length;
+        _blocks.Write(BlockKind.End, payload, _time);
+        _blocks.Flush();
     }
 
     private static string Cut(string text)

@@ -52,7 +52,7 @@ public sealed class StreamRecorder : IStreamListener, IDisposable
         _ring = new PieceRing(options.QueueSize);
         _thread = new RecordingThread(_ring, _files, options.FlushInterval, _clock);
         tap.Add(this, RecordingClock.Now);
-        _ = DedicatedThread.RunAsync("NeuronMocap recording", Run);
+        Ended = DedicatedThread.RunAsync("NeuronMocap recording", Run, TaskCreationOptions.None);
     }
 
     /// <summary>The file as it was asked for. Where files follow each other, their names have a number before the extension.</summary>
@@ -69,6 +69,9 @@ public sealed class StreamRecorder : IStreamListener, IDisposable
 
     /// <summary>Completes when the recording has ended and its file is closed. Never faults; see <see cref="Failure"/>.</summary>
     public Task Completion => _completion.Task;
+
+    // As Completion, but what awaits it goes on on the recording's thread.
+    internal Task Ended { get; }
 
     /// <summary>What was recorded so far. Also after the end.</summary>
     /// <returns>A snapshot.</returns>

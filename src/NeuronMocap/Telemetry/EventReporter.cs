@@ -26,7 +26,7 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
     private readonly object _lock = new();
     private readonly StatusLevels _levels = new();
     private readonly Dictionary<(ReaderEventId Id, string? Subject), ThrottledCount> _counts = [];
-    private readonly TaskCompletionSource<bool> _over = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly TaskCompletionSource<bool> _over = new();
     private readonly HashSet<StreamRecorder> _recorders = [];
     private long _droppedTold;
     private volatile Exception? _failure;
@@ -35,7 +35,7 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
     // Whether the calling thread is making a report, so that a handler calls.
     public bool IsReporting => Monitor.IsEntered(_lock);
 
-    // Completes after the end, when no report runs any more.
+    // Completes after the end, when no report runs any more, and lets those who wait go on without a thread of the pool.
     public Task Over => _over.Task;
 
     // One thread at a time, in the order of the changes.
@@ -62,11 +62,14 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
         }
     }
 
-    // Once, when nothing more is received: what no report told yet. The thread may be one that stops the reader, so it does not wait here.
+    // Once, when nothing more is received: what no report told yet. Whoever is just making a report is waited for on a thread of its own: this one
+    // may be a handler's, and the pool's are not always free.
     public Task EndAsync(long now)
     {
         _ended = true;
-        return TryEnd(now, TimeSpan.Zero) ? Task.CompletedTask : Task.Run(() => TryEnd(now, Patience));
+        return TryEnd(now, TimeSpan.Zero)
+            ? Task.CompletedTask
+            : DedicatedThread.RunAsync("NeuronMocap last report", () => TryEnd(now, Patience), TaskCreationOptions.None);
     }
 
     private bool TryEnd(long now, TimeSpan patience)

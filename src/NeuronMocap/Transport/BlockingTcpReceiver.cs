@@ -17,12 +17,12 @@ internal sealed class BlockingTcpReceiver(Action? released = null) : TcpReceiver
     private Action? _released = released;
 
     public override Task ConnectAsync(Socket socket, IPEndPoint remote) =>
-        DedicatedThread.RunAsync("NeuronMocap TCP connect", () => socket.Connect(remote));
+        DedicatedThread.RunAsync("NeuronMocap TCP connect", () => TcpConnect.Run(socket, remote), TaskCreationOptions.None);
 
     public override Task ReceiveAsync(Socket socket, PacketAssembler assembler) =>
-        DedicatedThread.RunAsync("NeuronMocap TCP receive", () => Receive(socket, assembler));
+        DedicatedThread.RunAsync("NeuronMocap TCP receive", () => Receive(socket, assembler), TaskCreationOptions.None);
 
-    public override void Release() => Interlocked.Exchange(ref _released, null)?.Invoke();
+    public override void Close() => Interlocked.Exchange(ref _released, null)?.Invoke();
 
     private static void Receive(Socket socket, PacketAssembler assembler)
     {

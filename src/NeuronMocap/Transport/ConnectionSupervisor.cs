@@ -31,7 +31,9 @@ internal sealed class ConnectionSupervisor(
                 return new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, LinkEnd.Requested.Message);
 
             failures = delivered ? 0 : failures + 1;
-            await WaitAsync(end, failures, stop).ConfigureAwait(false);
+            TimeSpan delay = policy.GetDelay(failures, jitter());
+            status.Set(new ConnectionStatus(ConnectionState.Waiting, end.Reason, end.Message) { Attempt = failures, RetryIn = delay });
+            await Pause.WaitAsync(delay, stop).ConfigureAwait(false);
         }
     }
 
@@ -81,19 +83,5 @@ internal sealed class ConnectionSupervisor(
         });
         end = await link.ReceiveAsync(receiver).ConfigureAwait(false);
         return (activity.Explain(end), activity.HasPackets);
-    }
-
-    private async Task WaitAsync(LinkEnd end, int failures, CancellationToken stop)
-    {
-        TimeSpan delay = policy.GetDelay(failures, jitter());
-        status.Set(new ConnectionStatus(ConnectionState.Waiting, end.Reason, end.Message) { Attempt = failures, RetryIn = delay });
-        try
-        {
-            await Task.Delay(delay, stop).ConfigureAwait(false);
-        }
-        catch (OperationCanceledException)
-        {
-            // The loop looks at the token next.
-        }
     }
 }

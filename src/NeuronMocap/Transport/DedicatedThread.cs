@@ -2,10 +2,11 @@ namespace NeuronMocap.Transport;
 
 internal static class DedicatedThread
 {
-    // Runs what blocks on a background thread of its own, which never keeps the process alive; the task ends as it does.
-    public static Task RunAsync(string name, Action action)
+    // Runs what blocks on a background thread of its own, which never keeps the process alive; the task ends as it does. What awaits the task
+    // goes on on a pool thread, or, with no options, on this thread, for which nothing has to be free.
+    public static Task RunAsync(string name, Action action, TaskCreationOptions options = TaskCreationOptions.RunContinuationsAsynchronously)
     {
-        var completion = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
+        var completion = new TaskCompletionSource<bool>(options);
         new Thread(Run) { IsBackground = true, Name = name }.Start();
         return completion.Task;
 

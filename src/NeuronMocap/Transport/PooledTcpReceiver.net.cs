@@ -12,10 +12,16 @@ internal sealed class PooledTcpReceiver : TcpReceiver
 {
     private const int BufferSize = 64 * 1024;
 
-    public override Task ConnectAsync(Socket socket, IPEndPoint remote) => socket.ConnectAsync(remote);
+    private readonly ReceiveGate _gate = new();
+
+    public override Task ConnectAsync(Socket socket, IPEndPoint remote) => _gate.UntilClosedAsync(socket.ConnectAsync(remote));
+
+    public override Task ReceiveAsync(Socket socket, PacketAssembler assembler) => _gate.UntilClosedAsync(LoopAsync(socket, assembler));
+
+    public override void Close() => _gate.Close();
 
     // One method, and so one state machine for the whole connection: one of its own for each arrival would be allocated whenever it waits.
-    public override async Task ReceiveAsync(Socket socket, PacketAssembler assembler)
+    private async Task LoopAsync(Socket socket, PacketAssembler assembler)
     {
         int count;
         do
@@ -28,8 +34,10 @@ internal sealed class PooledTcpReceiver : TcpReceiver
                 do
                 {
                     count = await socket.ReceiveAsync(buffer.AsMemory(0, BufferSize), SocketFlags.None).ConfigureAwait(false);
-                    if (count > 0)
+                    if (count > 0 && _gate.TryEnter())
                         assembler.Push(new ArraySegment<byte>(buffer, 0, count), Stopwatch.GetTimestamp());
+                    if (count > 0 && !_gate.TryLeave())
+                        return;
                 }
                 while (count == BufferSize);
             }

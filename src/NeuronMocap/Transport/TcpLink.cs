@@ -69,8 +69,9 @@ internal sealed class TcpLink(LinkOptions options) : Link
         {
             _closed = true;
             _socket?.Dispose();
-            _receiver.Release();
         }
+
+        _receiver.Close();
     }
 
     private async Task<LinkEnd> FindAndConnectAsync(CancellationToken stop)

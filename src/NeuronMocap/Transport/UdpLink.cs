@@ -8,6 +8,7 @@ namespace NeuronMocap.Transport;
 internal sealed class UdpLink(LinkOptions options, SenderFilter filter) : Link
 {
     private readonly object _lock = new();
+    private readonly ReceiveGate _gate = new();
     private Socket? _socket;
     private bool _closed;
 
@@ -22,7 +23,7 @@ internal sealed class UdpLink(LinkOptions options, SenderFilter filter) : Link
         var senders = new UdpSenders(new PacketScanner(options.MaxValues), receiver, filter);
         try
         {
-            await UdpReceiver.ReceiveAsync(_socket!, senders).ConfigureAwait(false);
+            await UdpReceiver.ReceiveAsync(_socket!, senders, _gate).ConfigureAwait(false);
             return LinkEnd.None;
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
@@ -47,6 +48,8 @@ internal sealed class UdpLink(LinkOptions options, SenderFilter filter) : Link
             _closed = true;
             _socket?.Dispose();
         }
+
+        _gate.Close();
     }
 
     private LinkEnd Bind()

@@ -14,23 +14,25 @@ internal sealed class UdpReceiver : IDisposable
     private readonly UdpSenders _senders;
     private readonly SenderEndPoint _sender;
     private readonly SocketAsyncEventArgs _operation = new();
-    private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly ReceiveGate _gate;
+    private readonly TaskCompletionSource<bool> _completion = new();
 
-    private UdpReceiver(Socket socket, UdpSenders senders)
+    private UdpReceiver(Socket socket, UdpSenders senders, ReceiveGate gate)
     {
         _socket = socket;
         _senders = senders;
+        _gate = gate;
         _sender = new SenderEndPoint(socket.LocalEndPoint!);
         _operation.SetBuffer(new byte[MaxDatagram], 0, MaxDatagram);
         _operation.Completed += (_, _) => Receive(completed: true);
     }
 
-    // Never completes; throws when the socket is closed or fails.
-    public static async Task ReceiveAsync(Socket socket, UdpSenders senders)
+    // Throws when the gate or the socket is closed, or the socket fails.
+    public static async Task ReceiveAsync(Socket socket, UdpSenders senders, ReceiveGate gate)
     {
-        using var receiver = new UdpReceiver(socket, senders);
+        using var receiver = new UdpReceiver(socket, senders, gate);
         receiver.Receive(completed: false);
-        await receiver._completion.Task.ConfigureAwait(false);
+        await gate.UntilClosedAsync(receiver._completion.Task).ConfigureAwait(false);
     }
 
     public void Dispose() => _operation.Dispose();
@@ -63,7 +65,10 @@ internal sealed class UdpReceiver : IDisposable
 
         // Some runtimes replace the end point by one of their own instead of asking ours.
         SocketAddress address = _operation.RemoteEndPoint is SenderEndPoint sender ? sender.Address : _operation.RemoteEndPoint!.Serialize();
-        _senders.Push(address, new ArraySegment<byte>(_operation.Buffer!, 0, _operation.BytesTransferred), Stopwatch.GetTimestamp());
+        if (_gate.TryEnter())
+            _senders.Push(address, new ArraySegment<byte>(_operation.Buffer!, 0, _operation.BytesTransferred), Stopwatch.GetTimestamp());
+        if (!_gate.TryLeave())
+            throw new OperationCanceledException();
     }
 
     // Keeps the sender's address in the object that the runtime wrote it to, where other end points make a new one.

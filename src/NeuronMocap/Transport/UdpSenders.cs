@@ -13,7 +13,7 @@ internal sealed class UdpSenders(PacketScanner scanner, IPacketReceiver receiver
     // Servers that cut frames up cut them into pieces of this size (protocol.md sections 4.2 and 8): a larger datagram begins with a frame.
     private const int PieceSize = 1024;
 
-    private readonly Dictionary<SocketAddress, Sender> _senders = [];
+    private readonly Dictionary<SocketAddress, Sender> _senders = new(SenderComparer.Instance);
     private int _nextSource;
     private long _clock;
 

@@ -7,11 +7,14 @@ namespace NeuronMocap.Compatibility.Tests.Mono;
 /// Debian's Mono, the nearest there is to the runtime of Unity's editor: compiles a program of C# files against copies of the netstandard2.1
 /// assemblies, and runs it.
 /// </summary>
-internal sealed class MonoProgram : IDisposable
+/// <param name="others">Assemblies that the program sees beside the library's.</param>
+internal sealed class MonoProgram(params string[] others) : IDisposable
 {
     private const string Runtime = "/usr/bin/mono";
     private const string Compiler = "/usr/bin/mcs";
     private const string Facade = "/usr/lib/mono/4.5/Facades/netstandard.dll";
+
+    private readonly string[] _assemblies = ["NeuronMocap.dll", "NeuronMocap.Server.dll", "NeuronMocap.Compatibility.dll", .. others];
 
     private readonly string _folder = Directory.CreateTempSubdirectory("neuron-mocap-mono-").FullName;
 
@@ -29,13 +32,16 @@ internal sealed class MonoProgram : IDisposable
 
     public async Task CompileAsync(IEnumerable<string> sources)
     {
-        foreach (string assembly in (string[])["NeuronMocap.dll", "NeuronMocap.Compatibility.dll"])
+        foreach (string assembly in _assemblies)
             Adapt(Path.Combine(AppContext.BaseDirectory, assembly), Path.Combine(_folder, assembly));
 
-        string reference = "-r:" + Path.Combine(_folder, "NeuronMocap.Compatibility.dll");
-        string library = "-r:" + Path.Combine(_folder, "NeuronMocap.dll");
-        await RunAsync(Compiler, ["-warnaserror", "-r:" + Facade, reference, library, "-out:" + Executable, .. sources]);
+        IEnumerable<string> references = _assemblies.Select(assembly => "-r:" + Path.Combine(_folder, assembly));
+        await RunAsync(Compiler, ["-warnaserror", "-r:" + Facade, .. references, "-out:" + Executable, .. sources]);
     }
+
+    /// <summary>Compiles one of the programs beside this file.</summary>
+    public Task CompileProgramAsync(string name) =>
+        CompileAsync([Repository.PathOf("tests", "NeuronMocap.Compatibility.Tests", "Mono", "Programs", name + ".mono.cs")]);
 
     public Task<string[]> RunAsync(params string[] arguments) => RunAsync(Runtime, [Executable, .. arguments]);
 

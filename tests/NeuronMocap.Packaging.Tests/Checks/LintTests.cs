@@ -109,6 +109,7 @@ public sealed class LintTests
         StagedPackage package = ThePackage.With(static files => files[Library] = File.ReadAllBytes(typeof(LintTests).Assembly.Location));
         Assert.Contains(PackageLint.Check(package), static problem => problem.Contains("needs System.Runtime", StringComparison.Ordinal));
         Assert.Contains(PackageLint.Check(package), static problem => problem.Contains("needs xunit", StringComparison.Ordinal));
+        Assert.Contains(PackageLint.Check(package), static problem => problem.Contains("is lost when Unity strips code", StringComparison.Ordinal));
     }
 
     [Fact]

@@ -53,6 +53,16 @@ public sealed class StreamCountersTests
         Assert.Equal((2, 1, 1), (statistics.Lost, statistics.Gaps, statistics.Restarts));
     }
 
+    [Fact]
+    public void Totals_are_asked_for_without_an_allocation()
+    {
+        Deliver(frame: 1, avatar: 0, seconds: 0);
+        Deliver(frame: 4, avatar: 1, seconds: 0.1);
+        long lost = 0;
+        Allocations.AssertNone(() => lost += _counters.Snapshot().Lost);
+        Assert.Equal(0, lost);
+    }
+
     // The one before it still remembers whose turn came next.
     [Fact]
     public void An_avatar_that_made_room_and_comes_back_in_its_turn_is_counted_anew()

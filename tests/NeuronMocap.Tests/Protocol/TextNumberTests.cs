@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Numerics;
 using System.Text;
 using NeuronMocap.Protocol;
 
@@ -112,6 +113,72 @@ public class TextNumberTests
             string beyond = middle.ToString("E60", CultureInfo.InvariantCulture);
             AssertLikeTheFramework(beyond.Replace("E", "0000000000000001E", StringComparison.Ordinal));
         }
+    }
+
+    // As many digits as anybody writes, the powers of ten around the ends of the range, and words that go on for thousands of digits.
+    [Fact]
+    public void Long_words_are_read_as_the_framework_does()
+    {
+        var random = new Random(5);
+        for (int i = 0; i < 100_000; i++)
+        {
+            int count = i % 100 == 0 ? random.Next(1, 3000) : random.Next(1, 150);
+            string digits = string.Concat(Enumerable.Range(0, count).Select(_ => random.Next(10)));
+            int point = random.Next(count + 1);
+            int power = (i % 4) switch { 0 => random.Next(36, 41), 1 => random.Next(-48, -36), _ => random.Next(-60, 60) };
+            AssertLikeTheFramework((i % 2 == 0 ? "-" : "") + digits.Insert(point, ".") + "e" + (power - point));
+        }
+    }
+
+    // The exact middle of two floats has up to 113 digits; one digit, wherever it stands behind, takes it to the upper one.
+    [Fact]
+    public void The_exact_middle_of_two_floats_is_told_from_what_lies_beside_it()
+    {
+        var random = new Random(6);
+        for (int i = 0; i < 20_000; i++)
+        {
+            int bits = (i % 4) switch
+            {
+                0 => random.Next(0x0080_0000), // subnormal
+                1 => random.Next(0x7F00_0000, 0x7F80_0000), // up to the largest, beside which lies infinity
+                2 => random.Next(0x100) << 23, // just above and below a power of two
+                _ => random.Next(0x7F80_0000),
+            };
+            bits = Math.Min(bits, 0x7F7F_FFFF);
+            int exponent = Math.Max(1, bits >> 23);
+            BigInteger twice = (2 * (bits >> 23 == 0 ? bits : (bits & 0x7F_FFFF) | 0x80_0000)) + 1;
+            int power = exponent - 151;
+            BigInteger middle = power >= 0 ? twice << power : twice * BigInteger.Pow(5, -power);
+            string digits = middle.ToString(CultureInfo.InvariantCulture);
+            string suffix = "e" + Math.Min(0, power);
+            string above = digits + "." + new string('0', random.Next(30)) + "1" + suffix;
+            AssertLikeTheFramework(digits + suffix);
+            AssertLikeTheFramework(digits + ".000" + suffix);
+            AssertLikeTheFramework(above);
+            AssertLikeTheFramework((middle - 1).ToString(CultureInfo.InvariantCulture) + ".999" + suffix);
+            int upper = bits + 1;
+            Assert.True(TextNumber.TryParse(Encoding.UTF8.GetBytes(above), out float value));
+            Assert.Equal(upper, BitConverter.SingleToInt32Bits(value));
+        }
+    }
+
+    [Theory]
+    [InlineData("1e-2147483648")]
+    [InlineData("1e2147483647")]
+    [InlineData("-1e4294967296")]
+    public void Hostile_words_are_read_as_the_framework_does(string text)
+    {
+        AssertLikeTheFramework(text);
+        AssertLikeTheFramework(new string('9', 60_000) + "e-59990");
+        AssertLikeTheFramework("0." + new string('0', 60_000) + "123456789012345678901234567890e60005");
+        AssertLikeTheFramework(new string('0', 60_000) + "16777217.000000000000000000001");
+    }
+
+    [Fact]
+    public void Words_that_take_the_long_way_cost_no_allocation()
+    {
+        byte[] word = Encoding.UTF8.GetBytes("16777217." + new string('0', 200) + "1e-3");
+        Allocations.AssertNone(() => Assert.True(TextNumber.TryParse(word, out float _)));
     }
 
     [Theory]

@@ -29,18 +29,9 @@ public sealed class RecorderQueueTests : IDisposable
         StreamRecorder recorder = Start(new RecordingOptions { QueueSize = 1 << 20 }, disk);
         for (int i = 0; i < 3; i++)
         {
-            disk.Hold();
-            long lost = recorder.GetStatistics().LostPieces;
-            while (recorder.GetStatistics().LostPieces < lost + 100)
-                Push();
-
+            Lose(recorder, disk, pieces: 100);
             disk.LetGo();
-            long taken = recorder.GetStatistics().Pieces;
-            await Limits.UntilAsync(() =>
-            {
-                Push();
-                return recorder.GetStatistics().Pieces > taken;
-            });
+            await PushUntilTakenAsync(recorder);
         }
 
         recorder.Dispose();
@@ -70,10 +61,7 @@ public sealed class RecorderQueueTests : IDisposable
     {
         var disk = new HeldStream();
         StreamRecorder recorder = Start(new RecordingOptions { QueueSize = 1 << 20 }, disk);
-        disk.Hold();
-        while (recorder.GetStatistics().LostPieces < 10)
-            Push();
-
+        Lose(recorder, disk, pieces: 10);
         recorder.Stop();
         disk.LetGo();
         await recorder.Completion.Soon();
@@ -86,15 +74,8 @@ public sealed class RecorderQueueTests : IDisposable
     {
         var disk = new HeldStream();
         StreamRecorder recorder = Start(new RecordingOptions { QueueSize = 1 << 20 }, disk);
-        disk.Hold();
-        while (recorder.GetStatistics().LostPieces < 10)
-            Push();
-
-        for (int i = 0; i < 50; i++)
-        {
-            _tap.Close("Reset", Stopwatch.GetTimestamp());
-            _tap.Open(isDatagrams: false, Local, Remote, Stopwatch.GetTimestamp());
-        }
+        Lose(recorder, disk, pieces: 10);
+        Reconnect(times: 50);
 
         disk.LetGo();
         recorder.Dispose();
@@ -110,23 +91,11 @@ public sealed class RecorderQueueTests : IDisposable
     {
         var disk = new HeldStream();
         StreamRecorder recorder = Start(new RecordingOptions { QueueSize = 1 << 20 }, disk);
-        disk.Hold();
-        while (recorder.GetStatistics().LostPieces < 10)
-            Push();
-
-        for (int i = 0; i < 1000; i++)
-        {
-            _tap.Close("Reset", Stopwatch.GetTimestamp());
-            _tap.Open(isDatagrams: false, Local, Remote, Stopwatch.GetTimestamp());
-        }
+        Lose(recorder, disk, pieces: 10);
+        Reconnect(times: 1000);
 
         disk.LetGo();
-        long taken = recorder.GetStatistics().Pieces;
-        await Limits.UntilAsync(() =>
-        {
-            Push();
-            return recorder.GetStatistics().Pieces > taken;
-        });
+        await PushUntilTakenAsync(recorder);
         recorder.Dispose();
         Assert.Null(recorder.Failure);
         List<RecordedEntry> entries = RecordedEntry.ReadAll(disk.ToArray());
@@ -320,6 +289,34 @@ public sealed class RecorderQueueTests : IDisposable
             return RecordedEntry.ReadAll(reader).Exists(entry => entry.Kind == RecordingEntryKind.Bytes);
         });
         recorder.Dispose();
+    }
+
+    // The disk takes nothing from here on.
+    private void Lose(StreamRecorder recorder, HeldStream disk, int pieces)
+    {
+        disk.Hold();
+        long lost = recorder.GetStatistics().LostPieces;
+        while (recorder.GetStatistics().LostPieces < lost + pieces)
+            Push();
+    }
+
+    private async Task PushUntilTakenAsync(StreamRecorder recorder)
+    {
+        long taken = recorder.GetStatistics().Pieces;
+        await Limits.UntilAsync(() =>
+        {
+            Push();
+            return recorder.GetStatistics().Pieces > taken;
+        });
+    }
+
+    private void Reconnect(int times)
+    {
+        for (int i = 0; i < times; i++)
+        {
+            _tap.Close("Reset", Stopwatch.GetTimestamp());
+            _tap.Open(isDatagrams: false, Local, Remote, Stopwatch.GetTimestamp());
+        }
     }
 
     private void Push()

@@ -42,8 +42,8 @@ public sealed class BroadcasterCommandTests
         Expect.Frames(frames[..(frames.Count / 2 * 2)], options, frames.Count / 2);
 
         // Counted when it is sent: the client may have it before.
-        await Limits.UntilAsync(() => broadcaster.Statistics.RepliesSent == 5);
-        Assert.Equal((5L, 0L, 0L), (broadcaster.Statistics.RepliesSent, broadcaster.Statistics.RequestsIgnored, broadcaster.Statistics.RequestsDropped));
+        await AssertSentAsync(broadcaster, replies: 5);
+        Assert.Equal((0L, 0L), (broadcaster.Statistics.RequestsIgnored, broadcaster.Statistics.RequestsDropped));
     }
 
     [Fact]
@@ -87,7 +87,8 @@ public sealed class BroadcasterCommandTests
         await SendAsync(client, [.. strange.SelectMany(bytes => bytes), .. Requests.Create(5, 0)]);
 
         Assert.Equal(DataCommandId.AvatarCount, Assert.Single((await ReadRepliesAsync(client, 1)).Replies).Id);
-        Assert.Equal((strange.Length, 1L), (broadcaster.Statistics.RequestsIgnored, broadcaster.Statistics.RepliesSent));
+        Assert.Equal(strange.Length, broadcaster.Statistics.RequestsIgnored);
+        await AssertSentAsync(broadcaster, replies: 1);
         Assert.Equal(strange.Length, Assert.Single(broadcaster.GetClients()).RequestsIgnored);
     }
 
@@ -112,7 +113,7 @@ public sealed class BroadcasterCommandTests
         broadcaster.SetCombinationMode(0, SensorCombination.FullBody);
         await SendAsync(client, Requests.Create(6, 0));
         Assert.Equal([(0, 2)], await ReadModesAsync(client, 1));
-        Assert.Equal(6, broadcaster.Statistics.RepliesSent);
+        await AssertSentAsync(broadcaster, replies: 6);
         Assert.Throws<ArgumentOutOfRangeException>(() => broadcaster.SetCombinationMode(2, SensorCombination.FullBody));
         Assert.Throws<ArgumentOutOfRangeException>(() => broadcaster.GetCombinationMode(-1));
     }
@@ -138,7 +139,7 @@ public sealed class BroadcasterCommandTests
 
         for (int i = 0; i < 100; i++)
             Assert.True(MotionHeader.TryRead((await witness.ReadAsync())!, out _));
-        Assert.Equal(Clients * 5 * 2, broadcaster.Statistics.RepliesSent);
+        await AssertSentAsync(broadcaster, replies: Clients * 5 * 2);
     }
 
     [Fact]
@@ -222,7 +223,7 @@ public sealed class BroadcasterCommandTests
         int hierarchy = text.IndexOf("HIERARCHY", end, StringComparison.Ordinal);
         Assert.Equal(end + 1, hierarchy);
         Assert.Equal(60, text.Split(" ||\r\n").Length - 1);
-        Assert.Equal(1, broadcaster.Statistics.RepliesSent);
+        await AssertSentAsync(broadcaster, replies: 1);
     }
 
     [Fact]
@@ -255,6 +256,13 @@ public sealed class BroadcasterCommandTests
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
         await SendAsync(client, Requests.Create(0, 0));
         await Assert.ThrowsAsync<InvalidDataException>(() => broadcaster.Completion.Soon());
+    }
+
+    // A reply counts when it is sent, and may be read before.
+    private static async Task AssertSentAsync(Broadcaster broadcaster, long replies)
+    {
+        await Limits.UntilAsync(() => broadcaster.Statistics.RepliesSent >= replies);
+        Assert.Equal(replies, broadcaster.Statistics.RepliesSent);
     }
 
     private static BroadcasterOptions Options(double rate, int avatars = 1)

@@ -16,7 +16,7 @@ public sealed class PooledTcpReceiverTests : TcpReceiverTests
         Assert.IsType<PooledTcpReceiver>(receivers.Take());
         Assert.IsType<PooledTcpReceiver>(receivers.Take());
 
-        first.Release();
+        first.Close();
         Assert.IsType<BlockingTcpReceiver>(receivers.Take());
         Assert.IsType<PooledTcpReceiver>(receivers.Take());
         Assert.IsType<BlockingTcpReceiver>(first);

@@ -101,7 +101,7 @@ public abstract class TcpReceiverTests
             connection.Close();
 
         await receiving.Soon();
-        receiver.Release();
+        receiver.Close();
         return log;
     }
 
@@ -117,8 +117,8 @@ public sealed class BlockingTcpReceiverTests : TcpReceiverTests
     {
         int released = 0;
         var receiver = new BlockingTcpReceiver(() => released++);
-        receiver.Release();
-        receiver.Release();
+        receiver.Close();
+        receiver.Close();
         Assert.Equal(1, released);
     }
 }

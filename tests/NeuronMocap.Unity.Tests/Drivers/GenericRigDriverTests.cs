@@ -1,4 +1,3 @@
-using NeuronMocap.Retargeting;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.Tests.Infrastructure;
 

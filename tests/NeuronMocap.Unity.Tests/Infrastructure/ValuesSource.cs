@@ -4,15 +4,15 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Unity.Tests.Infrastructure;
 
 /// <summary>A performance of which a test writes the values of the packets itself.</summary>
-internal sealed class ValuesSource(Action<long, ChannelLayout, float[]> write, bool hasDisplacement = true) : MotionSource
+internal sealed class ValuesSource(Action<long, ChannelLayout, float[]> write, SkeletonBody? body = null) : MotionSource
 {
     public override double FrameRate => 100;
 
     public override long? FrameCount => null;
 
-    public override bool HasDisplacement => hasDisplacement;
+    public override bool HasDisplacement => true;
 
-    public override void GetPose(long frame, Span<BoneTransform> pose) => SkeletonBody.Default().CopyRestPose(pose);
+    public override void GetPose(long frame, Span<BoneTransform> pose) => (body ?? SkeletonBody.Default()).CopyRestPose(pose);
 
     public override FootContacts GetFootContacts(long frame) => new(frame % 2 == 0, false);
 

@@ -260,6 +260,23 @@ public sealed class MocapSourceTests : SourceFixture
     }
 
     [Fact]
+    public void Sizes_are_asked_for_on_the_command_channel_where_the_stream_has_none()
+    {
+        var tall = SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperLeg = 0.6f });
+        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new ValuesSource(static (_, _, _) => { }, tall)], Displacement = false });
+        using var commands = new CommandServer(server, new CommandServerOptions { Port = 0 });
+        commands.Start();
+        MocapSource without = Add(server);
+        MocapSource with = Add(server, source => source.CommandPort = commands.LocalEndPoint!.Port);
+        Performer performer = WaitForPose(with);
+        Loop.RunUntil(() => performer.BodyVersion > 0);
+
+        Assert.Equal(60, performer.Body.GetOffset(Bone.LeftLeg).Length(), 0.01f);
+        Assert.Equal(0.6f, (performer.GetPosition(Bone.LeftLeg) - performer.GetPosition(Bone.LeftUpLeg)).magnitude, 0.2f);
+        Assert.Same(SkeletonBody.Default(), WaitForPose(without).Body);
+    }
+
+    [Fact]
     public void Contacts_are_those_of_calculation_frames_where_there_are_any()
     {
         Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], Calculation = CalculationSynthesizer.Write });

@@ -4,7 +4,6 @@ using NeuronMocap.Protocol;
 using NeuronMocap.Retargeting;
 using NeuronMocap.Server;
 using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.Tests.Drivers;
 using NeuronMocap.Unity.Tests.Infrastructure;
 

@@ -20,9 +20,7 @@ public sealed class CoroutineTests : IDisposable
         Assert.Equal(["begin", "next"], _steps);
         _loop.Frames(4, 0.1f);
         Assert.DoesNotContain("second", _steps);
-        _loop.Frames(2, 0.1f);
-        Assert.Equal(["begin", "next", "second", "inner"], _steps);
-        _loop.Frames(2, 0.1f);
+        _loop.Frame(0.1f);
         Assert.Equal(["begin", "next", "second", "inner", "inner end", "end"], _steps);
     }
 

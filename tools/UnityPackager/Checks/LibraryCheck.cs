@@ -48,10 +48,41 @@ internal static class LibraryCheck
                 yield return $"needs {name}, which Unity may not have, or may have twice";
         }
 
+        foreach (string member in FindReflection(metadata))
+            yield return $"uses {member}: what is found by reflection is lost when Unity strips code, and needs a [Preserve]";
+
         Version actual = metadata.GetAssemblyDefinition().Version;
         if (!version.StartsWith(actual.ToString(3), StringComparison.Ordinal))
             yield return $"is of version {actual.ToString(3)}, package.json of {version}";
     }
+
+    // Names of enumeration members, which stripping keeps with their type, are all that the libraries ask for at run time.
+    private static IEnumerable<string> FindReflection(MetadataReader metadata)
+    {
+        foreach (MemberReferenceHandle handle in metadata.MemberReferences)
+        {
+            MemberReference member = metadata.GetMemberReference(handle);
+            if (member.Parent.Kind != HandleKind.TypeReference)
+                continue;
+
+            TypeReference type = metadata.GetTypeReference((TypeReferenceHandle)member.Parent);
+            string typeName = $"{metadata.GetString(type.Namespace)}.{metadata.GetString(type.Name)}";
+            string name = metadata.GetString(member.Name);
+            if (FindsMembers(typeName, name))
+                yield return $"{typeName}.{name}";
+        }
+    }
+
+    // The name and version of an assembly are always there.
+    private static bool FindsMembers(string type, string name) => type switch
+    {
+        "System.Activator" => true,
+        "System.Type" => name.StartsWith("Get", StringComparison.Ordinal) && name != "GetTypeFromHandle",
+        "System.Reflection.AssemblyName" => false,
+        "System.Reflection.Assembly" => name is not "GetName" and not "GetEntryAssembly",
+        _ when type.EndsWith("Attribute", StringComparison.Ordinal) => false,
+        _ => type.StartsWith("System.Reflection.", StringComparison.Ordinal) || type.StartsWith("System.Linq.Expressions.", StringComparison.Ordinal),
+    };
 
     private static IEnumerable<string> CheckSymbols(byte[] symbols)
     {

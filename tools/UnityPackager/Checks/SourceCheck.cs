@@ -11,16 +11,16 @@ internal static partial class SourceCheck
         foreach (string path in package.AssetFiles.Where(static path => path.EndsWith(".cs", StringComparison.Ordinal)))
         {
             string[] lines = package.ReadText(path).Split('\n');
-            if (!lines.Contains("#nullable enable"))
+            if (!Has(lines, "[assembly:") && !Has(lines, "#nullable enable"))
                 yield return $"{path}: does not say #nullable enable";
-            if (!Array.Exists(lines, static line => line.StartsWith("namespace NeuronMocap.Unity", StringComparison.Ordinal)) && !IsAssemblyInfo(lines))
+            if (!Has(lines, "[assembly:") && !Has(lines, "namespace NeuronMocap.Unity"))
                 yield return $"{path}: is in no namespace of the package";
             if (AssemblyDefinition.Owning(path, definitions) is { IsEditorOnly: false } && FindUnguarded(lines) is { } number)
                 yield return $"{path}:{number}: uses the editor outside #if UNITY_EDITOR";
         }
     }
 
-    private static bool IsAssemblyInfo(string[] lines) => Array.Exists(lines, static line => line.StartsWith("[assembly:", StringComparison.Ordinal));
+    private static bool Has(string[] lines, string start) => Array.Exists(lines, line => line.StartsWith(start, StringComparison.Ordinal));
 
     // The number of the first line, from 1.
     private static int? FindUnguarded(string[] lines)

@@ -43,9 +43,11 @@ namespace NeuronMocap.Unity
         private int _avatarIndex;
 
         [SerializeField]
+        [Tooltip("Lines from joint to joint.")]
         private bool _showBones = true;
 
         [SerializeField]
+        [Tooltip("Balls at the joints.")]
         private bool _showJoints = true;
 
         [SerializeField]
@@ -71,15 +73,19 @@ namespace NeuronMocap.Unity
         private Bone[] _trailBones = { Bone.LeftHand, Bone.RightHand, Bone.LeftFoot, Bone.RightFoot };
 
         [SerializeField]
+        [Tooltip("Colour of the bones.")]
         private Color _boneColor = new Color(0.9f, 0.9f, 0.95f);
 
         [SerializeField]
+        [Tooltip("Colour of the joints.")]
         private Color _jointColor = new Color(0.95f, 0.42f, 0.1f);
 
         [SerializeField]
+        [Tooltip("Colour of the discs under standing feet.")]
         private Color _contactColor = new Color(0.2f, 0.9f, 0.35f);
 
         [SerializeField]
+        [Tooltip("Colour of the trails.")]
         private Color _trailColor = new Color(0.3f, 0.7f, 1);
 
         private PositionTrail[] _trails = Array.Empty<PositionTrail>();

@@ -54,6 +54,7 @@ namespace NeuronMocap.Unity
             ActiveSource = null;
             _retargeted = null;
             _hasPose = false;
+            _rig?.Writer.End();
         }
 
         private protected void OnValidate() => _rigProblem = null;

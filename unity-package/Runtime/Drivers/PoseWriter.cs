@@ -17,8 +17,10 @@ namespace NeuronMocap.Unity
         private readonly Quaternion[] _rest;
         private readonly Quaternion[] _written;
         private readonly bool[] _isWritten;
+        private readonly bool[] _isBetween;
         private readonly Vector3 _hipsRest;
         private Vector3 _hipsWritten;
+        private bool _hasBegun;
 
         public PoseWriter(Transform[] nodes, TargetRig rig)
         {
@@ -26,8 +28,12 @@ namespace NeuronMocap.Unity
             _hips = rig.HipsNode;
             _rest = new Quaternion[nodes.Length];
             _isWritten = new bool[nodes.Length];
+            _isBetween = new bool[nodes.Length];
             for (int node = 0; node < nodes.Length; node++)
+            {
                 _rest[node] = rig.Nodes[node].Rotation.ToUnity();
+                _isBetween[node] = rig.GetHumanoidBone(node) is null && rig.GetBone(node) is null;
+            }
 
             _written = (Quaternion[])_rest.Clone();
             _hipsWritten = _hipsRest = rig.Nodes[_hips].Position.ToUnity();
@@ -35,6 +41,9 @@ namespace NeuronMocap.Unity
 
         public void Write(RetargetedPose pose, float weight)
         {
+            if (!_hasBegun)
+                Begin();
+
             Span<System.Numerics.Quaternion> rotations = pose.LocalRotations;
             for (int node = 0; node < _nodes.Length; node++)
             {
@@ -48,11 +57,26 @@ namespace NeuronMocap.Unity
                 Move(pose.HipsLocalPosition.ToUnity(), weight);
         }
 
+        // Before the first pose after this, what lies between bones is put to rest once more.
+        public void End() => _hasBegun = false;
+
         // What was driven goes back to rest.
         public void Restore()
         {
             for (int node = 0; node < _nodes.Length; node++)
                 Release(node);
+        }
+
+        // Poses count on what lies between bones, such as twist bones, being at rest, however the figure was left standing in the scene. From then on it is
+        // its own matter.
+        private void Begin()
+        {
+            _hasBegun = true;
+            for (int node = 0; node < _nodes.Length; node++)
+            {
+                if (_isBetween[node] && _nodes[node] != null)
+                    _nodes[node].localRotation = _rest[node];
+            }
         }
 
         // A bone that is driven no more is somebody else's, and goes to rest where nobody has taken it.

@@ -31,6 +31,7 @@ namespace NeuronMocap.Unity
         private float _groundSize = 20;
 
         [SerializeField]
+        [Tooltip("Colour of the ground.")]
         private Color _groundColor = new Color(0.32f, 0.34f, 0.38f);
 
         [SerializeField]

@@ -39,7 +39,7 @@ namespace NeuronMocap.Unity.Tests
         public IEnumerator A_simulated_performer_moves_a_figure()
         {
             yield return Wait.Until(() => _figure.Driver.IsDriving, "a driven figure");
-            Transform hand = _figure.Figure!.Animator.GetBoneTransform(HumanBodyBones.LeftHand);
+            Transform hand = _figure.Figure!.Animator.GetBoneTransform(HumanBodyBones.LeftHand)!;
             Vector3 start = hand.position;
 
             yield return Wait.Until(() => (hand.position - start).magnitude > 0.05f, "a hand that moves");

@@ -9,6 +9,8 @@ public sealed class Coroutine : YieldInstruction
     private readonly Stack<IEnumerator> _nested = new();
     private object? _awaited;
     private float _until;
+    private int _frame;
+    private Coroutine? _continuation;
 
     internal Coroutine(IEnumerator routine, MonoBehaviour script)
     {
@@ -27,9 +29,9 @@ public sealed class Coroutine : YieldInstruction
     {
         WaitForEndOfFrame => moment == FrameMoment.EndOfFrame,
         WaitForFixedUpdate => moment == FrameMoment.AfterFixedUpdate,
-        _ when moment != FrameMoment.AfterUpdate => false,
+        Coroutine => false,
+        _ when moment != FrameMoment.AfterUpdate || Time.frameCount == _frame => false,
         WaitForSeconds => Time.time >= _until,
-        Coroutine other => other.IsDone,
         AsyncOperation operation => operation.isDone,
         CustomYieldInstruction custom => !custom.keepWaiting,
         _ => true,
@@ -61,8 +63,17 @@ public sealed class Coroutine : YieldInstruction
             {
                 _awaited = current.Current;
                 _until = Time.time + (_awaited is WaitForSeconds wait ? wait.Seconds : 0);
-                return;
+                _frame = Time.frameCount;
+                if (_awaited is not Coroutine { IsDone: true })
+                {
+                    if (_awaited is Coroutine other)
+                        other._continuation = this;
+
+                    return;
+                }
             }
         }
+
+        _continuation?.Advance();
     }
 }

@@ -15,20 +15,13 @@ internal sealed class CoroutineList(MonoBehaviour script)
         _running.Add(coroutine);
         ScriptList.AddWaiting(script);
         coroutine.Advance();
-        Sweep();
         return coroutine;
     }
 
     public void Stop(IEnumerator routine)
     {
         foreach (Coroutine coroutine in _running.FindAll(item => ReferenceEquals(item.Routine, routine)))
-            Stop(coroutine);
-    }
-
-    public void Stop(Coroutine? routine)
-    {
-        routine?.Stop();
-        Sweep();
+            coroutine.Stop();
     }
 
     public void StopAll()
@@ -55,6 +48,7 @@ internal sealed class CoroutineList(MonoBehaviour script)
         Sweep();
     }
 
+    // Only here: elsewhere somebody may be going through the list.
     private void Sweep()
     {
         for (int i = _running.Count - 1; i >= 0; i--)

@@ -152,8 +152,7 @@ internal static class PlayMode
     {
         foreach (GameObject item in _backup)
         {
-            GameObject copy = Object.Instantiate(item);
-            copy.name = item.name;
+            Cloning.Clone(item, null, copy => copy.name = item.name);
             item.DestroyNow();
         }
 

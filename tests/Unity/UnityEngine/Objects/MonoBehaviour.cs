@@ -30,7 +30,7 @@ public class MonoBehaviour : Behaviour
 
     public void StopCoroutine(IEnumerator routine) => State.Coroutines.Stop(routine);
 
-    public void StopCoroutine(Coroutine routine) => State.Coroutines.Stop(routine);
+    public void StopCoroutine(Coroutine routine) => routine.Stop();
 
     public void StopAllCoroutines() => State.Coroutines.StopAll();
 

@@ -1,0 +1,82 @@
+namespace NeuronMocap.Recording;
+
+// Writes a file block by block, behind its header. Header and payload of a block in one write: what a killed process leaves are whole blocks. Once the
+// stream has failed, nothing more is written.
+internal sealed class BlockWriter : IDisposable
+{
+    private readonly Stream _stream;
+    private readonly uint _seed;
+    private readonly BlockCompression _compression = new();
+    private uint _sequence;
+    private bool _hasFailed;
+
+    public BlockWriter(Stream stream, RecordingHeader header, bool compress, bool leaveOpen)
+    {
+        _stream = stream;
+        Compress = compress;
+        LeaveOpen = leaveOpen;
+        byte[] head = new byte[RecordingLayout.FileHeaderSize];
+        _seed = header.Write(head);
+        Write(head);
+    }
+
+    public bool Compress { get; }
+
+    public bool LeaveOpen { get; }
+
+    public bool HasFailed => _hasFailed;
+
+    // Bytes that were handed to the stream.
+    public long Length { get; private set; }
+
+    // The entries, and no longer those of the encoder afterwards.
+    public void Write(BlockKind kind, EntryEncoder entries, long time)
+    {
+        Span<byte> block = entries.Block;
+        try
+        {
+            if (Compress && _compression.TryPack(block[RecordingLayout.BlockHeaderSize..], out Span<byte> packed))
+                Write(kind, BlockEncoding.Deflate, time, packed);
+            else
+                Write(kind, BlockEncoding.Plain, time, block);
+        }
+        finally
+        {
+            entries.Clear();
+        }
+    }
+
+    // What stands behind room for a block's header.
+    public void Write(BlockKind kind, ByteBuffer block, long time) => Write(kind, BlockEncoding.Plain, time, block.Array.AsSpan(0, block.Length));
+
+    public void Flush()
+    {
+        if (!_hasFailed)
+            _stream.Flush();
+    }
+
+    public void Dispose()
+    {
+        _compression.Dispose();
+        if (!LeaveOpen)
+            _stream.Dispose();
+    }
+
+    private void Write(BlockKind kind, BlockEncoding encoding, long time, Span<byte> block)
+    {
+        ReadOnlySpan<byte> payload = block[RecordingLayout.BlockHeaderSize..];
+        new BlockHeader(kind, encoding, _sequence++, payload.Length, time, Crc32C.Append(0, payload)).Write(block, _seed);
+        Write(block);
+    }
+
+    private void Write(ReadOnlySpan<byte> bytes)
+    {
+        if (_hasFailed)
+            return;
+
+        _hasFailed = true;
+        _stream.Write(bytes);
+        _hasFailed = false;
+        Length += bytes.Length;
+    }
+}

@@ -1,0 +1,10 @@
+using System.Net;
+using System.Net.Sockets;
+
+namespace NeuronMocap.Transport;
+
+internal static class TcpConnect
+{
+    // Blocks until there is a connection or none; closing the socket ends it at once.
+    public static void Run(Socket socket, EndPoint remote) => socket.Connect(remote);
+}

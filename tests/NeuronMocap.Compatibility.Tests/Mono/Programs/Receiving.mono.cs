@@ -1,0 +1,70 @@
+using System;
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap;
+using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
+using NeuronMocap.Transport;
+
+// Compiled and run by Mono. Receives over TCP, over UDP, and from a server that closes again and again; prints what came.
+public static class Program
+{
+    // Ports: of a broadcast over TCP; of a server that is told the UDP port; of the one that closes. Then frames to wait for, of each.
+    public static void Main(string[] arguments)
+    {
+        int frames = int.Parse(arguments[3]);
+        using (var reader = new NeuronReader(OptionsFor(arguments[0], reconnects: false)))
+            Receive("tcp", reader, frames, delegate { });
+
+        var udp = new NeuronReaderOptions { Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0 };
+        using (var reader = new NeuronReader(udp))
+        using (var asking = new TcpClient("127.0.0.1", int.Parse(arguments[1])))
+        {
+            Receive("udp", reader, frames, delegate
+            {
+                reader.StartAsync().Wait();
+                asking.GetStream().Write(BitConverter.GetBytes(((IPEndPoint)reader.Status.LocalEndPoint).Port), 0, 4);
+            });
+        }
+
+        using (var reader = new NeuronReader(OptionsFor(arguments[2], reconnects: true)))
+        {
+            Receive("again", reader, frames, delegate { });
+            Console.WriteLine(reader.GetStatistics().Reconnects);
+        }
+    }
+
+    private static NeuronReaderOptions OptionsFor(string port, bool reconnects)
+    {
+        var options = new NeuronReaderOptions { Port = int.Parse(port) };
+        options.Reconnect.Enabled = reconnects;
+        options.Reconnect.InitialDelay = TimeSpan.FromMilliseconds(1);
+        options.Reconnect.MaxDelay = TimeSpan.FromMilliseconds(5);
+        return options;
+    }
+
+    private static void Receive(string how, NeuronReader reader, int frames, Action started)
+    {
+        uint sum = 0;
+        int count = 0;
+        using (FrameQueue queue = reader.OpenQueue(4096))
+        {
+            reader.Start();
+            started();
+            DateTime end = DateTime.UtcNow.AddSeconds(30);
+            while (count < frames && DateTime.UtcNow < end)
+            {
+                queue.Pump(frame =>
+                {
+                    count++;
+                    foreach (float value in frame.Values.ToArray())
+                        sum = sum * 31 + (uint)BitConverter.ToInt32(BitConverter.GetBytes(value), 0);
+                });
+                System.Threading.Thread.Sleep(1);
+            }
+        }
+
+        ReaderStatistics statistics = reader.GetStatistics();
+        Console.WriteLine(how + " " + count + " " + sum + " " + statistics.Lost + " " + statistics.SkippedBytes);
+    }
+}

@@ -1,0 +1,51 @@
+namespace NeuronMocap.Tests.Infrastructure;
+
+/// <summary>A pool none of whose threads is free, and that gets no more: nothing that waits for one gets on. For tests that run alone.</summary>
+internal static class StarvedPool
+{
+    /// <summary>Runs the action while the pool is starved, on a thread of its own.</summary>
+    public static Task RunAsync(Action action) => Task.Factory.StartNew(() => Run(action), TaskCreationOptions.LongRunning);
+
+    private static void Run(Action action)
+    {
+        using var free = new ManualResetEvent(initialState: false);
+        using var left = new CountdownEvent(1);
+        ThreadPool.GetMaxThreads(out int workers, out int completers);
+        Assert.True(ThreadPool.SetMaxThreads(Environment.ProcessorCount, completers));
+        try
+        {
+            // What was queued before still runs; then these take thread after thread, and those that come back from something else.
+            do
+                Block();
+            while (HasFreeThread());
+            for (int i = 0; i < Environment.ProcessorCount; i++)
+                Block();
+
+            action();
+        }
+        finally
+        {
+            ThreadPool.SetMaxThreads(workers, completers);
+            free.Set();
+            left.Signal();
+            left.Wait();
+        }
+
+        void Block()
+        {
+            left.AddCount();
+            ThreadPool.QueueUserWorkItem(_ =>
+            {
+                free.WaitOne();
+                left.Signal();
+            });
+        }
+    }
+
+    private static bool HasFreeThread()
+    {
+        var ran = new ManualResetEventSlim();
+        ThreadPool.QueueUserWorkItem(_ => ran.Set());
+        return ran.Wait(TimeSpan.FromMilliseconds(100));
+    }
+}

@@ -1,0 +1,15 @@
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Reader;
+
+// The way of waiting without a thread, which only this target has.
+public sealed partial class StarvedStopTests
+{
+    [Fact]
+    public Task While_connecting_without_a_thread() => WhileConnectingAsync(() => new PooledTcpReceiver());
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(2000)]
+    public Task While_connected_without_a_thread(int bytes) => WhileConnectedAsync(bytes, () => new PooledTcpReceiver());
+}

@@ -1,0 +1,62 @@
+using NeuronMocap.Compatibility.Tests.Mono;
+
+namespace NeuronMocap.Unity.Tests.Mono;
+
+/// <summary>The package's assemblies as the editor's own runtime runs them: a source with the built-in simulator moves a figure, then play mode ends.</summary>
+public sealed class MonoPackageTests
+{
+    private const string Program =
+        """
+        using System;
+        using System.Diagnostics;
+        using NeuronMocap.Unity;
+        using UnityEngine;
+        using UnityEngine.StandIn;
+
+        public static class Program
+        {
+            public static void Main()
+            {
+                using (var loop = new PlayerLoop())
+                {
+                    var root = new GameObject("Root");
+                    root.SetActive(false);
+                    MocapSource source = root.AddComponent<MocapSource>();
+                    source.Kind = SourceKind.Simulator;
+                    var child = new GameObject("Figure");
+                    child.transform.SetParent(root.transform);
+                    FigureBuilder figure = child.AddComponent<FigureBuilder>();
+                    child.GetComponent<HumanoidDriver>().Source = source;
+                    root.SetActive(true);
+
+                    loop.RunUntil(delegate { return figure.Driver.IsDriving; });
+                    Transform hand = figure.Figure.Animator.GetBoneTransform(HumanBodyBones.LeftHand);
+                    Vector3 start = hand.position;
+                    loop.RunUntil(delegate { return (hand.position - start).magnitude > 0.05f; });
+                    Console.WriteLine("moved, performers: " + source.Performers.Count);
+
+                    loop.ReloadDomain();
+                    loop.RunUntil(delegate { return source.Performers.Count == 1 && figure.Driver.IsDriving; });
+                    Console.WriteLine("moves after a reload");
+
+                    Stopwatch clock = Stopwatch.StartNew();
+                    loop.ExitPlayMode();
+                    Console.WriteLine("ended in a second: " + (clock.Elapsed < TimeSpan.FromSeconds(1)));
+                    foreach (LogEntry entry in ConsoleLog.Problems)
+                        Console.WriteLine(entry);
+                }
+            }
+        }
+        """;
+
+    // A thread that goes on would keep the process: the test would never see its end.
+    [Fact]
+    public async Task A_simulated_performer_moves_a_figure_and_nothing_is_left_after_play_mode()
+    {
+        MonoProgram.Require();
+        using var program = new MonoProgram("UnityEngine.dll", "UnityEditor.dll", "NeuronMocap.Unity.dll");
+        await program.CompileAsync(Program);
+
+        Assert.Equal(["moved, performers: 1", "moves after a reload", "ended in a second: True"], await program.RunAsync());
+    }
+}
