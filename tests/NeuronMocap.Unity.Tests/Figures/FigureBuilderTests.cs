@@ -33,6 +33,7 @@ public sealed class FigureBuilderTests : IDisposable
     [Fact]
     public void The_figure_is_built_anew_when_the_sizes_change_and_nothing_is_left_of_it()
     {
+        _ = Shader.Find("Standard");
         int before = Measure.LiveObjects;
         var actor = new StandingActor(SkeletonBody.Default());
         using Broadcaster server = Stage.Broadcast(actor);

@@ -158,6 +158,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     [Fact]
     public void Nothing_is_left_when_the_spawner_goes()
     {
+        _ = Shader.Find("Standard");
         MocapSource source = Stage.AddSimulator(performers: 2);
         _loop.RunUntil(() => Stage.IsLive(source, 2));
         int before = Measure.LiveObjects;

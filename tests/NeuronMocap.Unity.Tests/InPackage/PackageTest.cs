@@ -43,7 +43,7 @@ internal sealed class PackageTest
         }
     }
 
-    private static IEnumerable<MethodInfo> GetTests(string assembly)
+    private static MethodInfo[] GetTests(string assembly)
     {
         MethodInfo[] tests = [.. Assembly.Load(assembly).GetTypes().SelectMany(static type => type.GetMethods(Public)).Where(static method => GetArguments(method).Any())];
         Assert.NotEmpty(tests);

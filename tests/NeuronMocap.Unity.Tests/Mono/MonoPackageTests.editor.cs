@@ -30,9 +30,10 @@ public sealed class MonoPackageTests
                     root.SetActive(true);
 
                     loop.RunUntil(delegate { return figure.Driver.IsDriving; });
-                    Transform hand = figure.Figure.Animator.GetBoneTransform(HumanBodyBones.LeftHand);
-                    Vector3 start = hand.position;
-                    loop.RunUntil(delegate { return (hand.position - start).magnitude > 0.05f; });
+                    // Looked up each time: the figure is built anew when the performer's sizes are known.
+                    Func<Vector3> hand = delegate { return figure.Figure.Animator.GetBoneTransform(HumanBodyBones.LeftHand).position; };
+                    Vector3 start = hand();
+                    loop.RunUntil(delegate { return (hand() - start).magnitude > 0.05f; });
                     Console.WriteLine("moved, performers: " + source.Performers.Count);
 
                     loop.ReloadDomain();

@@ -9,7 +9,7 @@ public sealed class ClipWriterTests : IDisposable
 {
     private readonly PlayerLoop _loop = new();
 
-    public ClipWriterTests() => System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(typeof(ClipSaver).TypeHandle);
+    public ClipWriterTests() => ClipSaver.Register();
 
     public void Dispose() => _loop.Dispose();
 
@@ -62,6 +62,9 @@ public sealed class ClipWriterTests : IDisposable
         _loop.RunUntil(() => Stage.IsLive(source));
         recorder.StartRecording();
         _loop.RunFor(0.3f);
+
+        // Long enough after the last one to be recorded.
+        _loop.Frame(1 / 30f);
         HumanoidFigure figure = recorder.GetComponent<FigureBuilder>().Figure!;
         ClipTake take = recorder.Take!;
         recorder.StopRecording();

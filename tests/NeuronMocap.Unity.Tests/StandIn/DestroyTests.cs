@@ -19,8 +19,8 @@ public sealed class DestroyTests : IDisposable
         Assert.True(item == null && part == null && !item);
         Assert.False(item is null);
         Assert.Equal("null", item.ToString());
-        Assert.Throws<MissingReferenceException>(() => item.name);
-        Assert.Throws<MissingReferenceException>(() => part.position);
+        Assert.Throws<MissingReferenceException>(() => item!.name);
+        Assert.Throws<MissingReferenceException>(() => part!.position);
     }
 
     [Fact]

@@ -1,3 +1,5 @@
+using NeuronMocap.Unity.Tests.Infrastructure;
+
 namespace NeuronMocap.Unity.Tests.StandIn;
 
 public sealed class LifecycleTests : IDisposable

@@ -70,7 +70,7 @@ public sealed class PlayModeTests : IDisposable
 
         _loop.ReloadDomain();
 
-        Assert.Equal((5, 0, (Action?)null), worker.State);
+        Assert.Equal((5, 0, (Action?)null), worker.Fields);
         Assert.Equal(["OnEnable", "OnDisable", "OnEnable"], worker.Calls);
         Assert.True(worker.isActiveAndEnabled);
     }
@@ -108,7 +108,7 @@ public sealed class PlayModeTests : IDisposable
     private sealed class Worker : MonoBehaviour
     {
         [SerializeField]
-        private List<string> _calls = [];
+        private List<string>? _calls;
 
         private int _kept;
 
@@ -117,14 +117,14 @@ public sealed class PlayModeTests : IDisposable
 
         private Action? _callback;
 
-        public (int Kept, int Forgotten, Action? Callback) State => (_kept, _forgotten, _callback);
+        public (int Kept, int Forgotten, Action? Callback) Fields => (_kept, _forgotten, _callback);
 
-        public IReadOnlyList<string> Calls => _calls;
+        public IReadOnlyList<string>? Calls => _calls;
 
         public void Work() => (_kept, _forgotten, _callback) = (5, 6, Work);
 
-        private void OnEnable() => _calls.Add("OnEnable");
+        private void OnEnable() => (_calls ??= []).Add("OnEnable");
 
-        private void OnDisable() => _calls.Add("OnDisable");
+        private void OnDisable() => _calls!.Add("OnDisable");
     }
 }

@@ -12,7 +12,9 @@ namespace NeuronMocap.Unity.EditorTools
         private const string Assets = "Assets";
         private const string Extension = ".anim";
 
-        static ClipSaver() => ClipRecorder.Saver = Save;
+        static ClipSaver() => Register();
+
+        internal static void Register() => ClipRecorder.Saver = Save;
 
         private static string Save(ClipRecorder recorder, ClipTake take)
         {
@@ -31,9 +33,9 @@ namespace NeuronMocap.Unity.EditorTools
             string folder = Assets;
             foreach (string part in below.Split(new[] { '/', '\\' }, StringSplitOptions.RemoveEmptyEntries))
             {
-                if (part == ".." || part == ".")
-                    throw new ArgumentException($"The folder \"{below}\" is not below Assets.");
-                if (part == Assets && folder == Assets)
+                if (Is(part, "..") || Is(part, "."))
+                    throw new ArgumentException($"The folder \"{below}\" is not below Assets.", nameof(below));
+                if (Is(part, Assets) && Is(folder, Assets))
                     continue;
 
                 string next = folder + "/" + part;
@@ -45,5 +47,7 @@ namespace NeuronMocap.Unity.EditorTools
 
             return folder;
         }
+
+        private static bool Is(string text, string other) => string.Equals(text, other, StringComparison.Ordinal);
     }
 }

@@ -74,13 +74,15 @@ namespace NeuronMocap.Unity
         private void Drive()
         {
             IsDriving = false;
+
+            // Also without a figure: one may be built for the performer only when it is known.
+            Performer = FindPerformer();
             if (!TryBind())
             {
                 Problem = _rigProblem!;
                 return;
             }
 
-            Performer = FindPerformer();
             bool isLive = Performer is { IsLive: true, HasPose: true };
             if (Performer is { HasPose: true } performer)
                 Retarget(performer, _rig!);

@@ -18,6 +18,9 @@ namespace NeuronMocap.Unity
         // Sizes that are being learnt may change with every frame; a figure is a thousand objects' work.
         private const float ShortestLife = 0.5f;
 
+        // Centimetres; less than anybody sees.
+        private const float SameSize = 0.005f;
+
         [SerializeField]
         [Tooltip("Colours and material.")]
         private FigureLook _look = new FigureLook();
@@ -27,6 +30,7 @@ namespace NeuronMocap.Unity
         private bool _showBeforeData = true;
 
         private SkeletonBody? _refused;
+        private SkeletonBody? _shown;
         private float _builtAt = float.NegativeInfinity;
 
         /// <summary>A figure was built, for the first time or for other sizes. Main thread; the one before is about to be destroyed.</summary>
@@ -74,12 +78,15 @@ namespace NeuronMocap.Unity
                 return;
 
             bool isBuilt = Figure is { IsDestroyed: false };
-            bool isRefused = ReferenceEquals(performer.Body, _refused);
-            if (isRefused || (isBuilt && ReferenceEquals(performer.Body, Figure!.Body)))
+            SkeletonBody body = performer.Body;
+            if (ReferenceEquals(body, _refused) || (isBuilt && ReferenceEquals(body, _shown)))
                 return;
 
-            if (!isBuilt || Time.unscaledTime - _builtAt >= ShortestLife)
-                Build(performer.Body);
+            // A performer who comes back brings the same sizes as another object.
+            if (isBuilt && AreSame(body, Figure!.Body))
+                _shown = body;
+            else if (!isBuilt || Time.unscaledTime - _builtAt >= ShortestLife)
+                Build(body);
         }
 
         private void OnDisable()
@@ -105,6 +112,7 @@ namespace NeuronMocap.Unity
 
             HumanoidFigure? before = Figure;
             Figure = figure;
+            _shown = body;
             Problem = "";
             _refused = null;
             _builtAt = Time.unscaledTime;
@@ -121,6 +129,22 @@ namespace NeuronMocap.Unity
 
             Figure?.Dispose();
             Figure = null;
+        }
+
+        private static bool AreSame(SkeletonBody one, SkeletonBody other)
+        {
+            if (one.Variant != other.Variant)
+                return false;
+
+            for (int bone = 0; bone < BoneHierarchy.BoneCount; bone++)
+            {
+                bool isSame = (one.Offsets[bone] - other.Offsets[bone]).Length() < SameSize
+                    && (one.EndSites[bone] - other.EndSites[bone]).Length() < SameSize;
+                if (!isSame)
+                    return false;
+            }
+
+            return true;
         }
 
         // As the builder's object, so that cameras that leave it out leave the figure out.

@@ -1,4 +1,5 @@
 #nullable enable
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -106,7 +107,7 @@ namespace NeuronMocap.Unity.Samples
         {
             foreach (string file in files)
             {
-                if (file.EndsWith(RecordingExtension))
+                if (file.EndsWith(RecordingExtension, StringComparison.Ordinal))
                     _take = file;
             }
 

@@ -39,10 +39,9 @@ namespace NeuronMocap.Unity.Tests
         public IEnumerator A_simulated_performer_moves_a_figure()
         {
             yield return Wait.Until(() => _figure.Driver.IsDriving, "a driven figure");
-            Transform hand = _figure.Figure!.Animator.GetBoneTransform(HumanBodyBones.LeftHand)!;
-            Vector3 start = hand.position;
+            Vector3 start = GetHandPosition();
 
-            yield return Wait.Until(() => (hand.position - start).magnitude > 0.05f, "a hand that moves");
+            yield return Wait.Until(() => (GetHandPosition() - start).magnitude > 0.05f, "a hand that moves");
             Assert.That(_source.Performers.Count, Is.EqualTo(1));
             Assert.That(_figure.Driver.Problem, Is.Empty);
         }
@@ -86,6 +85,9 @@ namespace NeuronMocap.Unity.Tests
             _figure.enabled = true;
             yield return Wait.Until(() => _figure.Driver.IsDriving, "a driven figure again");
         }
+
+        // Looked up each time: the figure is built anew when the performer's sizes are known.
+        private Vector3 GetHandPosition() => _figure.Figure!.Animator.GetBoneTransform(HumanBodyBones.LeftHand)!.position;
 
         private GameObject CreateChild(string name)
         {

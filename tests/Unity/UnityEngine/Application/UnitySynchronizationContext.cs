@@ -23,6 +23,9 @@ internal sealed class UnitySynchronizationContext : SynchronizationContext
     internal void Run()
     {
         for (int count = _posted.Count; count > 0 && _posted.TryDequeue(out (SendOrPostCallback Callback, object? State) item); count--)
-            ScriptCallbacks.Run(() => item.Callback(item.State), null!);
+            Run(item.Callback, item.State);
     }
+
+    // On its own: what the lambda captures is allocated when there is something to run, not in every frame.
+    private static void Run(SendOrPostCallback callback, object? state) => ScriptCallbacks.Run(() => callback(state), null!);
 }

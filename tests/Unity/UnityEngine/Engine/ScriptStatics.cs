@@ -34,7 +34,11 @@ internal static class ScriptStatics
         foreach (FieldInfo field in fields.Where(static field => !field.IsLiteral && !field.IsInitOnly))
             field.SetValue(null, field.FieldType.IsValueType ? Activator.CreateInstance(field.FieldType) : null);
 
-        // Read-only fields are written by the initialiser alone.
-        type.TypeInitializer?.Invoke(null, null);
+        // Reflection runs an initialiser once only; its code does it again. Read-only fields are written by it alone, which optimised code may not
+        // notice: tests run without optimisation.
+        if (type.TypeInitializer is { } initializer)
+            Run(initializer.MethodHandle.GetFunctionPointer());
     }
+
+    private static unsafe void Run(IntPtr code) => ((delegate*<void>)code)();
 }
