@@ -23,7 +23,10 @@ internal static class RandomPoses
         for (int bone = 0; bone < pose.Length; bone++)
         {
             float reach = bone == 0 ? 200 : 30;
-            pose[bone] = new BoneTransform(Direction(random) * (random.NextSingle() * reach), Turn(random, bone == 0 ? 180 : mostDegrees));
+            Quaternion turn = Turn(random, bone == 0 ? 180 : mostDegrees);
+
+            // Either of the two quaternions of the rotation.
+            pose[bone] = new BoneTransform(Direction(random) * (random.NextSingle() * reach), random.Next(2) == 0 ? turn : Quaternion.Negate(turn));
         }
 
         return pose;

@@ -70,7 +70,7 @@ public sealed class RetargeterRejectionTests
         TargetRig rig = TestRigs.Humanoid();
         var random = new Random(5);
         BoneTransform[] pose = RandomPoses.Pose(random);
-        BoneTransform[] stretched = [.. pose.Select(bone => bone with { Rotation = bone.Rotation * (0.1f + (random.NextSingle() * 10)) })];
+        BoneTransform[] stretched = [.. pose.Select(bone => bone with { Rotation = bone.Rotation * MathF.Pow(10, random.Next(-2, 18)) })];
         var retargeter = new Retargeter(rig, SkeletonBody.Default());
         var one = new RetargetedPose(rig);
         var other = new RetargetedPose(rig);

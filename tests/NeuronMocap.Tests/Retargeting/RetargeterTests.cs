@@ -91,6 +91,9 @@ public sealed class RetargeterTests
         // At the end of the list, so the hand has to move behind it.
         nodes = [.. nodes, new RigNode("Twist", forearm, nodes[hand].Position / 2, twist), nodes[hand] with { Parent = nodes.Length, Rotation = back }];
         nodeOf[(int)HumanoidBone.LeftHand] = nodes.Length - 1;
+
+        // One that is a bone without a source is no different.
+        nodeOf[(int)HumanoidBone.Jaw] = nodes.Length - 2;
         foreach (HumanoidBone bone in TestRigs.Order.Where(bone => HumanoidBones.GetPart(bone) == BodyParts.LeftFingers))
             nodeOf[(int)bone] = -1;
 

@@ -131,6 +131,10 @@ public sealed class TargetRigTests
         Vector3 way = UnityAxes.ToUnityPosition(pose[0].Position) - new Vector3(0, 0.84102f, 0);
         Vector3 expected = nodes[rig.HipsNode].Position + (way * new Retargeter(rig, SkeletonBody.Default()).Scale);
         Assert.True(Vector3.Distance(expected, result.HipsLocalPosition) < 1e-5f);
+
+        var options = new RetargetOptions { Weights = BoneWeights.Only(BodyParts.All & ~BodyParts.Hips) };
+        Assert.True(new Retargeter(rig, SkeletonBody.Default(), options).TryRetarget(pose, result));
+        Assert.Equal(nodes[rig.HipsNode].Position, result.HipsLocalPosition);
     }
 
     private static void AssertRefused(string words, Action<RigNode[]>? change, Action<int[]>? remap = null)
