@@ -20,7 +20,7 @@ public sealed class DestroyTests : IDisposable
         Assert.False(item is null);
         Assert.Equal("null", item.ToString());
         Assert.Throws<MissingReferenceException>(() => item!.name);
-        Assert.Throws<MissingReferenceException>(() => part.position);
+        Assert.Throws<MissingReferenceException>(() => part!.position);
     }
 
     [Fact]
