@@ -19,7 +19,8 @@ internal static class DedicatedThread
             }
             catch (Exception exception)
             {
-                completion.SetException(exception);
+                // Not when it is completed already: Mono aborts threads when a process ends or Unity's editor reloads scripts, in the midst of what goes on here too.
+                completion.TrySetException(exception);
             }
         }
     }

@@ -16,7 +16,7 @@ public class DiagnosisTests
         await AskAsync(world);
 
         Assert.Equal(ReportGui.ColorOf(Severity.Error, isDarkSkin: true), EditorWorld.DotOf("Nothing listens on this port"));
-        Assert.Contains("switch BVH on", EditorWorld.Controls.Last(static control => control.Kind == "HelpBox").Label, StringComparison.Ordinal);
+        Assert.Contains("refuses the connection", EditorWorld.Controls.Last(static control => control.Kind == "HelpBox").Label, StringComparison.Ordinal);
         Assert.NotEqual(0, EditorWorld.Controls.Count(static control => control.Label == "port"));
     }
 
@@ -75,6 +75,7 @@ public class DiagnosisTests
         Assert.False(EditorWorld.Find(DiagnosisPanel.Ask).IsEnabled);
         ImmediateGui.Click(inspector.OnInspectorGUI, DiagnosisPanel.Cancel);
         await inspector.Diagnosis.Job!.Completion.Soon();
+        MainThread.Claim();
 
         ImmediateGui.Draw(inspector.OnInspectorGUI);
         Assert.Contains("Cancelled", EditorWorld.Labels("Label"));
@@ -122,6 +123,7 @@ public class DiagnosisTests
         ImmediateGui.Click(inspector.OnInspectorGUI, DiagnosisPanel.Ask);
         Assert.False(source.IsOpen);
         await inspector.Diagnosis.Job!.Completion.Soon();
+        MainThread.Claim();
         ImmediateGui.Draw(inspector.OnInspectorGUI);
 
         Assert.Equal(DiagnosisVerdict.Silent, inspector.Diagnosis.Job.Result?.Verdict);

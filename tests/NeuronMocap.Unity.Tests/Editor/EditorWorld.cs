@@ -46,8 +46,10 @@ internal sealed class EditorWorld : IDisposable
         return inspector;
     }
 
+    // A test that waited may go on on another thread.
     public void Dispose()
     {
+        MainThread.Claim();
         foreach (UnityEditor.Editor inspector in _inspectors)
             Object.DestroyImmediate(inspector);
 

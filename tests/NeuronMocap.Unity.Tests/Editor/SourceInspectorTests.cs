@@ -1,6 +1,5 @@
 using NeuronMocap.Server;
 using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 using NeuronMocap.Unity.EditorTools;
@@ -111,7 +110,7 @@ public class SourceInspectorTests
         ImmediateGui.Draw(world.Inspect(source).OnInspectorGUI);
 
         Assert.Equal(ReportGui.ColorOf(Severity.Good, isDarkSkin: true), EditorWorld.DotOf("Receiving"));
-        Assert.EndsWith(" /s", EditorWorld.Find("Frame Rate").Value, StringComparison.Ordinal);
+        Assert.EndsWith(" /s", EditorWorld.Controls.Single(static control => control.Label == "Frame Rate").Value, StringComparison.Ordinal);
         Assert.Equal("0", EditorWorld.Find("Lost Frames").Value);
         foreach (Performer performer in source.Performers)
             Assert.Contains("live", EditorWorld.Find($"{performer.Name} ({performer.AvatarIndex})").Value, StringComparison.Ordinal);

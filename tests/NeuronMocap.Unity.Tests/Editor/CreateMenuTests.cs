@@ -1,0 +1,58 @@
+using NeuronMocap.Unity.EditorTools;
+using UnityEditor;
+
+namespace NeuronMocap.Unity.Tests.Editor;
+
+public class CreateMenuTests
+{
+    [Fact]
+    public void A_source_is_made_below_what_was_clicked_and_Undo_takes_it_back()
+    {
+        using var world = new EditorWorld();
+        var parent = new GameObject("Stage");
+        CreateMenu.CreateSource(new MenuCommand(parent));
+
+        MocapSource source = Assert.Single(SceneSources.Find());
+        Assert.Same(parent.transform, source.transform.parent);
+        Assert.Same(source.gameObject, Selection.activeGameObject);
+
+        Undo.PerformUndo();
+        Assert.Empty(SceneSources.Find());
+        Assert.True(parent != null);
+    }
+
+    [Fact]
+    public void A_driver_goes_to_selected_figures_that_have_none()
+    {
+        using var world = new EditorWorld();
+        var empty = new GameObject("Empty");
+        var figure = new GameObject("Figure");
+        figure.AddComponent<Animator>();
+
+        Selection.objects = [empty];
+        Assert.False(CreateMenu.CanAddHumanoidDriver());
+        Selection.objects = [figure];
+        Assert.True(CreateMenu.CanAddHumanoidDriver());
+        CreateMenu.AddHumanoidDriver();
+        Assert.NotNull(figure.GetComponent<HumanoidDriver>());
+        Assert.False(CreateMenu.CanAddHumanoidDriver());
+
+        Undo.PerformUndo();
+        Assert.True(figure.GetComponent<HumanoidDriver>() == null);
+    }
+
+    [Fact]
+    public void The_quick_start_is_one_step_of_Undo_and_uses_the_source_that_is_there()
+    {
+        using var world = new EditorWorld();
+        CreateMenu.CreateQuickStart();
+
+        MocapSource source = Assert.Single(SceneSources.Find());
+        Assert.Equal(SourceKind.Simulator, source.Kind);
+        Assert.Same(source, Object.FindObjectOfType<FigureBuilder>()!.GetComponent<HumanoidDriver>().Source);
+        Assert.NotNull(Object.FindObjectOfType<StageBuilder>());
+
+        Undo.PerformUndo();
+        Assert.Empty(Object.FindObjectsOfType<GameObject>());
+    }
+}
