@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Reflection;
-using UnityEngine.StandIn;
 using UnityEngine;
+using UnityEngine.StandIn;
 
 namespace UnityEditor;
 

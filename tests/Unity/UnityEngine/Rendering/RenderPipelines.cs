@@ -1,16 +1,14 @@
-#pragma warning disable MA0048
-namespace UnityEngine.Rendering
+namespace UnityEngine.Rendering;
+
+public abstract class RenderPipelineAsset : ScriptableObject
 {
-    public abstract class RenderPipelineAsset : ScriptableObject
-    {
-        public virtual Shader? defaultShader => null;
+    public virtual Shader? defaultShader => null;
 
-        public virtual Material? defaultMaterial => null;
-    }
+    public virtual Material? defaultMaterial => null;
+}
 
-    public static class GraphicsSettings
-    {
-        /// <summary>Null for the built-in pipeline.</summary>
-        public static RenderPipelineAsset? currentRenderPipeline { get; internal set; }
-    }
+public static class GraphicsSettings
+{
+    /// <summary>Null for the built-in pipeline.</summary>
+    public static RenderPipelineAsset? currentRenderPipeline { get; internal set; }
 }
