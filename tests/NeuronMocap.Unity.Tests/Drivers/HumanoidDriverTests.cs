@@ -236,6 +236,65 @@ public sealed class HumanoidDriverTests : SourceFixture
         Assert.InRange(farthest, 0, 0.005f);
     }
 
+    [Fact]
+    public void A_figure_that_is_destroyed_is_driven_no_more_and_another_one_is_found()
+    {
+        TestFigure first = TestFigure.Build("First");
+        HumanoidDriver driver = new GameObject("Driver").AddComponent<HumanoidDriver>();
+        driver.Source = AddSimulator();
+        driver.Animator = first.Animator;
+        Loop.RunUntil(() => driver.IsDriving);
+
+        Object.Destroy(first.Root);
+        Loop.Frames(2);
+        Assert.False(driver.IsDriving);
+        Assert.Contains("no Animator", driver.Problem, StringComparison.Ordinal);
+
+        TestFigure second = TestFigure.Build("Second");
+        second.Root.transform.SetParent(driver.transform, false);
+        Loop.RunUntil(() => driver.IsDriving);
+        AssertNear(driver.Performer!.GetRotation(Bone.LeftArm), second.Turn(Bone.LeftArm), Bone.LeftArm);
+    }
+
+    [Fact]
+    public void An_inactive_figure_waits_until_it_is_active()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        var holder = new GameObject("Holder");
+        holder.SetActive(false);
+        GameObject copy = Object.Instantiate(figure.Root, holder.transform);
+        HumanoidDriver driver = new GameObject("Driver").AddComponent<HumanoidDriver>();
+        driver.Source = AddSimulator();
+        driver.Animator = copy.GetComponent<Animator>();
+        Loop.RunUntil(() => driver.Problem.Contains("not active", StringComparison.Ordinal));
+
+        holder.SetActive(true);
+        Loop.RunUntil(() => driver.IsDriving);
+    }
+
+    [Fact]
+    public void An_animation_close_to_the_motion_is_still_the_animation()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = figure.Drive(Add(Serve(new ValuesSource(static (_, layout, values) =>
+        {
+            int arm = layout.RotationIndex(Bone.LeftArm);
+            (values[arm], values[arm + 1], values[arm + 2]) = (20, 10, 40);
+        }))));
+        Loop.RunUntil(() => driver.IsDriving);
+        Loop.RunFor(0.2f);
+        Quaternion motion = figure[Bone.LeftArm].localRotation;
+
+        // Nearer than what == of quaternions tells apart.
+        figure.Animator.Animating = () => figure[Bone.LeftArm].localRotation = motion * Quaternion.Euler(0.05f, 0, 0);
+        driver.Weight = 0.5f;
+        for (int i = 0; i < 6; i++)
+        {
+            Loop.Frame();
+            AssertNear(motion, figure[Bone.LeftArm].localRotation, Bone.LeftArm);
+        }
+    }
+
     private static Vector3 InRoot(TestFigure figure, Bone bone) => figure.Root.transform.InverseTransformPoint(figure[bone].position);
 
     private static int IndexOf(TargetRig rig, string name)

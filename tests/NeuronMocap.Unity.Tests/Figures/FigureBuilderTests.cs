@@ -15,6 +15,7 @@ public sealed class FigureBuilderTests : IDisposable
     {
         MocapSource source = Stage.AddSimulator();
         FigureBuilder builder = AddBuilder(source);
+        _loop.Frame();
         Assert.NotNull(builder.Figure);
         Vector3 start = builder.Figure!.GetBone(Bone.Hips).position;
 
@@ -76,6 +77,39 @@ public sealed class FigureBuilderTests : IDisposable
         _loop.Frame();
         Assert.NotNull(builder.Figure);
         Assert.Equal(with, Measure.LiveObjects);
+    }
+
+    [Fact]
+    public void Its_object_may_be_switched_off_and_on()
+    {
+        FigureBuilder builder = AddBuilder(null);
+        _loop.Frame();
+        int with = Measure.LiveObjects;
+
+        builder.gameObject.SetActive(false);
+        _loop.Frame();
+        Assert.Null(builder.Figure);
+
+        builder.gameObject.SetActive(true);
+        _loop.Frame();
+        Assert.Same(builder.transform, builder.Figure!.Root.transform.parent);
+        Assert.Equal(with, Measure.LiveObjects);
+        Assert.Empty(ConsoleLog.Entries);
+    }
+
+    [Fact]
+    public void Scripts_compiled_in_play_mode_leave_nothing_behind()
+    {
+        FigureBuilder builder = AddBuilder(null);
+        _loop.Frame();
+        int with = Measure.LiveObjects;
+
+        _loop.ReloadDomain();
+        _loop.Frames(2);
+
+        Assert.NotNull(builder.Figure);
+        Assert.Equal(with, Measure.LiveObjects);
+        Assert.Empty(ConsoleLog.Entries);
     }
 
     [Fact]

@@ -186,6 +186,70 @@ public sealed class PerformerSpawnerTests : IDisposable
         Assert.All(spawner.Figures, static figure => Assert.True(figure.IsIdle));
     }
 
+    [Fact]
+    public void In_a_paused_game_figures_come_to_rest_and_go_all_the_same()
+    {
+        MocapSource source = Stage.AddSimulator(performers: 2);
+        PerformerSpawner spawner = AddSpawner(source);
+        spawner.DespawnSeconds = 0.5f;
+        _loop.RunUntil(() => spawner.Figures.Count == 2);
+        Time.timeScale = 0;
+        source.Close();
+        _loop.Frames(60);
+
+        Assert.Empty(spawner.Figures);
+    }
+
+    [Fact]
+    public void A_handler_of_spawning_may_disable_the_spawner()
+    {
+        MocapSource source = Stage.AddSimulator(performers: 3);
+        _loop.RunUntil(() => Stage.IsLive(source, 3));
+        PerformerSpawner spawner = AddSpawner(source);
+        spawner.Spawned += _ => spawner.enabled = false;
+        _loop.RunUntil(() => !spawner.enabled);
+        _loop.Frames(3);
+
+        Assert.Empty(spawner.Figures);
+        Assert.Equal(0, spawner.transform.childCount);
+        Assert.Empty(ConsoleLog.Entries);
+    }
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void A_handler_of_going_may_disable_the_spawner(bool whenIdle)
+    {
+        MocapSource source = Stage.AddSimulator(performers: 3);
+        PerformerSpawner spawner = AddSpawner(source);
+        _loop.RunUntil(() => spawner.Figures.Count == 3);
+        spawner.DespawnSeconds = 0.2f;
+        if (whenIdle)
+            spawner.IdleChanged += _ => spawner.enabled = false;
+        else
+            spawner.Despawning += _ => spawner.enabled = false;
+
+        source.Close();
+        _loop.Frames(60);
+
+        Assert.Empty(spawner.Figures);
+        Assert.Equal(0, spawner.transform.childCount);
+        Assert.Empty(ConsoleLog.Entries);
+    }
+
+    [Fact]
+    public void Another_prefab_after_a_wrong_one_clears_the_problem()
+    {
+        MocapSource source = Stage.AddSimulator();
+        PerformerSpawner spawner = AddSpawner(source);
+        spawner.Prefab = _loop.CreatePrefab("Stone");
+        _loop.RunUntil(() => spawner.Problem.Length > 0);
+        spawner.Prefab = null;
+        _loop.RunUntil(() => spawner.Figures.Count == 1);
+
+        Assert.Equal("", spawner.Problem);
+    }
+
     private static PerformerSpawner AddSpawner(MocapSource source)
     {
         var holder = new GameObject("Spawner");

@@ -17,9 +17,6 @@ namespace NeuronMocap.Unity.EditorTools
         private DiagnosisReport? _report;
         private PausedSources? _paused;
 
-        // What runs in the pool would go on in the old domain.
-        public DiagnosisPanel() => AssemblyReloadEvents.beforeAssemblyReload += Dispose;
-
         // How to look; null for the library's way.
         internal static DiagnosisOptions? Options { get; set; }
 
@@ -66,6 +63,9 @@ namespace NeuronMocap.Unity.EditorTools
 
         private void Start(MocapSource source)
         {
+            // What runs in the pool would go on in the old domain.
+            AssemblyReloadEvents.beforeAssemblyReload -= Dispose;
+            AssemblyReloadEvents.beforeAssemblyReload += Dispose;
             NeuronReaderOptions options = DiagnosisRequest.OptionsOf(source);
             _paused = PausedSources.SharingUdpPort(options);
             _job = new DiagnosisJob(options, SourceConnections.Closed, Options);

@@ -97,6 +97,10 @@ namespace NeuronMocap.Unity.EditorTools
 
         private static RigProblem WithoutTransforms(Animator animator)
         {
+            // An Animator finds its bones when its object is first active.
+            if (!animator.gameObject.activeInHierarchy)
+                return new RigProblem(Severity.None, $"{animator.name} is not active: its bones cannot be looked at.");
+
             const string Text = "The figure's bones are no transforms of the scene: Optimize Game Objects is on in the model's import settings.";
             return ModelFile.Of(animator) is { } model
                 ? new RigProblem(Severity.Error, Text, "Switch Optimizing Off", model.KeepTransforms)

@@ -185,7 +185,7 @@ namespace NeuronMocap.Unity
             if (_trails.Length != _trailBones.Length)
                 _trails = CreateTrails();
 
-            float now = Time.time;
+            float now = Time.unscaledTime;
             if (now < _nextPoint && _nextPoint - now < 1)
                 return;
 

@@ -37,6 +37,9 @@ namespace NeuronMocap.Unity
         // The figure and its rest pose, or the problem that there is with it.
         private protected abstract FigureRig? CreateRig(out string problem);
 
+        // Whether the rig is that of the figure which the settings name, and the figure is still there.
+        private protected abstract bool IsBound { get; }
+
         private protected abstract void CopyBoneWeights(BoneWeights weights);
 
         private protected void Awake() => TryBind();
@@ -97,8 +100,10 @@ namespace NeuronMocap.Unity
 
         private bool TryBind()
         {
-            if (_rig != null)
+            if (_rig != null && IsBound)
                 return true;
+            if (_rig != null)
+                Rebind();
             if (_rigProblem != null && Time.unscaledTime < _rebindTime)
                 return false;
 

@@ -115,7 +115,7 @@ namespace NeuronMocap.Unity
         public string PerformerName
         {
             get => _performerName;
-            set => _performerName = value;
+            set => _performerName = value ?? string.Empty;
         }
 
         /// <summary>When the figure is moved. LateUpdate unless set.</summary>

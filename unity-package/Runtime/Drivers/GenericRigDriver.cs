@@ -32,7 +32,10 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private List<StreamBoneWeight> _boneWeights = new List<StreamBoneWeight>();
 
-        /// <summary>The transform that the rig hangs from; null for this object. Call <see cref="FigureDriver.Rebind"/> after a change while it runs.</summary>
+        [NonSerialized]
+        private Transform? _bound;
+
+        /// <summary>The transform that the rig hangs from; null for this object.</summary>
         public Transform? Root
         {
             get => _root;
@@ -57,9 +60,12 @@ namespace NeuronMocap.Unity
         /// <summary>The bones for which there is no transform, as of the last binding.</summary>
         public IReadOnlyList<Bone> MissingBones { get; private set; } = Array.Empty<Bone>();
 
+        private protected override bool IsBound => _bound != null && _bound == (_root != null ? _root : transform);
+
         private protected override FigureRig? CreateRig(out string problem)
         {
             Transform root = _root != null ? _root : transform;
+            _bound = root;
             Transform?[] bones = FindBones(root);
             if (bones[0] == null)
             {

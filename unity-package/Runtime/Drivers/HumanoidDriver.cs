@@ -23,6 +23,9 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private List<HumanoidBoneWeight> _boneWeights = new List<HumanoidBoneWeight>();
 
+        [NonSerialized]
+        private Animator? _bound;
+
         /// <summary>The figure; null for the Animator on this object, or the first one below it.</summary>
         public Animator? Animator
         {
@@ -40,6 +43,8 @@ namespace NeuronMocap.Unity
         /// <summary>Weights of single bones, on top of those of their parts; bones that are not listed have 1.</summary>
         public IList<HumanoidBoneWeight> BoneWeights => _boneWeights;
 
+        private protected override bool IsBound => _bound != null && (_animator == null || _animator == _bound);
+
         private protected override FigureRig? CreateRig(out string problem)
         {
             Animator? animator = _animator != null ? _animator : GetComponentInChildren<Animator>(true);
@@ -54,10 +59,14 @@ namespace NeuronMocap.Unity
 
             if (bones[0] == null)
             {
-                problem = "The figure's bones are not in the scene. In the model's import settings, tab Rig, switch Optimize Game Objects off.";
+                // An Animator finds its bones when its object is first active.
+                problem = animator.gameObject.activeInHierarchy
+                    ? "The figure's bones are not in the scene. In the model's import settings, tab Rig, switch Optimize Game Objects off."
+                    : $"The figure {animator.name} is not active. It is driven as soon as it is.";
                 return null;
             }
 
+            _bound = animator;
             RestPose rest = RestPose.OfAvatar(root, animator.avatar!);
             RigCapture capture = RigCapture.Take(root, bones, rest);
             int[] nodeOf = Array.ConvertAll(bones, capture.IndexOf);

@@ -90,9 +90,9 @@ namespace NeuronMocap.Unity
             if (transform == null)
                 return;
 
-            if (transform.localRotation == _written[node])
+            if (transform.localRotation.Equals(_written[node]))
                 transform.localRotation = _rest[node];
-            if (node == _hips && transform.localPosition == _hipsWritten)
+            if (node == _hips && transform.localPosition.Equals(_hipsWritten))
                 transform.localPosition = _hipsRest;
             _written[node] = _rest[node];
         }
@@ -103,11 +103,12 @@ namespace NeuronMocap.Unity
             if (weight < 1)
             {
                 Quaternion present = transform.localRotation;
-                rotation = Quaternion.Slerp(present == _written[node] ? _rest[node] : present, rotation, weight);
+                rotation = Quaternion.Slerp(present.Equals(_written[node]) ? _rest[node] : present, rotation, weight);
             }
 
+            // Read back, because Unity normalises; compared with Equals, because == takes what is less than a quarter of a degree apart for the same.
             transform.localRotation = rotation;
-            _written[node] = rotation;
+            _written[node] = transform.localRotation;
             _isWritten[node] = true;
         }
 
@@ -117,11 +118,11 @@ namespace NeuronMocap.Unity
             if (weight < 1)
             {
                 Vector3 present = hips.localPosition;
-                position = Vector3.Lerp(present == _hipsWritten ? _hipsRest : present, position, weight);
+                position = Vector3.Lerp(present.Equals(_hipsWritten) ? _hipsRest : present, position, weight);
             }
 
             hips.localPosition = position;
-            _hipsWritten = position;
+            _hipsWritten = hips.localPosition;
         }
     }
 }

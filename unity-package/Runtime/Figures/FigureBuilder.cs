@@ -32,6 +32,7 @@ namespace NeuronMocap.Unity
         private SkeletonBody? _refused;
         private SkeletonBody? _shown;
         private float _builtAt = float.NegativeInfinity;
+        private bool _isDue;
 
         /// <summary>A figure was built, for the first time or for other sizes. Main thread; the one before is about to be destroyed.</summary>
         public event Action<HumanoidFigure>? Built;
@@ -64,16 +65,14 @@ namespace NeuronMocap.Unity
 
         private void Awake() => Driver = GetComponent<HumanoidDriver>();
 
-        private void OnEnable()
-        {
-            if (_showBeforeData)
-                Build(SkeletonBody.Default());
+        // Not built here: while an object is being activated, Unity gives it no children.
+        private void OnEnable() => _isDue = true;
 
-            _builtAt = float.NegativeInfinity;
-        }
+        private void Start() => BuildFirst();
 
         private void Update()
         {
+            BuildFirst();
             if (!(Driver.Performer is { HasPose: true } performer))
                 return;
 
@@ -93,6 +92,20 @@ namespace NeuronMocap.Unity
         {
             Release();
             _refused = null;
+            _isDue = false;
+        }
+
+        // Of usual sizes; the performer's own replace them at once.
+        private void BuildFirst()
+        {
+            if (!_isDue)
+                return;
+
+            _isDue = false;
+            if (_showBeforeData)
+                Build(SkeletonBody.Default());
+
+            _builtAt = float.NegativeInfinity;
         }
 
         private void Build(SkeletonBody body)

@@ -10,7 +10,9 @@ namespace NeuronMocap.Unity
     [AddComponentMenu("")]
     internal sealed class OwnedObjects : MonoBehaviour
     {
-        private readonly List<Object> _objects = new List<Object>();
+        // Not readonly: when the editor compiles scripts in play mode it carries private lists of Unity's objects over, but no readonly ones. A copy
+        // of the object that Instantiate makes gets none, and owns none.
+        private List<Object> _objects = new List<Object>();
 
         public T Keep<T>(T thing)
             where T : Object

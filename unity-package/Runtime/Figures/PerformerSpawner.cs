@@ -149,8 +149,8 @@ namespace NeuronMocap.Unity
         /// <summary>Destroys all figures. Performers that are live get new ones.</summary>
         public void DespawnAll()
         {
-            for (int i = _figures.Count - 1; i >= 0; i--)
-                Despawn(i);
+            while (_figures.Count > 0)
+                Despawn(_figures[_figures.Count - 1]);
         }
 
         private void Update()
@@ -158,13 +158,17 @@ namespace NeuronMocap.Unity
             if (_source != null)
                 SpawnMissing(_source.Performers);
 
+            // Handlers may disable the spawner, which empties the list.
             for (int i = _figures.Count - 1; i >= 0; i--)
-                Watch(_figures[i], i);
+            {
+                if (i < _figures.Count)
+                    Watch(_figures[i]);
+            }
         }
 
         private void LateUpdate()
         {
-            float step = _blendSeconds > 0 ? Time.deltaTime / _blendSeconds : 1;
+            float step = _blendSeconds > 0 ? Time.unscaledDeltaTime / _blendSeconds : 1;
             for (int i = 0; i < _figures.Count; i++)
                 _figures[i].Apply(step);
         }
@@ -174,7 +178,7 @@ namespace NeuronMocap.Unity
         private void SpawnMissing(IReadOnlyList<Performer> performers)
         {
             bool isFull = false;
-            for (int i = 0; i < performers.Count; i++)
+            for (int i = 0; i < performers.Count && isActiveAndEnabled; i++)
             {
                 Performer performer = performers[i];
                 if (!performer.HasPose || !performer.IsLive)
@@ -214,6 +218,9 @@ namespace NeuronMocap.Unity
             root.transform.localPosition = GetPosition(place);
             root.SetActive(true);
 
+            if (!_isFull)
+                Problem = "";
+
             var figure = new SpawnedFigure(root, driver, performer, place);
             _figures.Add(figure);
             Spawned?.Invoke(figure);
@@ -251,26 +258,24 @@ namespace NeuronMocap.Unity
             return null;
         }
 
-        private void Watch(SpawnedFigure figure, int index)
+        private void Watch(SpawnedFigure figure)
         {
             if (figure.IsDestroyed)
             {
-                _figures.RemoveAt(index);
+                _figures.Remove(figure);
                 return;
             }
 
-            if (figure.Update(figure.Performer.IsLive && IsPresent(figure.Performer), _idlePose, _blendSeconds, Time.deltaTime))
+            if (figure.Update(figure.Performer.IsLive && IsPresent(figure.Performer), _idlePose, _blendSeconds, Time.unscaledDeltaTime))
                 IdleChanged?.Invoke(figure);
 
             if (_despawnSeconds > 0 && figure.IdleSeconds >= _despawnSeconds)
-                Despawn(index);
+                Despawn(figure);
         }
 
-        private void Despawn(int index)
+        private void Despawn(SpawnedFigure figure)
         {
-            SpawnedFigure figure = _figures[index];
-            _figures.RemoveAt(index);
-            if (figure.IsDestroyed)
+            if (!_figures.Remove(figure) || figure.IsDestroyed)
                 return;
 
             Despawning?.Invoke(figure);

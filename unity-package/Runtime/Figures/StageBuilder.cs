@@ -1,4 +1,6 @@
 #nullable enable
+
+using System;
 using UnityEngine;
 using Quaternion = UnityEngine.Quaternion;
 using Vector2 = UnityEngine.Vector2;
@@ -20,6 +22,9 @@ namespace NeuronMocap.Unity
         private const int TextureSize = 128;
         private const int LineWidth = 2;
         private const float FollowSeconds = 0.4f;
+
+        // What a primitive plane is made of. Player builds leave classes out that no script names, and CreatePrimitive needs them.
+        private static readonly Type[] PlaneParts = { typeof(MeshFilter), typeof(MeshRenderer), typeof(MeshCollider) };
 
         [SerializeField]
         [Tooltip("A ground with lines a metre apart.")]
@@ -104,8 +109,14 @@ namespace NeuronMocap.Unity
         /// <summary>The camera that was made; null where the scene had one.</summary>
         public Camera? Camera { get; private set; }
 
-        private void OnEnable()
+        // Not in OnEnable: while an object is being activated, Unity gives it no children.
+        private void Start() => Build();
+
+        private void Build()
         {
+            if (_stage != null)
+                return;
+
             _stage = new GameObject("Stage");
             _stage.transform.SetParent(transform, false);
             var owned = _stage.AddComponent<OwnedObjects>();
@@ -119,11 +130,12 @@ namespace NeuronMocap.Unity
 
         private void LateUpdate()
         {
+            Build();
             if (_cameraTransform == null)
                 return;
 
             Vector3 target = _target != null ? _target.position : transform.position + Vector3.up;
-            _focus = _hasFocus ? Vector3.Lerp(_focus, target, 1 - Mathf.Exp(-Time.deltaTime / FollowSeconds)) : target;
+            _focus = _hasFocus ? Vector3.Lerp(_focus, target, 1 - Mathf.Exp(-Time.unscaledDeltaTime / FollowSeconds)) : target;
             _hasFocus = true;
             _cameraTransform.position = _focus + _viewpoint;
             _cameraTransform.LookAt(_focus);

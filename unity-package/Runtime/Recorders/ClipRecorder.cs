@@ -177,7 +177,7 @@ namespace NeuronMocap.Unity
                 return;
 
             if (Take.FrameCount > 0)
-                _time += Time.deltaTime;
+                _time += Time.unscaledDeltaTime;
 
             float period = 1 / _frameRate;
             if (_time < _nextTime - (EarlyPart * period))

@@ -2,7 +2,6 @@
 
 using System;
 using System.Collections.Generic;
-using System.Diagnostics.CodeAnalysis;
 using NeuronMocap.Playback;
 using NeuronMocap.Transport;
 using UnityEngine;
@@ -14,8 +13,6 @@ namespace NeuronMocap.Unity
     public sealed partial class MocapSource
     {
         private static readonly List<MocapSource> Enabled = new List<MocapSource>();
-
-        private readonly List<Performer> _performers = new List<Performer>();
 
         [NonSerialized]
         private SourceConnection? _connection;
@@ -34,12 +31,6 @@ namespace NeuronMocap.Unity
 
         /// <summary>The sources that are enabled now, in the order in which they were; a figure without a source of its own takes the first.</summary>
         public static IReadOnlyList<MocapSource> All => Enabled;
-
-        /// <summary>Raised in Update when a performer's first frame has come.</summary>
-        public event Action<Performer>? PerformerJoined;
-
-        /// <summary>Raised when a performer has had no frame for <see cref="GoneTimeout"/>, and when the source closes.</summary>
-        public event Action<Performer>? PerformerLeft;
 
         /// <summary>Raised in Update when <see cref="State"/> has become another, and when the source closes.</summary>
         public event Action<SourceState>? StateChanged;
@@ -65,64 +56,10 @@ namespace NeuronMocap.Unity
         /// <summary>What plays the recording, to pause, step or seek; null for other kinds, and while the file is opened.</summary>
         public RecordingPlayer? Player => _connection?.Player;
 
-        /// <summary>The performers, in the order in which they joined.</summary>
-        public IReadOnlyList<Performer> Performers => _performers;
-
-        /// <summary>Frames per second of a performer, the highest of all; 0 while none arrive.</summary>
-        public double FrameRate
-        {
-            get
-            {
-                double rate = 0;
-                for (int i = 0; i < _performers.Count; i++)
-                    rate = Math.Max(rate, _performers[i].FrameRate);
-
-                return rate;
-            }
-        }
-
         /// <summary>Frames that the server sent and that did not arrive, since the source was opened.</summary>
         public long LostFrames => Reader?.GetStatistics().Lost ?? 0;
 
         internal static void ForgetAll() => Enabled.Clear();
-
-        /// <summary>Finds a performer by its number on the server.</summary>
-        /// <param name="avatarIndex">From 0.</param>
-        /// <param name="performer">The one that joined first, where two computers send the same number.</param>
-        /// <returns>Whether there is one.</returns>
-        public bool TryGetPerformer(int avatarIndex, [NotNullWhen(true)] out Performer? performer)
-        {
-            for (int i = 0; i < _performers.Count; i++)
-            {
-                if (_performers[i].AvatarIndex == avatarIndex)
-                {
-                    performer = _performers[i];
-                    return true;
-                }
-            }
-
-            performer = null;
-            return false;
-        }
-
-        /// <summary>Finds a performer by its name on the server.</summary>
-        /// <param name="name">In any case.</param>
-        /// <param name="performer">The one that joined first, where two have the name.</param>
-        /// <returns>Whether there is one.</returns>
-        public bool TryGetPerformer(string name, [NotNullWhen(true)] out Performer? performer)
-        {
-            for (int i = 0; i < _performers.Count; i++)
-            {
-                if (string.Equals(_performers[i].Name, name, StringComparison.OrdinalIgnoreCase))
-                {
-                    performer = _performers[i];
-                    return true;
-                }
-            }
-
-            performer = null;
-            return false;
-        }
 
         /// <summary>
         /// Opens the source; returns at once. Done in the first frame after the component was enabled, before the Start of other scripts, so that a script that
@@ -160,7 +97,9 @@ namespace NeuronMocap.Unity
             while (_performers.Count > 0)
                 Remove(_performers.Count - 1);
 
-            Tell(SourceState.Closed, StatusText.Closed);
+            // Unless a handler has opened it again.
+            if (_connection is null)
+                Tell(SourceState.Closed, StatusText.Closed);
         }
 
         private void Awake()
@@ -200,13 +139,15 @@ namespace NeuronMocap.Unity
             // Enabled again, or carried over by the editor into new scripts.
             if (_isDue)
                 Open();
-            if (_connection is null)
-                return;
-            if (_isChanged)
+            if (_isChanged && _connection != null)
                 Reopen();
+            if (!(_connection is { } connection))
+                return;
 
-            TakeStatus(_connection!);
-            TakePerformers(_connection!);
+            // A handler may close the source at any of these points, and open it again.
+            TakeStatus(connection);
+            if (_connection == connection)
+                TakePerformers(connection);
         }
 
         // A scene that is loaded again brings the source again: one of the two is enough.
@@ -270,54 +211,6 @@ namespace NeuronMocap.Unity
 
             _told = state;
             StateChanged?.Invoke(state);
-        }
-
-        private void TakePerformers(SourceConnection connection)
-        {
-            long now = SourceClock.Now;
-            AvatarStream[] streams = connection.Streams.All;
-            for (int i = 0; i < streams.Length; i++)
-            {
-                if (streams[i].Frames > 0 && !IsGone(streams[i], now) && !Has(streams[i]))
-                    Add(streams[i]);
-            }
-
-            var sampling = new SamplingSettings(_resample, _delay, _smoothing);
-            for (int i = _performers.Count - 1; i >= 0; i--)
-            {
-                _performers[i].Update(now, _idleTimeout, sampling);
-                if (IsGone(_performers[i].Stream, now))
-                    Remove(i);
-            }
-        }
-
-        private bool IsGone(AvatarStream stream, long now) =>
-            _goneTimeout > 0 && now - stream.LastArrival > SourceClock.ToTicks(Math.Max(_goneTimeout, _idleTimeout));
-
-        private bool Has(AvatarStream stream)
-        {
-            for (int i = 0; i < _performers.Count; i++)
-            {
-                if (_performers[i].Stream == stream)
-                    return true;
-            }
-
-            return false;
-        }
-
-        private void Add(AvatarStream stream)
-        {
-            var performer = new Performer(stream, new SamplingSettings(_resample, _delay, _smoothing));
-            _performers.Add(performer);
-            PerformerJoined?.Invoke(performer);
-        }
-
-        private void Remove(int index)
-        {
-            Performer performer = _performers[index];
-            _performers.RemoveAt(index);
-            performer.Release();
-            PerformerLeft?.Invoke(performer);
         }
 
         private SourceSettings CreateSettings()

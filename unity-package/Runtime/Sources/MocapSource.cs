@@ -132,7 +132,7 @@ namespace NeuronMocap.Unity
         public string Address
         {
             get => _address;
-            set => Set(ref _address, value);
+            set => Set(ref _address, value ?? string.Empty);
         }
 
         /// <summary>TCP port of the server, or UDP port to receive on, 1 to 65535. 7001 unless set.</summary>
@@ -202,7 +202,7 @@ namespace NeuronMocap.Unity
         public string File
         {
             get => _file;
-            set => Set(ref _file, value);
+            set => Set(ref _file, value ?? string.Empty);
         }
 
         /// <summary>A BVH file as a text asset; goes before <see cref="File"/>.</summary>

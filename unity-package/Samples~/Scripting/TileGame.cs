@@ -1,4 +1,5 @@
 #nullable enable
+using System;
 using System.Collections.Generic;
 using NeuronMocap.Skeleton;
 using UnityEngine;
@@ -15,6 +16,9 @@ namespace NeuronMocap.Unity.Samples
 
         // From the wrist to the middle of the hand, and some.
         private const float Reach = 0.12f;
+
+        // What cubes and spheres are made of. Player builds leave classes out that no script names, and CreatePrimitive needs them.
+        private static readonly Type[] PrimitiveParts = { typeof(MeshFilter), typeof(MeshRenderer), typeof(BoxCollider), typeof(SphereCollider) };
 
         private static readonly Color Plain = new Color(0.3f, 0.32f, 0.36f);
         private static readonly Color Painted = new Color(0.95f, 0.42f, 0.1f);
@@ -133,7 +137,7 @@ namespace NeuronMocap.Unity.Samples
         {
             Vector3 hips = performer.GetPosition(Bone.Hips);
             Quaternion facing = performer.GetRotation(Bone.Hips);
-            var ahead = new Vector3(Random.Range(-0.6f, 0.6f), Random.Range(0.1f, 0.6f), Random.Range(0.35f, 0.5f));
+            var ahead = new Vector3(UnityEngine.Random.Range(-0.6f, 0.6f), UnityEngine.Random.Range(0.1f, 0.6f), UnityEngine.Random.Range(0.35f, 0.5f));
             _balloon!.localPosition = hips + (facing * ahead);
         }
     }

@@ -8,6 +8,7 @@ public class Animator : Behaviour
 
     private Avatar? _avatar;
     private HumanBones? _bones;
+    private bool _isFound;
 
     public Avatar? avatar
     {
@@ -88,6 +89,11 @@ public class Animator : Behaviour
 
         if (!_avatar.isValid || !_avatar.isHuman)
             throw new InvalidOperationException("Avatar is not valid or not of type humanoid.");
+
+        // An Animator finds its bones when its object is first active.
+        _isFound |= gameObject.activeInHierarchy || gameObject.IsAsset;
+        if (!_isFound)
+            return null;
 
         Transform? bone = Bones?.Get(humanBoneId);
         return bone != null ? bone : null;

@@ -69,6 +69,9 @@ public sealed class GameObject : Object
 
     internal bool IsKept { get; set; }
 
+    /// <summary>Between the beginning and the end of SetActive, when OnEnable and OnDisable run: nothing gets or loses this parent then.</summary>
+    internal bool IsChanging { get; private set; }
+
     internal override bool IsAsset => _isAsset;
 
     internal bool IsActive
@@ -241,6 +244,7 @@ public sealed class GameObject : Object
     /// <summary>Tells all scripts here and below what a change of activity means for them, parents first.</summary>
     internal void RefreshActivity()
     {
+        IsChanging = true;
         foreach (Component item in Components.ToArray())
         {
             if (!item.IsDestroyed)
@@ -252,6 +256,8 @@ public sealed class GameObject : Object
             if (!child.IsDestroyed)
                 child.Owner!.RefreshActivity();
         }
+
+        IsChanging = false;
     }
 
     internal override void DestroyNow()

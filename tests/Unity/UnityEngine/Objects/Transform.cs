@@ -186,6 +186,12 @@ public class Transform : Component, IEnumerable
         if (ReferenceEquals(parent, Parent))
             return;
 
+        if (Parent?.Owner is { IsChanging: true } || parent?.Owner is { IsChanging: true })
+        {
+            Debug.LogError($"Cannot set the parent of the GameObject '{name}' while activating or deactivating the parent GameObject '{(parent ?? Parent)!.name}'.");
+            return;
+        }
+
         Vector3 worldPosition = position;
         Quaternion worldRotation = rotation;
         Vector3 worldScale = lossyScale;

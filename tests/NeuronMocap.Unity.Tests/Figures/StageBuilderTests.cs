@@ -1,0 +1,42 @@
+namespace NeuronMocap.Unity.Tests.Figures;
+
+public sealed class StageBuilderTests : IDisposable
+{
+    private readonly PlayerLoop _loop = new();
+
+    public void Dispose() => _loop.Dispose();
+
+    [Fact]
+    public void Its_object_may_be_switched_off_and_on()
+    {
+        var holder = new GameObject("Stage");
+        holder.AddComponent<StageBuilder>();
+        for (int i = 0; i < 3; i++)
+        {
+            _loop.Frame();
+            Assert.Equal(1, holder.transform.childCount);
+            Assert.NotNull(holder.GetComponentInChildren<Light>());
+            holder.SetActive(false);
+            _loop.Frame();
+            Assert.Equal(0, holder.transform.childCount);
+            holder.SetActive(true);
+        }
+
+        Assert.Empty(ConsoleLog.Entries);
+    }
+
+    [Fact]
+    public void The_camera_goes_along_in_a_paused_game()
+    {
+        var target = new GameObject("Target").transform;
+        var stage = new GameObject("Stage").AddComponent<StageBuilder>();
+        stage.Target = target;
+        _loop.Frame();
+        Time.timeScale = 0;
+        target.position = new Vector3(5, 0, 0);
+        _loop.Frames(180);
+
+        Vector3 wanted = target.position + stage.Viewpoint;
+        Assert.True((stage.Camera!.transform.position - wanted).magnitude < 0.05f);
+    }
+}

@@ -1,0 +1,30 @@
+namespace NeuronMocap.Unity.Tests.Package;
+
+/// <summary>
+/// A player build leaves engine classes out that no script names; GameObject.CreatePrimitive then fails on the device, says Unity's reference of it.
+/// </summary>
+public sealed class StrippingTests
+{
+    [Fact]
+    public void Who_makes_primitives_names_what_they_are_made_of()
+    {
+        string package = Path.Combine(Repository.Root, "unity-package");
+        string[] makers = [.. Directory.GetFiles(package, "*.cs", SearchOption.AllDirectories).Select(File.ReadAllText).Where(static text => text.Contains("CreatePrimitive(", StringComparison.Ordinal))];
+        Assert.NotEmpty(makers);
+        foreach (string text in makers)
+        {
+            Assert.Contains("typeof(MeshFilter)", text, StringComparison.Ordinal);
+            Assert.Contains("typeof(MeshRenderer)", text, StringComparison.Ordinal);
+            foreach (PrimitiveType made in Enum.GetValues<PrimitiveType>().Where(type => text.Contains($"PrimitiveType.{type}", StringComparison.Ordinal)))
+                Assert.Contains($"typeof({ColliderOf(made)})", text, StringComparison.Ordinal);
+        }
+    }
+
+    private static string ColliderOf(PrimitiveType primitive) => primitive switch
+    {
+        PrimitiveType.Cube => "BoxCollider",
+        PrimitiveType.Sphere => "SphereCollider",
+        PrimitiveType.Capsule or PrimitiveType.Cylinder => "CapsuleCollider",
+        _ => "MeshCollider",
+    };
+}

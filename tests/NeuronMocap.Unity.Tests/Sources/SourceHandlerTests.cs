@@ -1,0 +1,111 @@
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Unity.Tests.Infrastructure;
+
+namespace NeuronMocap.Unity.Tests.Sources;
+
+/// <summary>Handlers of a source's events may do with it what they like.</summary>
+public sealed class SourceHandlerTests : SourceFixture
+{
+    [Theory]
+    [InlineData(SourceState.Connecting)]
+    [InlineData(SourceState.Receiving)]
+    public void A_handler_of_the_state_may_disable_the_source(SourceState last)
+    {
+        MocapSource source = AddSimulator();
+        source.StateChanged += state =>
+        {
+            if (state == last)
+                source.enabled = false;
+        };
+        Loop.RunUntil(() => !source.enabled);
+        Loop.Frames(3);
+
+        AssertClosed(source);
+    }
+
+    [Fact]
+    public void A_handler_of_joining_may_disable_the_source()
+    {
+        MocapSource first = AddSimulator(2);
+        WaitForPose(first, 1);
+
+        // On the same connection both performers join in the same frame.
+        MocapSource source = AddSimulator(2);
+        source.PerformerJoined += _ => source.enabled = false;
+        Loop.RunUntil(() => !source.enabled);
+        Loop.Frames(3);
+
+        AssertClosed(source);
+        Assert.Equal(2, first.Performers.Count);
+    }
+
+    [Fact]
+    public void A_handler_of_leaving_may_disable_the_source()
+    {
+        Broadcaster server = Serve(new SyntheticActor(), new SyntheticActor(avatar: 1));
+        MocapSource source = Add(server, source =>
+        {
+            source.Reconnect = false;
+            source.IdleTimeout = 0.1f;
+            source.GoneTimeout = 0.1f;
+        });
+        WaitForPose(source, 0);
+        WaitForPose(source, 1);
+        Performer[] performers = [.. source.Performers];
+        server.Dispose();
+        source.PerformerLeft += _ => source.enabled = false;
+
+        // No frame of the game before both are gone: they leave in the same one.
+        Assert.True(SpinWait.SpinUntil(() => performers.All(performer => SourceClock.Now - performer.Stream.LastArrival > SourceClock.ToTicks(0.2)), Limits.Unexpected));
+        Loop.Frames(3);
+
+        AssertClosed(source);
+    }
+
+    [Fact]
+    public void A_handler_of_leaving_may_open_the_source_again()
+    {
+        MocapSource source = AddSimulator();
+        WaitForPose(source);
+        bool isDone = false;
+        source.PerformerLeft += _ =>
+        {
+            if (!isDone)
+                source.Open();
+            isDone = true;
+        };
+        source.Close();
+
+        Assert.True(source.IsOpen);
+        Assert.NotEqual(SourceState.Closed, source.State);
+        WaitForPose(source);
+        Assert.Empty(ConsoleLog.Entries);
+    }
+
+    [Theory]
+    [InlineData(SourceKind.Network)]
+    [InlineData(SourceKind.BvhFile)]
+    public void Texts_that_are_null_are_empty_ones(SourceKind kind)
+    {
+        MocapSource source = Add(source =>
+        {
+            source.Kind = kind;
+            source.Address = null!;
+            source.File = null!;
+        });
+        Loop.RunUntil(() => source.State == SourceState.Failed);
+
+        Assert.Equal(string.Empty, source.Address);
+        Assert.Equal(string.Empty, source.File);
+        Assert.Empty(ConsoleLog.Entries);
+    }
+
+    private static void AssertClosed(MocapSource source)
+    {
+        Assert.Equal(SourceState.Closed, source.State);
+        Assert.False(source.IsOpen);
+        Assert.Empty(source.Performers);
+        Assert.Empty(ConsoleLog.Entries);
+    }
+}

@@ -1,0 +1,122 @@
+#nullable enable
+
+using System;
+using System.Collections.Generic;
+using System.Diagnostics.CodeAnalysis;
+
+namespace NeuronMocap.Unity
+{
+    // Who is in the stream. Handlers may close the source, or open it anew: each loop ends with the connection that it began with.
+    public sealed partial class MocapSource
+    {
+        private readonly List<Performer> _performers = new List<Performer>();
+
+        /// <summary>Raised in Update when a performer's first frame has come.</summary>
+        public event Action<Performer>? PerformerJoined;
+
+        /// <summary>Raised when a performer has had no frame for <see cref="GoneTimeout"/>, and when the source closes.</summary>
+        public event Action<Performer>? PerformerLeft;
+
+        /// <summary>The performers, in the order in which they joined.</summary>
+        public IReadOnlyList<Performer> Performers => _performers;
+
+        /// <summary>Frames per second of a performer, the highest of all; 0 while none arrive.</summary>
+        public double FrameRate
+        {
+            get
+            {
+                double rate = 0;
+                for (int i = 0; i < _performers.Count; i++)
+                    rate = Math.Max(rate, _performers[i].FrameRate);
+
+                return rate;
+            }
+        }
+
+        /// <summary>Finds a performer by its number on the server.</summary>
+        /// <param name="avatarIndex">From 0.</param>
+        /// <param name="performer">The one that joined first, where two computers send the same number.</param>
+        /// <returns>Whether there is one.</returns>
+        public bool TryGetPerformer(int avatarIndex, [NotNullWhen(true)] out Performer? performer)
+        {
+            for (int i = 0; i < _performers.Count; i++)
+            {
+                if (_performers[i].AvatarIndex == avatarIndex)
+                {
+                    performer = _performers[i];
+                    return true;
+                }
+            }
+
+            performer = null;
+            return false;
+        }
+
+        /// <summary>Finds a performer by its name on the server.</summary>
+        /// <param name="name">In any case.</param>
+        /// <param name="performer">The one that joined first, where two have the name.</param>
+        /// <returns>Whether there is one.</returns>
+        public bool TryGetPerformer(string name, [NotNullWhen(true)] out Performer? performer)
+        {
+            for (int i = 0; i < _performers.Count; i++)
+            {
+                if (string.Equals(_performers[i].Name, name, StringComparison.OrdinalIgnoreCase))
+                {
+                    performer = _performers[i];
+                    return true;
+                }
+            }
+
+            performer = null;
+            return false;
+        }
+
+        private void TakePerformers(SourceConnection connection)
+        {
+            long now = SourceClock.Now;
+            AvatarStream[] streams = connection.Streams.All;
+            for (int i = 0; i < streams.Length && _connection == connection; i++)
+            {
+                if (streams[i].Frames > 0 && !IsGone(streams[i], now) && !Has(streams[i]))
+                    Add(streams[i]);
+            }
+
+            var sampling = new SamplingSettings(_resample, _delay, _smoothing);
+            for (int i = _performers.Count - 1; i >= 0 && _connection == connection; i--)
+            {
+                _performers[i].Update(now, _idleTimeout, sampling);
+                if (IsGone(_performers[i].Stream, now))
+                    Remove(i);
+            }
+        }
+
+        private bool IsGone(AvatarStream stream, long now) =>
+            _goneTimeout > 0 && now - stream.LastArrival > SourceClock.ToTicks(Math.Max(_goneTimeout, _idleTimeout));
+
+        private bool Has(AvatarStream stream)
+        {
+            for (int i = 0; i < _performers.Count; i++)
+            {
+                if (_performers[i].Stream == stream)
+                    return true;
+            }
+
+            return false;
+        }
+
+        private void Add(AvatarStream stream)
+        {
+            var performer = new Performer(stream, new SamplingSettings(_resample, _delay, _smoothing));
+            _performers.Add(performer);
+            PerformerJoined?.Invoke(performer);
+        }
+
+        private void Remove(int index)
+        {
+            Performer performer = _performers[index];
+            _performers.RemoveAt(index);
+            performer.Release();
+            PerformerLeft?.Invoke(performer);
+        }
+    }
+}
