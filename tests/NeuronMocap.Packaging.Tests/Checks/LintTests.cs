@@ -32,6 +32,9 @@ public sealed class LintTests
         { $"{Definition}.meta", "AssemblyDefinitionImporter", "DefaultImporter", "asmdef.meta: DefaultImporter instead of AssemblyDefinitionImporter" },
         { "Runtime.meta", "folderAsset: yes\n", "", "Runtime.meta: takes a file for a folder" },
         { "Runtime.meta", "\n", "\r\n", "Runtime.meta: has line ends of Windows" },
+        { $"{Library}.meta", "enabled: 1", "enabled: 0", "NeuronMocap.dll.meta: other settings" },
+        { $"{Library}.meta", "isExplicitlyReferenced: 0", "isExplicitlyReferenced: 1", "NeuronMocap.dll.meta: other settings" },
+        { "Runtime/Sources/MocapSource.cs", "class MocapSource :", "class MotionSource :", "MocapSource.cs: Unity finds a component only in a file of its name" },
         { "package.json", "\"version\": \"", "\"version\": \"v", "version has to be like 1.2.3" },
         { "package.json", "\"version\": \"", "\"version\": \"9", "package.json of 9" },
         { "package.json", "org.neuronmocap.unity", "NeuronMocap", "name has to be small letters" },
@@ -93,6 +96,9 @@ public sealed class LintTests
     [InlineData("Runtime/Libraries/System.Memory.dll")]
     [InlineData("Runtime/Libraries/NeuronMocap.so")]
     [InlineData("Editor/NeuronMocap.dll")]
+    [InlineData("Runtime/Libraries/NeuronDataReader.DLL")]
+    [InlineData("Runtime/Libraries/NeuronDataReader.aar")]
+    [InlineData("Runtime/Native.mm")]
     public void A_foreign_library_is_found(string path)
     {
         StagedPackage package = ThePackage.With(files =>
@@ -101,6 +107,18 @@ public sealed class LintTests
             files[$"{path}.meta"] = Encoding.UTF8.GetBytes(MetaFile.Create(path, isFolder: false, MetaFile.DeriveGuid(path)));
         });
         Assert.Equal([$"{path}: is none of our libraries"], PackageLint.Check(package));
+    }
+
+    [Fact]
+    public void Two_files_that_are_one_on_Windows_are_found()
+    {
+        const string path = "Runtime/conversions.cs";
+        StagedPackage package = ThePackage.With(static files =>
+        {
+            files[path] = files["Runtime/Conversions.cs"];
+            files[$"{path}.meta"] = Encoding.UTF8.GetBytes(MetaFile.Create(path, isFolder: false, MetaFile.DeriveGuid(path)));
+        });
+        Assert.Equal(["Runtime/Conversions.cs and Runtime/conversions.cs: one file on Windows and macOS"], PackageLint.Check(package));
     }
 
     [Fact]

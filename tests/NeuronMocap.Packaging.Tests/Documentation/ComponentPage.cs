@@ -99,6 +99,7 @@ internal sealed class ComponentPage(PackageSources sources)
         (_, not null) => "a choice",
         ("string", _) => "text",
         ("int" or "float" or "double" or "long", _) => "any number",
+        ({ } type, _) when type.StartsWith("UnityEvent", StringComparison.Ordinal) => "what to call",
         _ => InspectorField.Nicify(ElementOf(field.Type).Split('.')[^1]) + (field.Type == ElementOf(field.Type) ? string.Empty : ", any number of them"),
     };
 
@@ -106,7 +107,7 @@ internal sealed class ComponentPage(PackageSources sources)
     {
         ("true", _) => "on",
         ("false" or null, "bool") => "off",
-        ("string.Empty" or null, "string") => "empty",
+        ("string.Empty" or "\"\"" or null, "string") => "empty",
         (null, "int" or "float" or "double" or "long") => "0",
         (null, _) => sources.FindEnum(field.Type) is { } choice ? InspectorField.Nicify(FirstOf(choice)) : "none",
         ({ } text, _) when text.StartsWith('"') => text.Trim('"'),

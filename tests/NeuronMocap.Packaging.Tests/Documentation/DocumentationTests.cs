@@ -1,5 +1,6 @@
 using System.Text.RegularExpressions;
 using NeuronMocap.Packaging.Tests.Infrastructure;
+using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Packaging.Tests.Documentation;
 
@@ -20,6 +21,15 @@ public sealed partial class DocumentationTests
         string[] types = [.. sources.Components.Select(static component => component.Type.Identifier.Text)];
         Assert.NotEmpty(types);
         Assert.Empty(types.SelectMany(type => sources.FieldsOf(type).Where(static field => string.IsNullOrWhiteSpace(field.Tooltip)).Select(field => $"{type}: {field.Name}")));
+    }
+
+    [Fact]
+    public void Every_range_is_said_in_numbers()
+    {
+        PackageSources sources = PackageSources.Load();
+        string[] ranges = [.. sources.Components.SelectMany(component => sources.FieldsOf(component.Type.Identifier.Text)).Select(static field => field.Range).OfType<string>().Distinct(StringComparer.Ordinal)];
+        Assert.NotEmpty(ranges);
+        Assert.All(ranges, static range => Assert.Matches(@"^-?[\d.]+ (to [\d.]+|or more)$", range));
     }
 
     [Fact]
@@ -48,6 +58,30 @@ public sealed partial class DocumentationTests
         Assert.Empty(Directory.EnumerateFiles(Folder, "*.md").Select(Path.GetFileName).Except(["index.md", .. reached]));
     }
 
+    [Fact]
+    public void The_picture_of_retargeting_is_that_of_the_library() => Check("images/retargeting.svg", File.ReadAllText(Repository.PathOf("docs", "retargeting.svg")));
+
+    [Fact]
+    public void Every_picture_is_shown_on_a_page()
+    {
+        string[] shown = [.. Directory.EnumerateFiles(Folder, "*.md").SelectMany(static page => Link().Matches(File.ReadAllText(page))).Select(static match => match.Groups["target"].Value)];
+        Assert.Empty(Directory.EnumerateFiles(Path.Combine(Folder, "images")).Select(static picture => $"images/{Path.GetFileName(picture)}").Except(shown));
+    }
+
+    // What a page calls a menu item, from its first level: *GameObject > NeuronMocap > Source*.
+    [Fact]
+    public void Menu_items_on_the_pages_are_those_of_the_sources()
+    {
+        string sources = string.Concat(Directory.EnumerateFiles(Path.Combine(ThePackage.Folder, "Editor"), "*.cs", SearchOption.AllDirectories).Select(File.ReadAllText));
+        string[] pages = [.. Directory.EnumerateFiles(Folder, "*.md"), Path.Combine(ThePackage.Folder, "README.md"), Repository.PathOf("README.md")];
+        string[] items = [.. pages.SelectMany(static page => Menu().Matches(File.ReadAllText(page))).Select(static match => match.Groups["item"].Value).Distinct(StringComparer.Ordinal)];
+
+        Assert.Contains("Quick Start Scene", items);
+        Assert.All(items, item => Assert.True(
+            sources.Contains($"[MenuItem(Menu + \"{item}\"", StringComparison.Ordinal) || sources.Contains($"[MenuItem(\"Window/NeuronMocap/{item}\"", StringComparison.Ordinal),
+            item));
+    }
+
     // NEURONMOCAP_UPDATE_DOCS=1 writes it anew.
     private static void Check(string name, string expected)
     {
@@ -66,6 +100,9 @@ public sealed partial class DocumentationTests
 
     [GeneratedRegex(@"\]\((?!https?:)(?<target>[^)\s]+)\)", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
     private static partial Regex Link();
+
+    [GeneratedRegex(@"\*(GameObject|Window) > NeuronMocap > (?<item>[^*]+)\*", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
+    private static partial Regex Menu();
 
     [GeneratedRegex("^#+ (?<title>.*)$", RegexOptions.Multiline | RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
     private static partial Regex Heading();

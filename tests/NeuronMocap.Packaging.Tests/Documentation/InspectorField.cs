@@ -49,7 +49,15 @@ internal sealed record InspectorField(string Name, string Type, string? Tooltip,
 
     private static ExpressionSyntax ArgumentOf(AttributeSyntax attribute, int index) => attribute.ArgumentList!.Arguments[index].Expression;
 
-    private static string NumberOf(ExpressionSyntax number) => number.ToString().TrimEnd('f');
+    private static string NumberOf(ExpressionSyntax number) => (ConstantOf(number) ?? number).ToString().TrimEnd('f');
+
+    // The value of a constant of the same type.
+    private static ExpressionSyntax? ConstantOf(ExpressionSyntax value) => value is not IdentifierNameSyntax name
+        ? null
+        : value.FirstAncestorOrSelf<TypeDeclarationSyntax>()!.Members
+            .OfType<FieldDeclarationSyntax>()
+            .SelectMany(static field => field.Declaration.Variables)
+            .FirstOrDefault(variable => variable.Identifier.Text == name.Identifier.Text)?.Initializer?.Value;
 
     private static string TextOf(ExpressionSyntax text) => text switch
     {

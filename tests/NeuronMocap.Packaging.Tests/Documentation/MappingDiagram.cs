@@ -52,7 +52,10 @@ internal sealed class MappingDiagram
 
             // The thumb lies under the index finger, seen from above.
             bool isThumb = bone is >= Bone.LeftHandThumb1 and <= Bone.LeftHandThumb3;
-            Text(at.X + (isThumb ? -8 : 7), at.Y + (isThumb ? 20 : -6), ((int)bone).ToString(CultureInfo.InvariantCulture), "#222222", 12);
+
+            // Right of it is the neck.
+            bool isRightShoulder = bone == Bone.RightShoulder;
+            Text(at.X + (isThumb ? -8 : isRightShoulder ? -18 : 7), at.Y + (isThumb ? 20 : -6), ((int)bone).ToString(CultureInfo.InvariantCulture), "#222222", 12);
         }
     }
 

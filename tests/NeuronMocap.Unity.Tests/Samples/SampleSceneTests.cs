@@ -124,8 +124,14 @@ public sealed class SampleSceneTests : IDisposable
         Vector3 chest = builder.Figure!.GetBone(Bone.Spine2).forward;
         Assert.True(Vector3.Angle(Vector3.ProjectOnPlane(headset.forward, Vector3.up), Vector3.ProjectOnPlane(chest, Vector3.up)) < 3);
 
+        // The suit gets back the say that it had.
         sample.enabled = false;
         Assert.Equal(1, sample.Driver!.PartWeights.Get(Retargeting.BodyParts.Head));
+        sample.Driver.PartWeights.Set(Retargeting.BodyParts.Head, 0.5f);
+        sample.enabled = true;
+        Assert.Equal(0, sample.Driver.PartWeights.Get(Retargeting.BodyParts.Head));
+        sample.enabled = false;
+        Assert.Equal(0.5f, sample.Driver.PartWeights.Get(Retargeting.BodyParts.Head));
     }
 
     [Fact]

@@ -9,14 +9,19 @@ internal static class LibraryCheck
     // What the projects map their root to in symbols.
     private const string MappedRoot = "/_/";
 
+    private static readonly HashSet<string> PluginExtensions = new(
+        [".dll", ".exe", ".winmd", ".so", ".dylib", ".bundle", ".framework", ".a", ".bc", ".jar", ".aar", ".androidlib", ".jslib", ".jspre", ".c", ".cpp", ".h", ".m", ".mm", ".java", ".swift"],
+        StringComparer.OrdinalIgnoreCase);
+
     public static IEnumerable<string> Check(StagedPackage package) =>
     [
         .. package.Files.Keys.Where(IsForeign).Select(static path => $"{path}: is none of our libraries"),
         .. MirroredFile.Assemblies.SelectMany(assembly => CheckAssembly(assembly, package)),
     ];
 
+    // What Unity takes for a plugin, in any case of letters.
     private static bool IsForeign(string path) =>
-        Path.GetExtension(path) is ".dll" or ".so" or ".dylib" or ".bundle" or ".a" or ".exe" && !MirroredFile.All.Any(file => file.Path == path);
+        PluginExtensions.Contains(Path.GetExtension(path)) && !MirroredFile.All.Any(file => file.Path == path);
 
     private static IEnumerable<string> CheckAssembly(string assembly, StagedPackage package)
     {

@@ -24,11 +24,16 @@ internal static class MetaCheck
             string expected = MetaFile.Create(path, folders.Contains(path), guid: string.Empty);
             if (MetaFile.FindImporter(meta) != MetaFile.FindImporter(expected))
                 yield return $"{path}.meta: {MetaFile.FindImporter(meta) ?? "no importer"} instead of {MetaFile.FindImporter(expected)}";
+            if (path.EndsWith(".dll", StringComparison.Ordinal) && MetaFile.FindGuid(meta) is { } id && meta != MetaFile.Create(path, isFolder: false, id))
+                yield return $"{path}.meta: other settings than: on every platform and in the editor, referenced without being named";
             if (meta.Contains("folderAsset: yes", StringComparison.Ordinal) != folders.Contains(path))
                 yield return $"{path}.meta: takes a file for a folder, or a folder for a file";
             if (meta.Contains('\r', StringComparison.Ordinal))
                 yield return $"{path}.meta: has line ends of Windows";
         }
+
+        foreach (IGrouping<string, string> same in assets.GroupBy(static path => path, StringComparer.OrdinalIgnoreCase).Where(static paths => paths.Count() > 1))
+            yield return $"{string.Join(" and ", same.Order(StringComparer.Ordinal))}: one file on Windows and macOS";
 
         foreach (string meta in package.Files.Keys.Where(AssetPath.IsMeta).Where(meta => !assets.Contains(AssetPath.AssetOf(meta))))
             yield return $"{meta}: there is no {AssetPath.AssetOf(meta)}, or it needs no meta";

@@ -15,6 +15,8 @@ internal static partial class SourceCheck
                 yield return $"{path}: does not say #nullable enable";
             if (!Has(lines, "[assembly:") && !Has(lines, "namespace NeuronMocap.Unity"))
                 yield return $"{path}: is in no namespace of the package";
+            if (Path.GetFileNameWithoutExtension(path).Split('.')[0] is var name && Array.Exists(lines, line => Component().IsMatch(line)) && !Array.Exists(lines, line => Component().Match(line).Groups["name"].Value == name))
+                yield return $"{path}: Unity finds a component only in a file of its name";
             if (AssemblyDefinition.Owning(path, definitions) is { IsEditorOnly: false } && FindUnguarded(lines) is { } number)
                 yield return $"{path}:{number}: uses the editor outside #if UNITY_EDITOR";
         }
@@ -63,6 +65,9 @@ internal static partial class SourceCheck
 
     [GeneratedRegex(@"\bUnityEditor\b", RegexOptions.None, matchTimeoutMilliseconds: 1000)]
     private static partial Regex EditorName();
+
+    [GeneratedRegex(@"\bclass (?<name>\w+)\s*:\s*(MonoBehaviour|ScriptableObject|FigureDriver)\b", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
+    private static partial Regex Component();
 
     [GeneratedRegex("//.*$", RegexOptions.None, matchTimeoutMilliseconds: 1000)]
     private static partial Regex Comment();

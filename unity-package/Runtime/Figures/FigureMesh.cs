@@ -9,7 +9,8 @@ namespace NeuronMocap.Unity
     // All shapes of a figure in one mesh with two parts, one for each colour. Each vertex follows one bone, so that the joints stay those of a doll.
     internal sealed class FigureMesh
     {
-        private const int RingsPerCap = 4;
+        private const int RingsPerCap = 5;
+        private const int RingsPerMuscle = 6;
         private const float ThinShape = 0.02f;
 
         private readonly List<Vector3> _vertices = new List<Vector3>(8192);
@@ -56,7 +57,7 @@ namespace NeuronMocap.Unity
             Vector3 side = Vector3.ProjectOnPlane(shape.Side, axis);
             side = side.sqrMagnitude > 1e-6f ? side.normalized : Vector3.Cross(axis, Vector3.right).normalized;
             Vector3 across = Vector3.Cross(axis, side);
-            int segments = Mathf.Max(shape.StartRadii.x, shape.EndRadii.x) < ThinShape ? 8 : 16;
+            int segments = Mathf.Max(shape.StartRadii.x, shape.EndRadii.x) < ThinShape ? 10 : 20;
             List<int> triangles = shape.IsAccent ? _accent : _body;
 
             int first = _vertices.Count;
@@ -66,11 +67,19 @@ namespace NeuronMocap.Unity
             for (int ring = 1; ring <= RingsPerCap; ring++)
                 AddRing(joint + shape.Start, (float)ring / RingsPerCap, shape.StartRadii, -startCap);
 
+            int muscleRings = shape.Bulge > 0 ? RingsPerMuscle : 0;
+            for (int ring = 1; ring <= muscleRings; ring++)
+            {
+                float along = (float)ring / (muscleRings + 1);
+                float thickness = 1 + (shape.Bulge * Mathf.Sin(Mathf.PI * Mathf.Sqrt(along)));
+                AddRing(joint + Vector3.Lerp(shape.Start, shape.End, along), 1, Vector2.Lerp(shape.StartRadii, shape.EndRadii, along) * thickness, 0);
+            }
+
             for (int ring = RingsPerCap; ring >= 1; ring--)
                 AddRing(joint + shape.End, (float)ring / RingsPerCap, shape.EndRadii, endCap);
 
             _vertices.Add(joint + shape.End + (axis * endCap));
-            AddTriangles(triangles, first, segments, 2 * RingsPerCap);
+            AddTriangles(triangles, first, segments, (2 * RingsPerCap) + muscleRings);
 
             var weight = new BoneWeight { boneIndex0 = (int)shape.Bone, weight0 = 1 };
             while (_weights.Count < _vertices.Count)

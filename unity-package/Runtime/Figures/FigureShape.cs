@@ -8,7 +8,7 @@ namespace NeuronMocap.Unity
     // A capsule whose section is an ellipse that may change from end to end: a limb, a palm, a skull. Metres, in the axes of its bone.
     internal readonly struct FigureShape
     {
-        public FigureShape(Bone bone, Vector3 start, Vector3 end, Vector2 startRadii, Vector2 endRadii, Vector3 side, bool isAccent = false)
+        public FigureShape(Bone bone, Vector3 start, Vector3 end, Vector2 startRadii, Vector2 endRadii, Vector3 side, bool isAccent = false, float bulge = 0)
         {
             Bone = bone;
             Start = start;
@@ -17,6 +17,7 @@ namespace NeuronMocap.Unity
             EndRadii = endRadii;
             Side = side;
             IsAccent = isAccent;
+            Bulge = bulge;
         }
 
         public Bone Bone { get; }
@@ -36,7 +37,10 @@ namespace NeuronMocap.Unity
         // Drawn in the second colour.
         public bool IsAccent { get; }
 
-        public static FigureShape Round(Bone bone, Vector3 start, Vector3 end, float startRadius, float endRadius, bool isAccent = false) =>
+        // How much thicker it is where a muscle is thickest, a quarter of the way along; a part of the radii.
+        public float Bulge { get; }
+
+        public static FigureShape Round(Bone bone, Vector3 start, Vector3 end, float startRadius, float endRadius, bool isAccent = false, float bulge = 0) =>
             new FigureShape(
                 bone,
                 start,
@@ -44,7 +48,8 @@ namespace NeuronMocap.Unity
                 new Vector2(startRadius, startRadius),
                 new Vector2(endRadius, endRadius),
                 Vector3.forward,
-                isAccent);
+                isAccent,
+                bulge);
 
         public static FigureShape Ball(Bone bone, float radius) => Round(bone, Vector3.zero, Vector3.zero, radius, radius, true);
     }

@@ -36,28 +36,31 @@ namespace NeuronMocap.Unity
             return shapes._shapes;
         }
 
-        // Both variants have five bones from the hips up; where the shoulders hang decides which of them are the chest.
+        // A pelvis, a narrower waist and a rib cage, one into the other. Both variants have five bones from the hips up; where the shoulders hang decides
+        // which of them are the chest.
         private void AddTrunk()
         {
-            Vector2 waist = Radii(0.125f, 0.092f);
-            Vector2 chest = Radii(0.15f, 0.105f);
-            Vector2 top = Radii(0.13f, 0.085f);
-            Add(Bone.Hips, Vector3.zero, Offset(Bone.Spine), Radii(0.145f, 0.1f), waist);
+            Vector2 waist = Radii(0.106f, 0.081f);
+            Vector3 hip = Offset(Bone.LeftUpLeg);
+            var half = new Vector3(Mathf.Abs(hip.x) * 0.75f, 0, 0);
+            Add(Bone.Hips, -half, half, Radii(0.092f, 0.098f), Radii(0.092f, 0.098f), Vector3.up);
+            Add(Bone.Hips, Vector3.zero, Offset(Bone.Spine), Radii(0.125f, 0.088f), Radii(0.108f, 0.084f));
             Add(Bone.Spine, Vector3.zero, Offset(Bone.Spine1), waist, waist);
-            Add(Bone.Spine1, Vector3.zero, Offset(Bone.Spine2), waist, chest);
+            Add(Bone.Spine1, Vector3.zero, Offset(Bone.Spine2), waist, waist);
 
             bool hasFourSpineBones = _body.Variant == SkeletonVariant.Spine3;
             Bone shoulders = hasFourSpineBones ? Bone.Neck : Bone.Spine2;
             if (hasFourSpineBones)
-                Add(Bone.Spine2, Vector3.zero, Offset(Bone.Neck), chest, chest);
+                Add(Bone.Spine2, Vector3.zero, Offset(Bone.Neck), waist, waist);
 
-            // Ends below the collar bones, which the round end reaches.
-            float height = Mathf.Max(0, Offset(Bone.LeftShoulder).y - (0.03f * _size));
-            Add(shoulders, Vector3.zero, new Vector3(0, height, 0), chest, top);
+            // From the lowest rib to below the collar bones, which the round end reaches.
+            float collar = Mathf.Max(0, Offset(Bone.LeftShoulder).y);
+            var top = new Vector3(0, collar - (0.045f * _size), 0);
+            var ribs = new Vector3(0, top.y - (0.13f * _size), 0.008f * _size);
+            Add(shoulders, ribs, top, Radii(0.118f, 0.096f), Radii(0.145f, 0.103f));
 
-            float neck = 0.052f * _size;
             for (Bone bone = shoulders + 1; bone < Bone.Head; bone++)
-                _shapes.Add(FigureShape.Round(bone, Vector3.zero, Offset(bone + 1), neck, neck));
+                _shapes.Add(FigureShape.Round(bone, Vector3.zero, Offset(bone + 1), 0.05f * _size, 0.05f * _size));
         }
 
         private void AddHead()
@@ -65,15 +68,14 @@ namespace NeuronMocap.Unity
             Vector3 crown = End(Bone.Head);
             float length = crown.magnitude;
             Vector3 up = length > 0 ? crown / length : Vector3.up;
-            Vector2 jaw = new Vector2(0.33f, 0.42f) * length;
-            Vector2 skull = new Vector2(0.44f, 0.55f) * length;
-            Vector3 forward = Vector3.forward * (0.06f * length);
-            Add(Bone.Head, (up * (0.2f * length)) + forward, (up * (0.62f * length)) + forward, jaw, skull);
+            Vector2 jaw = new Vector2(0.34f, 0.39f) * length;
+            Vector2 skull = new Vector2(0.48f, 0.57f) * length;
+            Add(Bone.Head, (up * (0.22f * length)) + (Vector3.forward * (0.16f * length)), (up * (0.6f * length)) + (Vector3.forward * (0.05f * length)), jaw, skull);
 
             // A visor, so that one sees where the figure looks.
-            Vector3 eyes = (up * (0.5f * length)) + (Vector3.forward * (0.49f * length));
-            Vector3 half = Vector3.right * (0.2f * length);
-            var visor = new Vector2(0.11f, 0.13f) * length;
+            Vector3 eyes = (up * (0.53f * length)) + (Vector3.forward * (0.5f * length));
+            Vector3 half = Vector3.right * (0.21f * length);
+            var visor = new Vector2(0.13f, 0.14f) * length;
             _shapes.Add(new FigureShape(Bone.Head, eyes - half, eyes + half, visor, visor, up, true));
         }
 
@@ -81,20 +83,18 @@ namespace NeuronMocap.Unity
         {
             Bone shin = thigh + 1;
             Bone foot = thigh + 2;
-            float knee = 0.055f * _size;
-            float ankle = 0.04f * _size;
-            _shapes.Add(FigureShape.Round(thigh, Vector3.zero, Offset(shin), 0.085f * _size, knee));
-            _shapes.Add(FigureShape.Ball(shin, 0.06f * _size));
-            _shapes.Add(FigureShape.Round(shin, Vector3.zero, Offset(foot), knee, ankle));
+            float ankle = 0.036f * _size;
+            AddMuscle(thigh, Offset(shin) * 0.1f, Offset(shin), 0.079f, 0.05f, 0.06f);
+            _shapes.Add(FigureShape.Ball(shin, 0.055f * _size));
+            AddMuscle(shin, Vector3.zero, Offset(foot), 0.048f, 0.034f, 0.2f);
 
             // A sole on the ground, from behind the ankle to the toes, and what joins it to the ankle.
             Vector3 toes = End(foot);
-            float half = Mathf.Min(0.028f * _size, Mathf.Abs(toes.y) / 2);
-            var ball = new Vector2(0.047f * _size, half);
-            Vector3 tip = toes + new Vector3(0, half, -half);
+            float half = Mathf.Min(0.026f * _size, Mathf.Abs(toes.y) / 2);
+            Vector3 tip = toes + new Vector3(0, half, 0);
             var heel = new Vector3(0, tip.y, -0.045f * _size);
-            Add(foot, heel, tip, new Vector2(0.038f * _size, half), ball);
-            _shapes.Add(FigureShape.Round(foot, Vector3.zero, Vector3.Lerp(heel, tip, 0.35f), ankle, ankle));
+            Add(foot, heel, tip, new Vector2(0.036f * _size, half), new Vector2(0.046f * _size, 0.9f * half));
+            Add(foot, Vector3.zero, Vector3.Lerp(heel, tip, 0.55f), new Vector2(ankle, ankle), new Vector2(0.04f * _size, 0.024f * _size));
         }
 
         private void AddArm(Bone shoulder)
@@ -102,13 +102,11 @@ namespace NeuronMocap.Unity
             Bone upperArm = shoulder + 1;
             Bone forearm = shoulder + 2;
             Bone hand = shoulder + 3;
-            float elbow = 0.038f * _size;
-            float wrist = 0.026f * _size;
-            _shapes.Add(FigureShape.Round(shoulder, Vector3.zero, Offset(upperArm) * 0.85f, 0.05f * _size, 0.055f * _size));
-            _shapes.Add(FigureShape.Ball(upperArm, 0.06f * _size));
-            _shapes.Add(FigureShape.Round(upperArm, Vector3.zero, Offset(forearm), 0.05f * _size, elbow));
-            _shapes.Add(FigureShape.Ball(forearm, 0.042f * _size));
-            _shapes.Add(FigureShape.Round(forearm, Vector3.zero, Offset(hand), elbow, wrist));
+            _shapes.Add(FigureShape.Round(shoulder, Vector3.zero, Offset(upperArm) * 0.85f, 0.052f * _size, 0.048f * _size));
+            _shapes.Add(FigureShape.Ball(upperArm, 0.058f * _size));
+            AddMuscle(upperArm, Vector3.zero, Offset(forearm), 0.046f, 0.035f, 0.05f);
+            _shapes.Add(FigureShape.Ball(forearm, 0.041f * _size));
+            AddMuscle(forearm, Vector3.zero, Offset(hand), 0.035f, 0.025f, 0.14f);
             AddHand(hand);
         }
 
@@ -136,6 +134,9 @@ namespace NeuronMocap.Unity
             _shapes.Add(FigureShape.Round(first + 1, Vector3.zero, Offset(first + 2), wide, narrow));
             _shapes.Add(FigureShape.Round(first + 2, Vector3.zero, End(first + 2) * 0.6f, narrow, 0.8f * wide));
         }
+
+        private void AddMuscle(Bone bone, Vector3 start, Vector3 end, float startRadius, float endRadius, float bulge) =>
+            _shapes.Add(FigureShape.Round(bone, start, end, startRadius * _size, endRadius * _size, bulge: bulge));
 
         private void Add(Bone bone, Vector3 start, Vector3 end, Vector2 startRadii, Vector2 endRadii) =>
             Add(bone, start, end, startRadii, endRadii, Vector3.right);

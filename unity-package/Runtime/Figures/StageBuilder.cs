@@ -1,6 +1,7 @@
 #nullable enable
 
 using System;
+using NeuronMocap.Skeleton;
 using UnityEngine;
 using Quaternion = UnityEngine.Quaternion;
 using Vector2 = UnityEngine.Vector2;
@@ -52,7 +53,7 @@ namespace NeuronMocap.Unity
         private bool _camera = true;
 
         [SerializeField]
-        [Tooltip("What the camera looks at and goes along with. Empty: this object.")]
+        [Tooltip("What the camera looks at and goes along with; of a Figure Builder, the figure. Empty: this object.")]
         private Transform? _target;
 
         [SerializeField]
@@ -64,7 +65,7 @@ namespace NeuronMocap.Unity
         private Vector3 _focus;
         private bool _hasFocus;
 
-        /// <summary>What the camera looks at and goes along with; null for this object.</summary>
+        /// <summary>What the camera looks at and goes along with; where it has a <see cref="FigureBuilder"/>, the figure's hips; null for this object.</summary>
         public Transform? Target
         {
             get => _target;
@@ -134,7 +135,7 @@ namespace NeuronMocap.Unity
             if (_cameraTransform == null)
                 return;
 
-            Vector3 target = _target != null ? _target.position : transform.position + Vector3.up;
+            Vector3 target = FindTarget();
             _focus = _hasFocus ? Vector3.Lerp(_focus, target, 1 - Mathf.Exp(-Time.unscaledDeltaTime / FollowSeconds)) : target;
             _hasFocus = true;
             _cameraTransform.position = _focus + _viewpoint;
@@ -148,6 +149,17 @@ namespace NeuronMocap.Unity
             Camera = null;
             _cameraTransform = null;
             _hasFocus = false;
+        }
+
+        // The object of a built figure stays where it is; the figure walks.
+        private Vector3 FindTarget()
+        {
+            if (_target == null)
+                return transform.position + Vector3.up;
+
+            return _target.TryGetComponent(out FigureBuilder builder) && builder.Figure is { IsDestroyed: false } figure
+                ? figure.GetBone(Bone.Hips).position
+                : _target.position;
         }
 
         private void AddGround(Transform stage, OwnedObjects owned)

@@ -1,5 +1,4 @@
 #nullable enable
-using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 using UnityEngine;
 
@@ -18,9 +17,11 @@ namespace NeuronMocap.Unity.Samples
 
         [SerializeField]
         [Range(1, 65535)]
+        [Tooltip("As in the broadcasting settings there.")]
         private int _port = 7001;
 
         [SerializeField]
+        [Tooltip("TCP or UDP, as in the broadcasting settings there.")]
         private TransportKind _transport = TransportKind.Tcp;
 
         /// <summary>Whether the motion is made up; otherwise it comes over the network.</summary>
@@ -40,11 +41,7 @@ namespace NeuronMocap.Unity.Samples
         {
             Source = CreateSource();
             Builder = CreateFigure(Source);
-            StageBuilder stage = gameObject.AddComponent<StageBuilder>();
-
-            // The figure is another one as soon as the performer's sizes are known.
-            Builder.Built += figure => stage.Target = figure.GetBone(Bone.Hips);
-            stage.Target = Builder.Figure?.GetBone(Bone.Hips);
+            gameObject.AddComponent<StageBuilder>().Target = Builder.transform;
         }
 
         private MocapSource CreateSource()

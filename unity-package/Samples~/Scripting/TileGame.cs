@@ -83,7 +83,7 @@ namespace NeuronMocap.Unity.Samples
 
         private void Update()
         {
-            if (_source == null || !_source.TryGetPerformer(0, out Performer? performer) || !performer!.HasPose)
+            if (_source == null || !_source.TryGetPerformer(0, out Performer? performer) || !performer.HasPose)
                 return;
 
             if (_balloon == null)

@@ -30,6 +30,7 @@ namespace NeuronMocap.Unity.Samples
         private Animator? _bound;
         private Transform? _head;
         private Quaternion _headRest;
+        private float _suitWeight = 1;
 
         /// <summary>The driver of the figure.</summary>
         public HumanoidDriver? Driver
@@ -77,14 +78,17 @@ namespace NeuronMocap.Unity.Samples
         private void OnEnable()
         {
             // The suit has a say in all but the head.
-            if (_driver != null)
-                _driver.PartWeights.Set(BodyParts.Head, 0);
+            if (_driver == null)
+                return;
+
+            _suitWeight = _driver.PartWeights.Get(BodyParts.Head);
+            _driver.PartWeights.Set(BodyParts.Head, 0);
         }
 
         private void OnDisable()
         {
             if (_driver != null)
-                _driver.PartWeights.Set(BodyParts.Head, 1);
+                _driver.PartWeights.Set(BodyParts.Head, _suitWeight);
         }
 
         // After the driver, and after the headset, whose pose Unity has set by then.

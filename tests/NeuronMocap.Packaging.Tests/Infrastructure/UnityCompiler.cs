@@ -1,0 +1,76 @@
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using NeuronMocap.Tests.Infrastructure;
+using NeuronMocap.UnityPackager;
+
+namespace NeuronMocap.Packaging.Tests.Infrastructure;
+
+/// <summary>
+/// What Unity does with a package: it compiles each assembly definition's sources, with no other library than those of the package that the definition
+/// names. Unity itself is the stand-in.
+/// </summary>
+internal sealed class UnityCompiler
+{
+    private static readonly MetadataReference[] Framework = [.. ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!)
+        .Split(Path.PathSeparator)
+        .Where(static file => Path.GetDirectoryName(file) == Path.GetDirectoryName(typeof(object).Assembly.Location))
+        .Select(static file => MetadataReference.CreateFromFile(file))];
+
+    private readonly StagedPackage _package;
+    private readonly MetadataReference[] _unity;
+    private readonly CSharpParseOptions _options;
+    private readonly Dictionary<string, MetadataReference> _compiled = new(StringComparer.Ordinal);
+
+    public UnityCompiler(StagedPackage package, bool isEditor)
+    {
+        _package = package;
+        _unity = [StandIn("UnityEngine"), .. isEditor ? (MetadataReference[])[StandIn("UnityEditor")] : []];
+        _options = new(LanguageVersion.CSharp9, DocumentationMode.None, preprocessorSymbols: ["UNITY_2021_3_OR_NEWER", .. isEditor ? (string[])["UNITY_EDITOR"] : []]);
+        Definitions = [.. AssemblyDefinition.FindAll(package).Where(definition => !definition.IsTest && (isEditor || !definition.IsEditorOnly))];
+    }
+
+    /// <summary>The assemblies that there are, tests left out.</summary>
+    public AssemblyDefinition[] Definitions { get; }
+
+    /// <summary>Names of those that were compiled.</summary>
+    public IReadOnlyCollection<string> Compiled => _compiled.Keys;
+
+    /// <summary>Compiles all assemblies, references first; fails with the first errors.</summary>
+    public void CompileAll()
+    {
+        while (Definitions.FirstOrDefault(definition => !_compiled.ContainsKey(definition.Name) && definition.References.All(_compiled.ContainsKey)) is { } definition)
+            CompileOne(definition);
+    }
+
+    /// <summary>What is wrong with a script of a project that has the package: it sees the assembly of the components, and the libraries.</summary>
+    public IEnumerable<Diagnostic> FindErrors(string script)
+    {
+        if (!_compiled.ContainsKey("NeuronMocap.Unity"))
+            CompileOne(Definitions.Single(static definition => definition.Name == "NeuronMocap.Unity"));
+
+        return Emit("Assembly-CSharp", [CSharpSyntaxTree.ParseText(script, _options)], [_compiled["NeuronMocap.Unity"], .. MirroredFile.Assemblies.Select(static name => $"{name}.dll").Select(Library)], Stream.Null);
+    }
+
+    private void CompileOne(AssemblyDefinition definition)
+    {
+        SyntaxTree[] sources = [.. _package.AssetFiles
+            .Where(path => path.EndsWith(".cs", StringComparison.Ordinal) && AssemblyDefinition.Owning(path, Definitions) == definition)
+            .Select(path => CSharpSyntaxTree.ParseText(_package.ReadText(path), _options, path))];
+        Assert.NotEmpty(sources);
+
+        using var image = new MemoryStream();
+        Assert.Empty(Emit(definition.Name, sources, [.. definition.References.Select(reference => _compiled[reference]), .. definition.PrecompiledReferences.Select(Library)], image));
+        _compiled.Add(definition.Name, MetadataReference.CreateFromImage(image.ToArray()));
+    }
+
+    private IEnumerable<Diagnostic> Emit(string assembly, SyntaxTree[] sources, IEnumerable<MetadataReference> references, Stream image) => CSharpCompilation
+        .Create(assembly, sources, [.. Framework, .. _unity, .. references], new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary))
+        .Emit(image, cancellationToken: TestContext.Current.CancellationToken)
+        .Diagnostics
+        .Where(static problem => problem.Severity == DiagnosticSeverity.Error);
+
+    private MetadataReference Library(string name) => MetadataReference.CreateFromImage(_package.Files[$"{MirroredFile.Libraries}/{name}"]);
+
+    private static PortableExecutableReference StandIn(string assembly) =>
+        MetadataReference.CreateFromFile(Repository.PathOf("tests", "Unity", assembly, "bin", ThePackage.Configuration, "netstandard2.1", $"{assembly}.dll"));
+}
