@@ -49,6 +49,18 @@ internal sealed class FootHold(FootLeg leg)
         Rise = null;
     }
 
+    // With the ground that it stands on, where that is set to another height; not onto what is out of a foot's reach.
+    public void Lift(float way, float ground)
+    {
+        if (Rise is not { } rise || GetRise(ground) is not { } goal)
+            return;
+
+        _startHeight += way;
+        _goalHeight += way;
+        _soleHeight += way;
+        Rise = Math.Max(rise + way, goal);
+    }
+
     public void Step(bool contact, double elapsed, float ground, float shift, FootPlanterOptions options)
     {
         _sinceStart += elapsed;
@@ -64,7 +76,7 @@ internal sealed class FootHold(FootLeg leg)
         if (!IsHeld)
             return;
 
-        Rise = Rise is { } before ? Math.Max(before, ground - Leg.SoleHeight) : null;
+        Rise = Rise is { } before ? Math.Max(before, GetRise(ground) ?? before) : null;
         float settled = Smooth(Part(_sinceStart, options.BlendIn));
         Target = _place + (Leg.Up * (_startHeight + ((_goalHeight - _startHeight) * settled)));
     }

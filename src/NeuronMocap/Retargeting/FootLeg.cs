@@ -12,7 +12,7 @@ internal sealed class FootLeg
     private const float NearlyStraight = 0.96f;
 
     private const int MostAttempts = 8;
-    private const float Exact = 1e-5f;
+    private const float Exact = 1e-4f;
 
     private readonly TargetRig _rig;
     private readonly int _thigh;

@@ -10,7 +10,7 @@ namespace NeuronMocap.Retargeting;
 /// </summary>
 public sealed class FootPlanter
 {
-    /// <summary>A longer time between two frames, in seconds, is a break: what was held is forgotten.</summary>
+    /// <summary>A longer time between two frames, in seconds, forward or back, is a break: what was held is forgotten.</summary>
     public const double LongestGap = 1;
 
     // How long the hips take to go most of the way to the height at which the feet stand: longer than a blend, shorter than a few steps.
@@ -21,6 +21,7 @@ public sealed class FootPlanter
     private readonly SoleGround _ground = new();
     private double _time = double.NaN;
     private float _height;
+    private float? _givenGround;
 
     /// <summary>Makes a planter for a character.</summary>
     /// <param name="rig">The character. A leg whose thigh, shin and foot do not hang from each other is left alone.</param>
@@ -51,7 +52,10 @@ public sealed class FootPlanter
     /// <summary>Corrects hips, legs and feet of a pose.</summary>
     /// <param name="pose">What the retargeter made of the frame; its world is up to date afterwards. Legs that are not driven are left alone.</param>
     /// <param name="contacts">Which of the actor's feet stand: from calculation data, or estimated.</param>
-    /// <param name="seconds">When the frame is, on any clock. One no later than the frame before counts as the same moment.</param>
+    /// <param name="seconds">
+    /// When the frame is, on any clock. One that is no later than the frame before counts as the same moment; further back than
+    /// <see cref="LongestGap"/>, as where a take begins again, it is a break.
+    /// </param>
     /// <exception cref="ArgumentException">The pose is of another rig.</exception>
     public void Plant(RetargetedPose pose, FootContacts contacts, double seconds)
     {
@@ -72,6 +76,10 @@ public sealed class FootPlanter
         if (!movesHips)
             _height = 0;
 
+        float lift = (Options.GroundHeight - _givenGround) ?? 0;
+        _givenGround = Options.GroundHeight;
+        left?.Lift(lift, ground);
+        right?.Lift(lift, ground);
         left?.Step(contacts.Left, elapsed, ground, _height, Options);
         right?.Step(contacts.Right, elapsed, ground, _height, Options);
         HipsShift = movesHips ? Math.Max(_height - Math.Max(LoweringOf(left), LoweringOf(right)), -LargestShift) : 0;
@@ -93,6 +101,7 @@ public sealed class FootPlanter
         _height = 0;
         HipsShift = 0;
     }
+
     private static FootHold? Ready(FootHold? hold, RetargetedPose pose)
     {
         hold?.Leg.Measure(pose);
@@ -110,7 +119,7 @@ public sealed class FootPlanter
     private double Elapse(double seconds, out bool isFirst)
     {
         double elapsed = seconds - _time;
-        isFirst = !(elapsed <= LongestGap);
+        isFirst = !(Math.Abs(elapsed) <= LongestGap);
         if (isFirst)
             Reset();
         if (isFirst || elapsed > 0)

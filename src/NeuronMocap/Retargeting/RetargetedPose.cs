@@ -78,12 +78,21 @@ public sealed class RetargetedPose
         UpdateWorld(node);
     }
 
-    /// <summary>Moves the hips to a place in the character's root, and updates all that hang from them.</summary>
+    /// <summary>Moves the hips to a place in the character's root, and all that hang from them; where they are has to be up to date.</summary>
     /// <param name="position">Metres.</param>
     public void SetHipsWorldPosition(Vector3 position)
     {
         HipsLocalPosition = Rig.ToHipsParent(position);
-        UpdateWorld(Rig.HipsNode);
+        Vector3 way = position - _worldPositions[Rig.HipsNode];
+        for (int node = Rig.HipsNode; node < _worldPositions.Length; node++)
+        {
+            if (!Rig.HangsFromHips(node))
+                continue;
+
+            _worldPositions[node] += way;
+            if (_matrices is not null)
+                _matrices[node].Translation = _worldPositions[node];
+        }
     }
 
     internal void Drive(int node, Quaternion rotation)

@@ -12,6 +12,7 @@ public sealed partial class TargetRig
     private readonly Vector3[] _scales;
     private readonly Vector3[] _offsets;
     private readonly int[] _subtreeEnds;
+    private readonly bool[] _hangsFromHips;
     private readonly Matrix4x4 _hipsParentBack;
 
     /// <summary>Whether scales that differ from axis to axis turn with the bones below them, so that the character is sheared.</summary>
@@ -23,6 +24,9 @@ public sealed partial class TargetRig
 
     // Behind the last node that hangs from this one.
     internal int SubtreeEnd(int node) => _subtreeEnds[node];
+
+    // Also true of the hips.
+    internal bool HangsFromHips(int node) => _hangsFromHips[node];
 
     internal Vector3 HandednessAt(int node) => _handedness[node];
 
@@ -44,7 +48,7 @@ public sealed partial class TargetRig
             Quaternion rotation = Handedness.Apply(_handedness[node], local[node]);
             if (matrices is not null)
             {
-                Matrix4x4 matrix = Matrix4x4.CreateScale(_nodes[node].Scale) * Matrix4x4.CreateFromQuaternion(local[node]);
+                Matrix4x4 matrix = Matrix(local[node], _nodes[node].Scale);
                 matrix.Translation = moved ? hipsPosition : _nodes[node].Position;
                 matrices[node] = parent == None ? matrix : matrix * matrices[parent];
                 positions[node] = matrices[node].Translation;
@@ -76,6 +80,7 @@ public sealed partial class TargetRig
             _offsets[node] = above * _nodes[node].Position;
             _scales[node] = above * _nodes[node].Scale;
             sheared |= !IsUniform(above);
+            _hangsFromHips[node] = node == HipsNode || (parent != None && _hangsFromHips[parent]);
             _subtreeEnds[node] = node + 1;
             for (int ancestor = parent; ancestor != None; ancestor = _nodes[ancestor].Parent)
                 _subtreeEnds[ancestor] = node + 1;
@@ -83,6 +88,11 @@ public sealed partial class TargetRig
 
         return sheared;
     }
+
+    // Few nodes are scaled.
+    private static Matrix4x4 Matrix(Quaternion rotation, Vector3 scale) => scale == Vector3.One
+        ? Matrix4x4.CreateFromQuaternion(rotation)
+        : Matrix4x4.CreateScale(scale) * Matrix4x4.CreateFromQuaternion(rotation);
 
     private static bool IsUniform(Vector3 scale)
     {
@@ -96,7 +106,7 @@ public sealed partial class TargetRig
         Matrix4x4 above = Matrix4x4.Identity;
         for (int node = _nodes[HipsNode].Parent; node != None; node = _nodes[node].Parent)
         {
-            Matrix4x4 matrix = Matrix4x4.CreateScale(_nodes[node].Scale) * Matrix4x4.CreateFromQuaternion(_nodes[node].Rotation);
+            Matrix4x4 matrix = Matrix(_nodes[node].Rotation, _nodes[node].Scale);
             matrix.Translation = _nodes[node].Position;
             above *= matrix;
         }

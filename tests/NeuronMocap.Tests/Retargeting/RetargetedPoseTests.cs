@@ -65,7 +65,8 @@ public sealed class RetargetedPoseTests
         Vector3[] positions = pose.WorldPositions.ToArray();
         Quaternion[] rotations = pose.WorldRotations.ToArray();
         pose.UpdateWorld();
-        Assert.True(positions.AsSpan().SequenceEqual(pose.WorldPositions), where);
+        for (int node = 0; node < positions.Length; node++)
+            Assert.True(Vector3.Distance(positions[node], pose.WorldPositions[node]) < 1e-5f, $"{where}, node {node}");
         Assert.True(rotations.AsSpan().SequenceEqual(pose.WorldRotations), where);
     }
 

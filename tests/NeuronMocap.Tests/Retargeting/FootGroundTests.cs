@@ -1,0 +1,86 @@
+using NeuronMocap.Retargeting;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tests.Retargeting;
+
+// What changes under feet that stand: the ground, and the clock.
+public sealed class FootGroundTests
+{
+    private const double Rate = 60;
+
+    private readonly TargetRig _rig = new StandingRig().Create();
+    private readonly FootPlanter _planter;
+    private readonly Retargeter _retargeter;
+    private readonly RetargetedPose _pose;
+    private readonly BoneTransform[] _rest = new BoneTransform[BoneHierarchy.BoneCount];
+
+    public FootGroundTests()
+    {
+        _planter = new FootPlanter(_rig);
+        _retargeter = new Retargeter(_rig, SkeletonBody.Default());
+        _pose = new RetargetedPose(_rig);
+        SkeletonBody.Default().CopyRestPose(_rest);
+    }
+
+    [Fact]
+    public void Ground_that_is_set_anew_takes_standing_feet_along()
+    {
+        double time = Stand(0, 1);
+        foreach (float height in new[] { 0.03f, 0.05f, -0.02f, 0 })
+        {
+            _planter.Options.GroundHeight = height;
+            time = Stand(time, 3);
+            AssertStandsAt(height);
+        }
+
+        // Not onto a table.
+        _planter.Options.GroundHeight = 1;
+        Stand(time, 3);
+        AssertStandsAt(0);
+    }
+
+    [Fact]
+    public void Ground_that_moves_carries_the_feet()
+    {
+        double time = Stand(0, 1);
+        for (int frame = 1; frame <= 60; frame++)
+        {
+            _planter.Options.GroundHeight = frame * 0.0005f;
+            time = Stand(time, 1 / Rate);
+            Assert.Equal(StandingRig.Ankle + _planter.Options.GroundHeight.Value, Ankle(HumanoidBone.LeftFoot), 5e-4f);
+        }
+    }
+
+    [Fact]
+    public void A_clock_that_begins_again_begins_anew()
+    {
+        Stand(100, 1);
+        _planter.Options.GroundHeight = 0.03f;
+        Stand(0, 1, default(FootContacts));
+        Assert.Equal(default, _planter.Planted);
+        Stand(1, 3);
+        AssertStandsAt(0.03f);
+    }
+
+    private double Stand(double from, double seconds, FootContacts? contacts = null)
+    {
+        int frames = (int)Math.Round(seconds * Rate);
+        for (int frame = 0; frame < frames; frame++)
+        {
+            Assert.True(_retargeter.TryRetarget(_rest, _pose));
+            _planter.Plant(_pose, contacts ?? new FootContacts(Left: true, Right: true), from + (frame / Rate));
+        }
+
+        return from + seconds;
+    }
+
+    private void AssertStandsAt(float height)
+    {
+        Assert.Equal(new FootContacts(Left: true, Right: true), _planter.Planted);
+        Assert.Equal(StandingRig.Ankle + height, Ankle(HumanoidBone.LeftFoot), 1e-3f);
+        Assert.Equal(StandingRig.Ankle + height, Ankle(HumanoidBone.RightFoot), 1e-3f);
+        Assert.Equal(height, _planter.HipsShift, 3e-3f);
+    }
+
+    private float Ankle(HumanoidBone foot) => _pose.WorldPositions[_rig.GetNode(foot)].Y;
+}
