@@ -41,6 +41,43 @@ public class CreateMenuTests
         Assert.True(figure.GetComponent<HumanoidDriver>() == null);
     }
 
+    [Theory]
+    [InlineData("Performer Spawner", typeof(PerformerSpawner))]
+    [InlineData("Skeleton View", typeof(SkeletonView))]
+    public void Components_are_made_from_the_menu_and_Undo_takes_them_back(string name, Type type)
+    {
+        using var world = new EditorWorld();
+        Assert.True(MenuItems.Execute($"GameObject/NeuronMocap/{name}"));
+
+        Component made = Assert.Single(Object.FindObjectsOfType<GameObject>()).GetComponent(type)!;
+        Assert.Equal((name, (Transform?)null), (made.name, made.transform.parent));
+        Assert.Same(made.gameObject, Selection.activeGameObject);
+
+        Undo.PerformUndo();
+        Assert.Empty(Object.FindObjectsOfType<GameObject>());
+    }
+
+    [Fact]
+    public void A_generic_driver_goes_to_all_of_the_selection_that_have_none()
+    {
+        const string Entry = "GameObject/NeuronMocap/Generic Rig Driver on Selection";
+        using var world = new EditorWorld();
+        Assert.False(MenuItems.Execute(Entry));
+
+        var first = new GameObject("First");
+        var second = new GameObject("Second");
+        GenericRigDriver driver = second.AddComponent<GenericRigDriver>();
+        Selection.objects = [first, second];
+        Assert.True(MenuItems.Execute(Entry));
+        Assert.NotNull(first.GetComponent<GenericRigDriver>());
+        Assert.Same(driver, Assert.Single(second.GetComponents<GenericRigDriver>()));
+        Assert.False(MenuItems.Execute(Entry));
+
+        Undo.PerformUndo();
+        Assert.True(first.GetComponent<GenericRigDriver>() == null);
+        Assert.True(driver != null);
+    }
+
     [Fact]
     public void The_quick_start_is_one_step_of_Undo_and_uses_the_source_that_is_there()
     {

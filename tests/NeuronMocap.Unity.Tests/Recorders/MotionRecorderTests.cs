@@ -60,12 +60,17 @@ public sealed class MotionRecorderTests : IDisposable
         MotionRecorder recorder = AddRecorder(source);
         recorder.EveryPerformer = false;
         recorder.RecordOnPlay = true;
+        IReadOnlyList<string>? finished = null;
+        recorder.Finished += files => finished = files;
         _loop.RunUntil(() => recorder.Frames >= 10);
 
         recorder.enabled = false;
         Assert.Equal(RecorderState.Finishing, recorder.State);
+        _loop.Frames(5);
+        Assert.Null(finished);
         recorder.enabled = true;
         _loop.RunUntil(() => recorder.State == RecorderState.Idle);
+        Assert.Equal(recorder.Files, finished);
 
         Assert.Equal(recorder.Frames, BvhDocument.Load(Assert.Single(recorder.Files)).FrameCount);
     }

@@ -64,11 +64,17 @@ namespace NeuronMocap.Unity.EditorTools
             if (animator.avatar.isHuman && animator.avatar.isValid)
                 return null;
 
-            string fault = animator.avatar.isHuman
-                ? $"The avatar {animator.avatar.name} is not valid: {MissingOf(animator.avatar)}. In the model's import settings, tab Rig, open Configure."
-                : $"The avatar {animator.avatar.name} is not Humanoid.";
-            return model is null || animator.avatar.isHuman
-                ? new RigProblem(Severity.Error, animator.avatar.isHuman ? fault : $"{fault} Choose Humanoid in the model's import settings, or use a Generic Rig Driver.")
+            // Of an avatar that Unity could not make isHuman is false, too: what it was to be made of tells the two apart.
+            if (animator.avatar.isHuman || animator.avatar.humanDescription.human is { Length: > 0 })
+            {
+                return new RigProblem(
+                    Severity.Error,
+                    $"The avatar {animator.avatar.name} is not valid: {MissingOf(animator.avatar)}. In the model's import settings, tab Rig, open Configure.");
+            }
+
+            string fault = $"The avatar {animator.avatar.name} is not Humanoid.";
+            return model is null
+                ? new RigProblem(Severity.Error, $"{fault} Choose Humanoid in the model's import settings, or use a Generic Rig Driver.")
                 : new RigProblem(Severity.Error, fault, "Import the Model as Humanoid", () => RigFixes.ImportAsHumanoid(animator, model));
         }
 
@@ -129,7 +135,7 @@ namespace NeuronMocap.Unity.EditorTools
             if (rest.Note is RestPose.FromPresent)
                 return () => RigFixes.Pose(capture.Transforms, TPose.Enforce(TargetRig.Humanoid(capture.Nodes, nodeOf)));
             if (rest.Note.Length == 0 && ModelFile.Of(animator) is { } model)
-                return () => model.SetRestPose(TPose.Enforce(TargetRig.Humanoid(capture.Nodes, nodeOf)).Nodes);
+                return () => model.SetRestPose(animator.avatar!, TPose.Enforce(TargetRig.Humanoid(capture.Nodes, nodeOf)).Nodes);
 
             return null;
         }

@@ -46,10 +46,17 @@ namespace NeuronMocap.Unity.EditorTools
             _importer.SaveAndReimport();
         }
 
-        // The rest pose of a Humanoid is kept in its import settings, name by name.
-        public void SetRestPose(ReadOnlySpan<RigNode> nodes)
+        // The rest pose of a Humanoid is kept in its import settings, name by name. Of a model that nobody has configured they are empty, and Unity finds the
+        // bones anew with every import; what it found is in the avatar.
+        public void SetRestPose(Avatar avatar, ReadOnlySpan<RigNode> nodes)
         {
             HumanDescription description = _importer.humanDescription;
+            if (description.skeleton is null || description.skeleton.Length == 0)
+            {
+                HumanDescription found = avatar.humanDescription;
+                (description.human, description.skeleton) = (found.human, found.skeleton);
+            }
+
             var skeleton = (SkeletonBone[])description.skeleton.Clone();
             foreach (RigNode node in nodes)
             {

@@ -51,7 +51,10 @@ namespace NeuronMocap.Unity
         private TakeWriter? _take;
         private bool _isWaiting;
 
-        /// <summary>A take's files are complete. Main thread; the files' full paths.</summary>
+        /// <summary>
+        /// A take's files are complete. Main thread; the files' full paths. Raised in Update: of a take that ended because the component was disabled, once it is
+        /// enabled again; of one that ended with its object or the application, never, though its files are completed all the same.
+        /// </summary>
         public event Action<IReadOnlyList<string>>? Finished;
 
         /// <summary>The source whose motion is recorded.</summary>

@@ -87,7 +87,7 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private bool _loop = true;
 
-        [Tooltip("How many times as fast as it was recorded.")]
+        [Tooltip("How many times as fast as it was recorded. A change begins the file again.")]
         [Range(0.1f, 10)]
         [SerializeField]
         private float _speed = 1;
@@ -219,7 +219,7 @@ namespace NeuronMocap.Unity
             set => Set(ref _loop, value);
         }
 
-        /// <summary>How many times as fast as it was recorded a file is played, 0.1 to 10. 1 unless set.</summary>
+        /// <summary>How many times as fast as it was recorded a file is played, 0.1 to 10. 1 unless set. A change begins the file again; <see cref="Player"/> changes the speed of a recording as it runs.</summary>
         public float Speed
         {
             get => _speed;

@@ -1,0 +1,146 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Unity.EditorTools;
+using NeuronMocap.Unity.Tests.Infrastructure;
+using UnityEditor;
+
+namespace NeuronMocap.Unity.Tests.Editor;
+
+public sealed class ComponentInspectorTests : IDisposable
+{
+    private readonly EditorWorld _world = new(play: true);
+
+    public void Dispose() => _world.Dispose();
+
+    [Theory]
+    [InlineData(typeof(PerformerSpawner))]
+    [InlineData(typeof(FigureBuilder))]
+    [InlineData(typeof(MotionRecorder))]
+    [InlineData(typeof(SkeletonView))]
+    public void In_edit_mode_there_are_the_fields_and_no_state(Type type)
+    {
+        using var world = new EditorWorld();
+        Component component = new GameObject("Holder").AddComponent(type);
+
+        ImmediateGui.Draw(world.Inspect(component).OnInspectorGUI);
+
+        Assert.NotEmpty(EditorWorld.Labels("Property"));
+        Assert.All(EditorWorld.Controls.Where(static control => control.Kind == "Property"), static field => Assert.NotEmpty(field.Tooltip));
+        Assert.Empty(EditorWorld.Labels("Button"));
+        Assert.Empty(EditorWorld.Labels("Label"));
+    }
+
+    [Fact]
+    public void The_spawner_counts_its_figures_and_says_when_there_are_too_few()
+    {
+        MocapSource source = Stage.AddSimulator(performers: 2);
+        PerformerSpawner spawner = new GameObject("Spawner").AddComponent<PerformerSpawner>();
+        spawner.Source = source;
+        spawner.MostFigures = 1;
+        UnityEditor.Editor inspector = _world.Inspect(spawner);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf("0 figures"));
+
+        _world.Loop.RunUntil(() => spawner.Problem.Length > 0);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(Dot(Severity.Warning), EditorWorld.DotOf("1 figure"));
+        Assert.Contains("raise Most Figures", Assert.Single(EditorWorld.Labels("HelpBox")), StringComparison.Ordinal);
+
+        ImmediateGui.Set(inspector.OnInspectorGUI, "Most Figures", 2);
+        _world.Loop.RunUntil(() => spawner.Figures.Count == 2);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf("2 figures"));
+        Assert.Empty(EditorWorld.Labels("HelpBox"));
+    }
+
+    [Fact]
+    public void The_figure_builder_says_whose_sizes_it_shows_and_builds_anew_with_a_click()
+    {
+        GameObject holder = new("Figure");
+        HumanoidDriver driver = holder.AddComponent<HumanoidDriver>();
+        FigureBuilder builder = holder.AddComponent<FigureBuilder>();
+        _world.Loop.Frame();
+        UnityEditor.Editor inspector = _world.Inspect(builder);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf("A figure of usual sizes"));
+
+        MocapSource source = Stage.AddSimulator();
+        driver.Source = source;
+        _world.Loop.RunUntil(() => driver.IsDriving && driver.Performer is { HasPose: true });
+        HumanoidFigure before = builder.Figure!;
+        ImmediateGui.Click(inspector.OnInspectorGUI, FigureBuilderEditor.Rebuild);
+        Assert.NotSame(before, builder.Figure);
+        Assert.False(builder.Figure!.IsDestroyed);
+
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf($"A figure of the sizes of {driver.Performer!.Name}"));
+    }
+
+    [Fact]
+    public void A_take_is_recorded_with_two_clicks_and_shown_with_a_third()
+    {
+        string folder = Directory.CreateTempSubdirectory("takes").FullName;
+        try
+        {
+            MocapSource source = Stage.AddSimulator();
+            MotionRecorder recorder = new GameObject("Recorder").AddComponent<MotionRecorder>();
+            (recorder.Source, recorder.Folder) = (source, folder);
+            UnityEditor.Editor inspector = _world.Inspect(recorder);
+            ImmediateGui.Draw(inspector.OnInspectorGUI);
+            Assert.Equal(Dot(Severity.None), EditorWorld.DotOf("Ready"));
+            Assert.False(EditorWorld.Find(MotionRecorderEditor.Show).IsEnabled);
+
+            ImmediateGui.Click(inspector.OnInspectorGUI, MotionRecorderEditor.Start);
+            Assert.True(recorder.State is RecorderState.Waiting or RecorderState.Recording);
+            _world.Loop.RunUntil(() => recorder.Frames >= 10);
+            ImmediateGui.Draw(inspector.OnInspectorGUI);
+            Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf("Recording: "));
+
+            ImmediateGui.Click(inspector.OnInspectorGUI, MotionRecorderEditor.Stop);
+            _world.Loop.RunUntil(() => recorder.State == RecorderState.Idle);
+            ImmediateGui.Draw(inspector.OnInspectorGUI);
+            Assert.Contains("Recorded: ", EditorWorld.Find("Recorded: ").Label, StringComparison.Ordinal);
+
+            EditorUtility.Revealed.Clear();
+            ImmediateGui.Click(inspector.OnInspectorGUI, MotionRecorderEditor.Show);
+            string file = Assert.Single(EditorUtility.Revealed);
+            Assert.Equal(recorder.Frames, BvhDocument.Load(file).FrameCount);
+        }
+        finally
+        {
+            Directory.Delete(folder, recursive: true);
+        }
+    }
+
+    [Fact]
+    public void A_recorder_without_a_source_says_so_when_it_is_to_record()
+    {
+        MotionRecorder recorder = new GameObject("Recorder").AddComponent<MotionRecorder>();
+        UnityEditor.Editor inspector = _world.Inspect(recorder);
+
+        ImmediateGui.Click(inspector.OnInspectorGUI, MotionRecorderEditor.Start);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+
+        GuiControl advice = EditorWorld.Find("set Source");
+        Assert.Equal(("HelpBox", "Error"), (advice.Kind, advice.Value));
+        Assert.Equal(Dot(Severity.Error), EditorWorld.DotOf("Ready"));
+    }
+
+    [Fact]
+    public void The_skeleton_view_says_whom_it_shows()
+    {
+        SkeletonView view = new GameObject("View").AddComponent<SkeletonView>();
+        UnityEditor.Editor inspector = _world.Inspect(view);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(Dot(Severity.Waiting), EditorWorld.DotOf("Nobody to show"));
+        Assert.Contains("Set Driver, or Source", Assert.Single(EditorWorld.Labels("HelpBox")), StringComparison.Ordinal);
+
+        MocapSource source = Stage.AddSimulator();
+        view.Source = source;
+        _world.Loop.RunUntil(() => view.Performer is { HasPose: true });
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf($"Shows {view.Performer}"));
+        Assert.Empty(EditorWorld.Labels("HelpBox"));
+    }
+
+    private static Color Dot(Severity severity) => ReportGui.ColorOf(severity, isDarkSkin: true);
+}

@@ -1,0 +1,83 @@
+using NeuronMocap.Skeleton;
+using NeuronMocap.Unity.EditorTools;
+using NeuronMocap.Unity.Tests.Infrastructure;
+
+namespace NeuronMocap.Unity.Tests.Editor;
+
+public sealed class DriverInspectorTests : IDisposable
+{
+    private readonly EditorWorld _world = new(play: true);
+
+    public void Dispose() => _world.Dispose();
+
+    [Theory]
+    [InlineData(typeof(HumanoidDriver))]
+    [InlineData(typeof(GenericRigDriver))]
+    public void It_says_why_the_figure_does_not_move_and_after_whom_it_does(Type type)
+    {
+        var driver = (FigureDriver)HumanoidFigure.Build(SkeletonBody.Default()).Root.AddComponent(type);
+        UnityEditor.Editor inspector = _world.Inspect(driver);
+        _world.Loop.Frame();
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(Dot(Severity.Error), EditorWorld.DotOf("The figure does not move"));
+        Assert.Contains("There is no mocap source", Assert.Single(EditorWorld.Labels("HelpBox")), StringComparison.Ordinal);
+
+        driver.Source = Stage.AddSimulator();
+        _world.Loop.RunUntil(() => driver.IsDriving);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf($"Moves after {driver.Performer}"));
+
+        // Its rest pose is taken: the check would look at the performer's pose.
+        Assert.DoesNotContain(FigureDriverEditor.CheckAgain, EditorWorld.Labels("Button"));
+
+        driver.enabled = false;
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(Dot(Severity.None), EditorWorld.DotOf("Disabled"));
+    }
+
+    [Fact]
+    public void A_performer_that_is_not_there_is_named_with_those_that_are()
+    {
+        HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.Default()).Root.AddComponent<HumanoidDriver>();
+        (driver.Source, driver.PerformerIndex) = (Stage.AddSimulator(performers: 2), 7);
+        _world.Loop.RunUntil(() => Stage.IsLive(driver.Source, performers: 2));
+        _world.Loop.Frame();
+
+        ImmediateGui.Draw(_world.Inspect(driver).OnInspectorGUI);
+
+        Assert.Equal(Dot(Severity.Error), EditorWorld.DotOf("The figure does not move"));
+        string advice = Assert.Single(EditorWorld.Labels("HelpBox"));
+        Assert.Contains("no performer 7", advice, StringComparison.Ordinal);
+        Assert.All(driver.Source.Performers, performer => Assert.Contains($"{performer}", advice, StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Out_of_play_mode_it_says_when_the_figure_will_move()
+    {
+        using var world = new EditorWorld();
+        HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.Default()).Root.AddComponent<HumanoidDriver>();
+
+        ImmediateGui.Draw(world.Inspect(driver).OnInspectorGUI);
+
+        Assert.Equal(Dot(Severity.None), EditorWorld.DotOf("Moves in play mode"));
+        Assert.Contains(FigureDriverEditor.CheckAgain, EditorWorld.Labels("Button"));
+    }
+
+    [Fact]
+    public void Fields_without_a_meaning_are_not_shown()
+    {
+        using var world = new EditorWorld();
+        HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.Default()).Root.AddComponent<HumanoidDriver>();
+        UnityEditor.Editor inspector = world.Inspect(driver);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Contains("Performer Index", EditorWorld.Labels("Property"));
+        Assert.DoesNotContain("Performer Name", EditorWorld.Labels("Property"));
+
+        ImmediateGui.Set(inspector.OnInspectorGUI, "Performer Choice", PerformerChoice.ByName);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.DoesNotContain("Performer Index", EditorWorld.Labels("Property"));
+        Assert.Contains("Performer Name", EditorWorld.Labels("Property"));
+    }
+
+    private static Color Dot(Severity severity) => ReportGui.ColorOf(severity, isDarkSkin: true);
+}
