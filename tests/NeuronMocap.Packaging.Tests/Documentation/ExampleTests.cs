@@ -3,33 +3,43 @@ using NeuronMocap.Packaging.Tests.Infrastructure;
 
 namespace NeuronMocap.Packaging.Tests.Documentation;
 
-// The scripts on the pages are put into projects as they are.
+// The scripts on the pages are put into projects as they are. A program of a server's stands behind a marker, <!-- program: SDK -->.
 public sealed partial class ExampleTests
 {
-    public static TheoryData<string, string> Examples
-    {
-        get
-        {
-            TheoryData<string, string> examples = [];
-            foreach (string page in Directory.EnumerateFiles(ThePackage.Folder, "*.md", SearchOption.AllDirectories).Order(StringComparer.Ordinal))
-            {
-                foreach (Match block in Block().Matches(File.ReadAllText(page)))
-                    examples.Add(Path.GetRelativePath(ThePackage.Folder, page), block.Groups["code"].Value);
-            }
+    public static TheoryData<string, string> Scripts => Find(isProgram: false);
 
-            return examples;
-        }
-    }
+    public static TheoryData<string, string> Programs => Find(isProgram: true);
 
     [Theory]
-    [MemberData(nameof(Examples))]
+    [MemberData(nameof(Scripts))]
     public void An_example_compiles_in_a_project_that_has_the_package(string page, string code) =>
         Assert.Empty(new UnityCompiler(ThePackage.Staged, isEditor: false).FindErrors(code).Select(problem => $"{page}: {problem}"));
+
+    [Theory]
+    [MemberData(nameof(Programs))]
+    public void A_program_compiles_in_a_project_of_a_server(string page, string code) =>
+        Assert.Empty(ServerCompiler.FindErrors(code).Select(problem => $"{page}: {problem}"));
+
+    [Fact]
+    public void A_program_with_a_name_that_there_is_not_does_not_compile() =>
+        Assert.NotEmpty(ServerCompiler.FindErrors("var reader = new NeuronMocap.NeuronReeder();"));
 
     [Fact]
     public void An_example_with_a_name_that_there_is_not_does_not_compile() =>
         Assert.NotEmpty(new UnityCompiler(ThePackage.Staged, isEditor: false).FindErrors("class Example { NeuronMocap.Unity.MocapSauce source; }"));
 
-    [GeneratedRegex("^```csharp\n(?<code>.*?)^```", RegexOptions.Multiline | RegexOptions.Singleline | RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
+    private static TheoryData<string, string> Find(bool isProgram)
+    {
+        TheoryData<string, string> examples = [];
+        foreach (string page in Directory.EnumerateFiles(ThePackage.Folder, "*.md", SearchOption.AllDirectories).Order(StringComparer.Ordinal))
+        {
+            foreach (Match block in Block().Matches(File.ReadAllText(page)).Where(block => block.Groups["program"].Success == isProgram))
+                examples.Add(Path.GetRelativePath(ThePackage.Folder, page), block.Groups["code"].Value);
+        }
+
+        return examples;
+    }
+
+    [GeneratedRegex("^(?<program><!-- program: [^\n]* -->\n)?```csharp\n(?<code>.*?)^```", RegexOptions.Multiline | RegexOptions.Singleline | RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
     private static partial Regex Block();
 }
