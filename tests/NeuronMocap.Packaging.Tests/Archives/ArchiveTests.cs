@@ -1,4 +1,5 @@
 using System.Text;
+using System.Text.RegularExpressions;
 using NeuronMocap.Packaging.Tests.Infrastructure;
 using NeuronMocap.UnityPackager;
 using NeuronMocap.UnityPackager.Archives;
@@ -6,7 +7,7 @@ using NeuronMocap.UnityPackager.Checks;
 
 namespace NeuronMocap.Packaging.Tests.Archives;
 
-public sealed class ArchiveTests
+public sealed partial class ArchiveTests
 {
     private static readonly byte[] Tarball = UpmTarball.Create(ThePackage.Staged);
     private static readonly byte[] AssetPackage = UnityPackageArchive.Create(ThePackage.Staged);
@@ -26,7 +27,7 @@ public sealed class ArchiveTests
     {
         IReadOnlyDictionary<string, byte[]> opened = UnityPackageArchive.Read(AssetPackage);
 
-        foreach ((string path, byte[] content) in ThePackage.Staged.Files)
+        foreach ((string path, byte[] content) in ThePackage.Staged.Files.Where(static file => !file.Key.EndsWith(".md", StringComparison.Ordinal)))
             Assert.Equal(content, opened[$"Assets/NeuronMocap/{path.Replace("~", "", StringComparison.Ordinal)}"]);
 
         // Unity wants a meta for all it imports: only those of what is hidden in the other one come in addition.
@@ -35,6 +36,21 @@ public sealed class ArchiveTests
         Assert.Contains("Assets/NeuronMocap/Samples.meta", added);
         Assert.Contains("Assets/NeuronMocap/Documentation/index.md.meta", added);
         Assert.All(added, static path => Assert.EndsWith(".meta", path, StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Pages_of_the_asset_package_link_to_what_is_in_it()
+    {
+        IReadOnlyDictionary<string, byte[]> opened = UnityPackageArchive.Read(AssetPackage);
+        string[] links = [.. opened
+            .Where(static file => file.Key.EndsWith(".md", StringComparison.Ordinal) && !file.Key.EndsWith("CHANGELOG.md", StringComparison.Ordinal))
+            .SelectMany(static page => Link().Matches(Encoding.UTF8.GetString(page.Value)).Select(link => Resolve(page.Key, link.Groups["target"].Value)))];
+
+        Assert.True(links.Length > 10);
+        Assert.Contains("Assets/NeuronMocap/Documentation/index.md", links);
+        Assert.Empty(links.Where(link => !opened.ContainsKey(link)));
+
+        static string Resolve(string page, string target) => Path.GetRelativePath("/", Path.GetFullPath(Path.Combine("/", AssetPath.ParentOf(page)!, target))).Replace('\\', '/');
     }
 
     [Fact]
@@ -88,4 +104,7 @@ public sealed class ArchiveTests
             Assert.All(lines, static line => Assert.Matches("^[-d]rw[-x]r-[-x]r-[-x] 0/0 ", line));
         }
     }
+
+    [GeneratedRegex(@"\]\((?<target>[^)#:]+)(#[^)]*)?\)", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
+    private static partial Regex Link();
 }

@@ -1,4 +1,3 @@
-using System.Net;
 using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Telemetry;
@@ -31,18 +30,10 @@ public sealed partial class StarvedStopTests : IDisposable
     [Fact]
     public async Task While_a_name_is_being_resolved()
     {
-        var resolving = new TaskCompletionSource();
-        var options = new LinkOptions("suit-pc", 7001)
-        {
-            Resolve = _ =>
-            {
-                resolving.SetResult();
-                return new TaskCompletionSource<IPAddress[]>().Task;
-            },
-        };
-        var reader = new NeuronReader(new NeuronReaderOptions(), () => new TcpLink(options));
+        var name = new UnansweredName();
+        NeuronReader reader = name.CreateReader();
         reader.Start();
-        await resolving.Task.Soon();
+        await name.Asked.Soon();
         await StopAsync(reader);
     }
 

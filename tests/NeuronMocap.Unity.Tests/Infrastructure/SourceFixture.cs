@@ -68,12 +68,12 @@ public abstract class SourceFixture : IDisposable
         return found!;
     }
 
-    /// <summary>Closing is not to be noticed in a game; the bound is wide because of machines that are busy.</summary>
+    /// <summary>Closing is not to be noticed in a game. It takes some milliseconds; whatever waits for a time-out takes 2 s and more, and a busy machine has to be borne.</summary>
     internal static void AssertQuick(Action action)
     {
         var watch = Stopwatch.StartNew();
         action();
-        Assert.InRange(watch.Elapsed.TotalMilliseconds, 0, 100);
+        Assert.InRange(watch.Elapsed.TotalMilliseconds, 0, 1000);
     }
 
     internal static int FreePort()

@@ -25,6 +25,28 @@ public sealed class SourceHandlerTests : SourceFixture
     }
 
     [Fact]
+    public void Handlers_that_throw_are_told_in_the_console_and_hold_up_nothing()
+    {
+        MocapSource source = AddSimulator(2);
+        var told = new List<string>();
+        source.StateChanged += _ => throw new InvalidOperationException("state");
+        source.StateChanged += state => told.Add(state.ToString());
+        source.PerformerJoined += _ => throw new InvalidOperationException("joined");
+        source.PerformerLeft += _ => throw new InvalidOperationException("left");
+        source.PerformerLeft += performer => told.Add($"{performer.AvatarIndex} left");
+        WaitForPose(source, 0);
+        WaitForPose(source, 1);
+        source.enabled = false;
+
+        Assert.Contains("0 left", told);
+        Assert.Contains("1 left", told);
+        Assert.Equal(nameof(SourceState.Closed), told[^1]);
+        Assert.Equal(["joined", "left", "state"], ConsoleLog.Entries.Select(entry => entry.Exception!.Message).Distinct().Order());
+        ConsoleLog.Clear();
+        AssertClosed(source);
+    }
+
+    [Fact]
     public void A_handler_of_joining_may_disable_the_source()
     {
         MocapSource first = AddSimulator(2);

@@ -64,8 +64,11 @@ internal static class UnityPackageArchive
     {
         string visible = $"{Root}/{MakeVisible(path)}";
         string meta = package.ReadMeta(path) ?? MetaFile.Create(visible, isFolder: content is null, MetaFile.DeriveGuid(visible));
-        return new Asset(visible, meta, content);
+        return new Asset(visible, meta, content is not null && path.EndsWith(".md", StringComparison.Ordinal) ? WithVisibleLinks(content) : content);
     }
+
+    private static byte[] WithVisibleLinks(byte[] page) =>
+        Encoding.UTF8.GetBytes(Encoding.UTF8.GetString(page).Replace($"]({AssetPath.Documentation}/", "](Documentation/", StringComparison.Ordinal));
 
     private static string MakeVisible(string path) => string.Join('/', path.Split('/').Select(static name => name.TrimEnd('~')));
 

@@ -108,7 +108,7 @@ namespace NeuronMocap.Unity
         {
             var performer = new Performer(stream, new SamplingSettings(_resample, _delay, _smoothing));
             _performers.Add(performer);
-            PerformerJoined?.Invoke(performer);
+            Handlers.Raise(PerformerJoined, performer, this);
         }
 
         private void Remove(int index)
@@ -116,7 +116,7 @@ namespace NeuronMocap.Unity
             Performer performer = _performers[index];
             _performers.RemoveAt(index);
             performer.Release();
-            PerformerLeft?.Invoke(performer);
+            Handlers.Raise(PerformerLeft, performer, this);
         }
     }
 }

@@ -210,7 +210,7 @@ namespace NeuronMocap.Unity
                 return;
 
             _told = state;
-            StateChanged?.Invoke(state);
+            Handlers.Raise(StateChanged, state, this);
         }
 
         private SourceSettings CreateSettings()

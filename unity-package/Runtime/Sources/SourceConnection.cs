@@ -1,7 +1,6 @@
 #nullable enable
 
 using System;
-using System.IO;
 using System.Threading.Tasks;
 using NeuronMocap.Playback;
 using NeuronMocap.Server;
@@ -104,8 +103,9 @@ namespace NeuronMocap.Unity
                 if (!TryReceive(broadcaster, player))
                     await StopAsync().ConfigureAwait(false);
             }
-            catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+            catch (Exception exception)
             {
+                // Whatever it is: nobody awaits this, and a source that says Loading for ever helps nobody.
                 lock (_gate)
                     _fault = StatusText.OfFault(Settings, exception);
             }
