@@ -48,7 +48,7 @@ public sealed partial class ArchiveTests
 
         Assert.True(links.Length > 10);
         Assert.Contains("Assets/NeuronMocap/Documentation/index.md", links);
-        Assert.Empty(links.Where(link => !opened.ContainsKey(link)));
+        Assert.DoesNotContain(links, link => !opened.ContainsKey(link));
 
         static string Resolve(string page, string target) => Path.GetRelativePath("/", Path.GetFullPath(Path.Combine("/", AssetPath.ParentOf(page)!, target))).Replace('\\', '/');
     }
