@@ -1,0 +1,39 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using NeuronMocap.Compatibility;
+
+namespace NeuronMocap.Native;
+
+// What the library exports: manual section 2.3. Only converts; VendorFunctions does the work, as for the C# functions. None throws: an exception
+// that left one would end the process.
+internal static unsafe partial class Exports
+{
+    private static readonly NativeCallbacks Callbacks = new();
+    private static readonly VendorFunctions Functions = new(Callbacks);
+
+    [UnmanagedCallersOnly(EntryPoint = nameof(BRRegisterFrameDataCallback), CallConvs = [typeof(CallConvCdecl)])]
+    public static void BRRegisterFrameDataCallback(IntPtr customedObj, IntPtr handle) => Callbacks.SetFrame(customedObj, handle);
+
+    [UnmanagedCallersOnly(EntryPoint = nameof(BRRegisterCalculationDataCallback), CallConvs = [typeof(CallConvCdecl)])]
+    public static void BRRegisterCalculationDataCallback(IntPtr customedObj, IntPtr handle) => Callbacks.SetCalculation(customedObj, handle);
+
+    [UnmanagedCallersOnly(EntryPoint = nameof(BRRegisterSocketStatusCallback), CallConvs = [typeof(CallConvCdecl)])]
+    public static void BRRegisterSocketStatusCallback(IntPtr customedObj, IntPtr handle) => Callbacks.SetStatus(customedObj, handle);
+
+    [UnmanagedCallersOnly(EntryPoint = nameof(BRConnectTo), CallConvs = [typeof(CallConvCdecl)])]
+    public static IntPtr BRConnectTo(IntPtr serverIP, int nPort) => Functions.Connect(TextOf(serverIP), nPort);
+
+    [UnmanagedCallersOnly(EntryPoint = nameof(BRStartUDPServiceAt), CallConvs = [typeof(CallConvCdecl)])]
+    public static IntPtr BRStartUDPServiceAt(int nPort) => Functions.StartUdpService(nPort);
+
+    [UnmanagedCallersOnly(EntryPoint = nameof(BRCloseSocket), CallConvs = [typeof(CallConvCdecl)])]
+    public static void BRCloseSocket(IntPtr sockRef) => VendorFunctions.Close(sockRef);
+
+    [UnmanagedCallersOnly(EntryPoint = nameof(BRGetSocketStatus), CallConvs = [typeof(CallConvCdecl)])]
+    public static int BRGetSocketStatus(IntPtr sockRef) => (int)VendorFunctions.GetStatus(sockRef);
+
+    [UnmanagedCallersOnly(EntryPoint = nameof(BRGetLastErrorMessage), CallConvs = [typeof(CallConvCdecl)])]
+    public static IntPtr BRGetLastErrorMessage() => LastError.Pointer;
+
+    private static string TextOf(IntPtr text) => Marshal.PtrToStringUTF8(text) ?? string.Empty;
+}
