@@ -12,6 +12,10 @@ internal sealed class FootHold(FootLeg leg)
     // A foot that is further from the ground than this part of the leg stands on something else.
     private const float FurthestGround = 0.1f;
 
+    // A foot that stands does not come this far in one frame, as a part of the leg: it stepped in frames that were missed, or the actor was put elsewhere.
+    private const float LongestMove = 0.1f;
+
+    private Vector3 _ankle;
     private Vector3 _place;
     private Vector3 _offset;
     private Quaternion _flat;
@@ -63,6 +67,10 @@ internal sealed class FootHold(FootLeg leg)
 
     public void Step(bool contact, double elapsed, float ground, float shift, FootPlanterOptions options)
     {
+        if ((IsHeld || _isLost) && Vector3.Distance(Leg.Ankle, _ankle) > LongestMove * Leg.Length)
+            Reset();
+
+        _ankle = Leg.Ankle;
         _sinceStart += elapsed;
         _sinceEnd += elapsed;
         Vector3 free = Leg.Ankle + (Leg.Up * shift);

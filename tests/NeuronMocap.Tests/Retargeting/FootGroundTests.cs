@@ -1,4 +1,6 @@
+using System.Numerics;
 using NeuronMocap.Retargeting;
+using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Retargeting;
@@ -62,6 +64,33 @@ public sealed class FootGroundTests
         AssertStandsAt(0.03f);
     }
 
+    // A program that stalls shows none of the frames of a whole step, and the contact looks unbroken.
+    [Theory]
+    [InlineData(0.4)]
+    [InlineData(0.9)]
+    public void A_step_in_frames_that_were_missed_is_a_step(double missed)
+    {
+        var actor = new SyntheticActor(Rate);
+        int gap = (int)(missed * Rate);
+        for (int last = 30; last < 300; last += 7)
+        {
+            _planter.Reset();
+            for (int frame = last - 20; frame <= last; frame++)
+                Plant(actor, frame);
+
+            for (int frame = last + gap; frame < last + gap + 8; frame++)
+            {
+                (Vector3 left, Vector3 right) = Plant(actor, frame);
+                Assert.Equal(actor.GetFootContacts(frame), _planter.Planted);
+
+                // What is no farther still stands.
+                float longest = 0.1f * _rig.LegLength;
+                Assert.InRange((Place(HumanoidBone.LeftFoot) - left).Length(), 0, longest);
+                Assert.InRange((Place(HumanoidBone.RightFoot) - right).Length(), 0, longest);
+            }
+        }
+    }
+
     private double Stand(double from, double seconds, FootContacts? contacts = null)
     {
         int frames = (int)Math.Round(seconds * Rate);
@@ -82,5 +111,19 @@ public sealed class FootGroundTests
         Assert.Equal(height, _planter.HipsShift, 3e-3f);
     }
 
-    private float Ankle(HumanoidBone foot) => _pose.WorldPositions[_rig.GetNode(foot)].Y;
+    // Where the feet are without planting.
+    private (Vector3 Left, Vector3 Right) Plant(SyntheticActor actor, int frame)
+    {
+        BoneTransform[] source = new BoneTransform[BoneHierarchy.BoneCount];
+        actor.GetPose(frame, source);
+        Assert.True(_retargeter.TryRetarget(source, _pose));
+        _pose.UpdateWorld();
+        (Vector3, Vector3) free = (Place(HumanoidBone.LeftFoot), Place(HumanoidBone.RightFoot));
+        _planter.Plant(_pose, actor.GetFootContacts(frame), frame / Rate);
+        return free;
+    }
+
+    private float Ankle(HumanoidBone foot) => Place(foot).Y;
+
+    private Vector3 Place(HumanoidBone foot) => _pose.WorldPositions[_rig.GetNode(foot)];
 }
