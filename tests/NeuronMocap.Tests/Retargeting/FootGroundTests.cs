@@ -25,6 +25,36 @@ public sealed class FootGroundTests
     }
 
     [Fact]
+    public void The_feet_settle_on_the_ground_that_is_set_and_the_hips_follow()
+    {
+        foreach (float height in new[] { -0.04f, 0, 0.03f })
+        {
+            FootWalk walk = FootWalk.OfActor(new StandingRig().Create(), Rate, 3, planting: new FootPlanterOptions { GroundHeight = height });
+            Assert.Equal(height, walk.Planter.HipsShift, 0.01f);
+            (bool left, bool right) = walk.Planter.Planted;
+            Assert.True(left || right);
+            for (int side = 0; side < 2; side++)
+            {
+                if (side == 0 ? left : right)
+                    Assert.Equal(StandingRig.Ankle + height, walk.Ankle(side, walk.Count - 1).Y, 0.004f);
+            }
+        }
+    }
+
+    [Fact]
+    public void Ground_that_is_learnt_is_where_the_feet_come_down()
+    {
+        FootWalk walk = FootWalk.OfActor(
+            new StandingRig().Create(), Rate, 8, options: new RetargetOptions { HeightOffset = 0.5f }, planting: new FootPlanterOptions { GroundHeight = null });
+        Assert.True(walk.LargestSlide(planted: true) < FootWalk.Still);
+        Assert.True(walk.LargestHipsShift < 0.01f, $"{walk.LargestHipsShift}");
+
+        // Half a metre above a ground that is set they stand on something else.
+        FootWalk raised = FootWalk.OfActor(new StandingRig().Create(), Rate, 8, options: new RetargetOptions { HeightOffset = 0.5f });
+        Assert.True(raised.LargestSlide(planted: true) < FootWalk.Still && raised.LargestHipsShift < 0.01f, raised.Describe("Raised"));
+    }
+
+    [Fact]
     public void Ground_that_is_set_anew_takes_standing_feet_along()
     {
         double time = Stand(0, 1);

@@ -8,6 +8,9 @@ namespace NeuronMocap.Tests.Retargeting;
 /// <summary>A performance on a rig, with its feet planted and, beside it, without: where the ankles were, frame by frame.</summary>
 internal sealed class FootWalk
 {
+    /// <summary>A planted foot may move by five millimetres; what it moves by is what floats round off.</summary>
+    public const float Still = 0.0005f;
+
     private readonly List<FootContacts> _contacts = [];
     private readonly List<FootContacts> _held = [];
     private readonly List<Vector3>[] _planted = [[], []];
@@ -126,6 +129,15 @@ internal sealed class FootWalk
         .SelectMany(side => Enumerable.Range(0, Count).Where(frame => frame * stride < other.Count)
             .Select(frame => Vector3.Distance(_planted[side][frame], other._planted[side][frame * stride])))
         .Max();
+
+    /// <summary>All figures in a line, for the output and for what an assertion says.</summary>
+    public string Describe(string name)
+    {
+        string figures = FormattableString.Invariant(
+            $"{name}: slides {LargestSlide(planted: false) * 1000:0.0} mm, planted {LargestSlide(planted: true) * 1000:0.000}, settled {LargestMove(planted: true, 0.1) * 1000:0.000}; hips {LargestHipsShift * 1000:0} mm of leg {Rig.LegLength:0.00}; knee {LeastKnee * 1000:0.00}; added {LargestAddedSpeed():0.00} m/s, knee {LargestKneeSpeed:0.00} m/s, {LargestTurn:0} degrees/s; let go {FramesLetGo}");
+        TestContext.Current.TestOutputHelper?.WriteLine(figures);
+        return figures;
+    }
 
     private IEnumerable<(int Side, int First, int End)> Contacts(bool planted)
     {
