@@ -38,7 +38,7 @@ internal sealed class NativeProgram : IAsyncDisposable
     {
         string path = Path.Combine(AppContext.BaseDirectory, "native", name);
         Assert.SkipUnless(File.Exists(path), "The C programs are not built: a C compiler and CMake are needed, on Linux.");
-        var start = new ProcessStartInfo(path, arguments) 
+        var start = new ProcessStartInfo(path, arguments)
         {
             RedirectStandardInput = true,
             RedirectStandardOutput = true,
