@@ -34,18 +34,24 @@ internal sealed class NativeProgram : IAsyncDisposable
         }
     }
 
-    public static NativeProgram Start(string name, params string[] arguments)
+    public static NativeProgram Start(string name, params string[] arguments) => Start(Prepare(name, arguments));
+
+    /// <summary>Starts a program of any language, whose input and outputs are this object's.</summary>
+    public static NativeProgram Start(ProcessStartInfo start)
+    {
+        start.RedirectStandardInput = true;
+        start.RedirectStandardOutput = true;
+        start.RedirectStandardError = true;
+        start.UseShellExecute = false;
+        return new NativeProgram(start);
+    }
+
+    /// <summary>A program of tests/native, to be started in an environment that is to be changed first.</summary>
+    public static ProcessStartInfo Prepare(string name, params string[] arguments)
     {
         string path = Path.Combine(AppContext.BaseDirectory, "native", name);
         Assert.SkipUnless(File.Exists(path), "The C programs are not built: a C compiler and CMake are needed, on Linux.");
-        var start = new ProcessStartInfo(path, arguments) 
-        {
-            RedirectStandardInput = true,
-            RedirectStandardOutput = true,
-            RedirectStandardError = true,
-            UseShellExecute = false,
-        };
-        return new NativeProgram(start);
+        return new ProcessStartInfo(path, arguments);
     }
 
     public void Write(string line) => _process.StandardInput.WriteLine(line);
