@@ -149,13 +149,12 @@ public sealed class DataCommandTests
         string socket = await program.CallAsync($"connect 127.0.0.1 {server.Port}");
         string service = await program.CallAsync($"udp {FreePort.Udp()}");
         string channel = await program.CallAsync($"connect-commands 127.0.0.1 {commands.Port}");
-        TestConnection connection = await server.AcceptAsync();
+        using TestConnection connection = await server.AcceptAsync();
         Assert.DoesNotContain("(nil)", (string[])[socket, service, channel]);
 
         foreach (string handle in (string[])[service, channel, "(nil)", "0x7f0012345678"])
             await AssertAllAsync("0", handle);
 
-        await connection.SendAsync(TestPackets.Join(DataReplies.AvatarCount(1), TestPackets.Motion(1)));
         await program.CallAsync("register");
         await connection.SendAsync(TestPackets.Motion(2));
         await program.ReadAsync("frame");

@@ -25,6 +25,8 @@ internal sealed class NativeProgram : IAsyncDisposable
         _process.BeginErrorReadLine();
     }
 
+    public int Id => _process.Id;
+
     public string Errors
     {
         get

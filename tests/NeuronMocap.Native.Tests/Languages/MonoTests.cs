@@ -1,0 +1,70 @@
+using System.Diagnostics;
+using NeuronMocap.Native.Tests.Infrastructure;
+using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Server;
+
+namespace NeuronMocap.Native.Tests.Languages;
+
+/// <summary>A C# script on a wrapper of DllImport lines, on Mono: as in a Unity project that keeps its wrapper.</summary>
+public sealed class MonoTests : IDisposable
+{
+    private const int Frames = 300;
+
+    private readonly string _folder = Directory.CreateTempSubdirectory("neuron-mocap-mono-").FullName;
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    [Fact]
+    public async Task A_script_receives_every_frame_and_sends_commands()
+    {
+        StagedLibrary.Require();
+        (string? compiler, string? mono) = (Tool.Find("mcs"), Tool.Find("mono"));
+        Assert.SkipUnless(compiler is not null && mono is not null, "Mono and its compiler are not installed (Debian's mono-devel).");
+        string program = Path.Combine(_folder, "program.exe");
+        await Tool.RunAsync(
+            compiler,
+            [
+                "-warnaserror", "-out:" + program, .. Directory.GetFiles(Repository.PathOf("tests", "native", "mono"), "*.cs"),
+                .. ((string[])["W2Script.cs", "ReceivedFrame.cs"]).Select(static file => Repository.PathOf("tests", "NeuronMocap.Compatibility.Scripts", file)),
+            ]);
+        var options = new BroadcasterOptions
+        {
+            Sources = [new TestSource(0)],
+            AvatarNames = ["陈"],
+            Calculation = TestSource.WriteCalculation,
+            Port = 0,
+            Rate = 1000,
+            WaitForClient = true,
+        };
+        using var server = new Broadcaster(options);
+        server.Start();
+        using var asked = new Broadcaster(new BroadcasterOptions { Sources = [new TestSource()], Port = 0, RotationOrder = RotationOrder.XYZ });
+        using var commands = new CommandServer(asked, new CommandServerOptions { Port = 0 });
+        commands.Start();
+        int port = server.LocalEndPoint!.Port;
+        var start = new ProcessStartInfo(mono, [program, $"{port}", $"{commands.LocalEndPoint!.Port}", $"{Frames}"]);
+        start.Environment["LD_LIBRARY_PATH"] = StagedLibrary.Folder;
+
+        await using NativeProgram script = NativeProgram.Start(start);
+
+        Assert.Equal("motion 1.1.0.0 354 calculation 1.0.0.3 946 caught 1", await script.ReadAsync());
+        Assert.Equal("True True False", await script.ReadAsync());
+        Assert.Equal("False", await script.ReadAsync());
+        Assert.Equal(
+            [
+                "CS_Starting Connecting to 127.0.0.1:1 ...",
+                "CS_Starting Failed to connect to '127.0.0.1:1'.",
+                "CS_OffWork Service is stoped",
+                "Failed to connect to '127.0.0.1:1'. System error code: 111",
+                $"CS_Starting Connecting to 127.0.0.1:{port} ...",
+                $"CS_Running Successfully connected to '127.0.0.1:{port}'.",
+                "CS_OffWork Service is stoped",
+            ],
+            [
+                await script.ReadAsync(), await script.ReadAsync(), await script.ReadAsync(), await script.ReadAsync(),
+                await script.ReadAsync(), await script.ReadAsync(), await script.ReadAsync(),
+            ]);
+        Assert.Equal(0, await script.EndAsync());
+    }
+}
