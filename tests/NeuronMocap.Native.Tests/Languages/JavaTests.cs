@@ -30,7 +30,8 @@ public sealed class JavaTests : IDisposable
             AvatarNames = ["陈"],
             Calculation = TestSource.WriteCalculation,
             Port = 0,
-            Rate = 500,
+            Rate = 200,
+            QueueLength = 10_000,
             WaitForClient = true,
         };
         using var server = new Broadcaster(options);

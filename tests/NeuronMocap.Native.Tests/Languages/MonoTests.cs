@@ -34,7 +34,8 @@ public sealed class MonoTests : IDisposable
             AvatarNames = ["陈"],
             Calculation = TestSource.WriteCalculation,
             Port = 0,
-            Rate = 1000,
+            Rate = 500,
+            QueueLength = 10_000,
             WaitForClient = true,
         };
         using var server = new Broadcaster(options);

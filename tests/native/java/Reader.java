@@ -172,7 +172,7 @@ public final class Reader {
 
         int before = frames.get();
         System.out.println("signals " + useSignals());
-        while (frames.get() < before + 100)
+        while (frames.get() < before + 20)
             Thread.sleep(1);
 
         library.BRCloseSocket(connection);
@@ -186,7 +186,7 @@ public final class Reader {
         AtomicLong spun = new AtomicLong();
         Thread spinning = new Thread(() -> {
             long sum = 0;
-            for (int round = 0; round < 20; round++) {
+            for (int round = 0; round < 5; round++) {
                 for (int i = 0; i < 10_000_000; i++)
                     sum += i ^ round;
             }
@@ -200,7 +200,7 @@ public final class Reader {
             } catch (NullPointerException exception) {
                 caught++;
             }
-            if (i % 5_000 == 0)
+            if (i % 10_000 == 0)
                 System.gc();
         }
         for (int i = 0; i < 5; i++) {
