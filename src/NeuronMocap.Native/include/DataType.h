@@ -153,8 +153,8 @@ typedef struct BvhDataHeader {
     int32_t WithReference;  /**< 1: the Reference node comes first, 6 floats. */
     uint32_t AvatarIndex;   /**< Number of the avatar, from 0. */
     uint8_t AvatarName[32]; /**< UTF-8, filled up with zeros. A name of 32 bytes has no zero at its end. */
-    uint32_t Reserved1;     /**< As sent. */
-    uint32_t Reserved2;     /**< As sent. */
+    uint32_t Reserved1;     /**< As sent; 0 in frames of newer servers. */
+    uint32_t Reserved2;     /**< As sent; 0 in frames of newer servers. */
     uint16_t Token2;        /**< 0xEEFF. */
 } BvhDataHeader;
 
@@ -167,8 +167,8 @@ typedef struct BvhDataHeaderEx {
     int32_t WithReference;  /**< 1: the Reference node comes first, 6 floats. */
     uint32_t AvatarIndex;   /**< Number of the avatar, from 0. */
     uint8_t AvatarName[32]; /**< UTF-8, filled up with zeros. A name of 32 bytes has no zero at its end. */
-    uint32_t IsCompressed;  /**< As sent. The floats are given as they came. */
-    uint32_t Reserved1;     /**< As sent. */
+    uint32_t IsCompressed;  /**< As sent; 0 in frames of newer servers. The floats are given as they came. */
+    uint32_t Reserved1;     /**< As sent; 0 in frames of newer servers. */
     uint16_t Token2;        /**< 0xEEFF. */
 } BvhDataHeaderEx;
 

@@ -59,7 +59,11 @@ internal sealed class NativeProgram : IAsyncDisposable
     public void Write(string line) => _process.StandardInput.WriteLine(line);
 
     /// <summary>The next line of its output.</summary>
-    public Task<string> ReadAsync() => _lines.Reader.ReadAsync(TestContext.Current.CancellationToken).Soon();
+    public async Task<string> ReadAsync()
+    {
+        Assert.True(await _lines.Reader.WaitToReadAsync(TestContext.Current.CancellationToken).Soon(), $"The program has ended. {Errors}");
+        return await _lines.Reader.ReadAsync(TestContext.Current.CancellationToken);
+    }
 
     /// <summary>The next line that begins so; those before it are passed over.</summary>
     public async Task<string> ReadAsync(string start)
@@ -77,6 +81,13 @@ internal sealed class NativeProgram : IAsyncDisposable
     {
         Write(line);
         return (await ReadAsync("= "))[2..];
+    }
+
+    /// <summary>All lines that are left, once it has ended.</summary>
+    public IEnumerable<string> ReadRest()
+    {
+        while (_lines.Reader.TryRead(out string? line))
+            yield return line;
     }
 
     /// <summary>Ends its input; the number it ended with, 128 and more for a signal.</summary>
