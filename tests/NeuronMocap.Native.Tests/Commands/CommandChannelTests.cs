@@ -150,23 +150,6 @@ public sealed class CommandChannelTests
     }
 
     [Fact]
-    public async Task A_frame_callback_may_ask()
-    {
-        using CommandScript commands = Answers();
-        using var server = new TestServer();
-        await using NativeProgram program = NativeProgram.Start("channel");
-        string pipe = await program.CallAsync($"connect-commands 127.0.0.1 {commands.Port}");
-        await program.CallAsync($"ask-in-frame {pipe}");
-        await program.CallAsync($"connect 127.0.0.1 {server.Port}");
-        using TestConnection connection = await server.AcceptAsync();
-
-        await connection.SendAsync(TestPackets.Motions(1, 2));
-
-        Assert.Equal("asked in frame 1", await program.ReadAsync());
-        Assert.Equal("asked in frame 1", await program.ReadAsync());
-    }
-
-    [Fact]
     public async Task Closing_ends_a_command_that_waits()
     {
         var asked = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);

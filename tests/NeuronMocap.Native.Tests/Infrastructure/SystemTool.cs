@@ -6,6 +6,12 @@ namespace NeuronMocap.Native.Tests.Infrastructure;
 /// <summary>A program of the system. Tests that need one are skipped where it is missing.</summary>
 internal static class SystemTool
 {
+    public static void Require(string name, string package)
+    {
+        string[] folders = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator);
+        Assert.SkipUnless(folders.Any(folder => File.Exists(Path.Combine(folder, name))), $"{name} is not installed (Debian's {package}).");
+    }
+
     public static async Task<(int Code, string Output, string Errors)> RunAsync(string name, params string[] arguments)
     {
         using Process process = Start(name, arguments);

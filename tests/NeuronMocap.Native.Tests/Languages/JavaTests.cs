@@ -20,10 +20,10 @@ public sealed class JavaTests : IDisposable
     [Fact]
     public async Task Frames_status_and_commands_reach_a_program_whose_machine_keeps_its_signals()
     {
-        StagedLibrary.Require();
-        (string? compiler, string? java) = (Tool.Find("javac"), Tool.Find("java"));
-        Assert.SkipUnless(compiler is not null && java is not null && File.Exists(Jna), "Java or JNA is not installed (Debian's default-jdk-headless and libjna-java).");
-        await Tool.RunAsync(compiler, "-cp", Jna, "-d", _folder, Repository.PathOf("tests", "native", "java", "Reader.java"));
+        SystemTool.Require("javac", "default-jdk-headless");
+        Assert.SkipUnless(File.Exists(Jna), "JNA is not installed (Debian's libjna-java).");
+        string library = NativeFiles.Library;
+        Assert.Equal((0, "", ""), await SystemTool.RunAsync("javac", "-cp", Jna, "-d", _folder, Path.Combine(NativeFiles.Sources, "java", "Reader.java")));
         var options = new BroadcasterOptions
         {
             Sources = [new TestSource()],
@@ -40,7 +40,11 @@ public sealed class JavaTests : IDisposable
         using var commands = new CommandServer(asked, new CommandServerOptions { Port = 0 });
         commands.Start();
         var start = new ProcessStartInfo(
-            java, ["-Djna.library.path=" + StagedLibrary.Folder, "-cp", Jna + ":" + _folder, "Reader", $"{server.LocalEndPoint!.Port}", $"{commands.LocalEndPoint!.Port}"]);
+            "java",
+            [
+                "-Djna.library.path=" + Path.GetDirectoryName(library), "-cp", Jna + ":" + _folder, "Reader",
+                $"{server.LocalEndPoint!.Port}", $"{commands.LocalEndPoint!.Port}",
+            ]);
         start.Environment["LC_ALL"] = "C.UTF-8";
 
         await using NativeProgram program = NativeProgram.Start(start);

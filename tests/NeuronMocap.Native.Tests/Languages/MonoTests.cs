@@ -18,16 +18,15 @@ public sealed class MonoTests : IDisposable
     [Fact]
     public async Task A_script_receives_every_frame_and_sends_commands()
     {
-        StagedLibrary.Require();
-        (string? compiler, string? mono) = (Tool.Find("mcs"), Tool.Find("mono"));
-        Assert.SkipUnless(compiler is not null && mono is not null, "Mono and its compiler are not installed (Debian's mono-devel).");
+        SystemTool.Require("mcs", "mono-devel");
+        string library = NativeFiles.Library;
         string program = Path.Combine(_folder, "program.exe");
-        await Tool.RunAsync(
-            compiler,
-            [
-                "-warnaserror", "-out:" + program, .. Directory.GetFiles(Repository.PathOf("tests", "native", "mono"), "*.cs"),
-                .. ((string[])["W2Script.cs", "ReceivedFrame.cs"]).Select(static file => Repository.PathOf("tests", "NeuronMocap.Compatibility.Scripts", file)),
-            ]);
+        string[] sources =
+        [
+            .. Directory.GetFiles(Path.Combine(NativeFiles.Sources, "mono"), "*.cs"),
+            .. ((string[])["W2Script.cs", "ReceivedFrame.cs"]).Select(static file => Repository.PathOf("tests", "NeuronMocap.Compatibility.Scripts", file)),
+        ];
+        Assert.Equal((0, "", ""), await SystemTool.RunAsync("mcs", ["-warnaserror", "-out:" + program, .. sources]));
         var options = new BroadcasterOptions
         {
             Sources = [new TestSource(0)],
@@ -44,8 +43,8 @@ public sealed class MonoTests : IDisposable
         using var commands = new CommandServer(asked, new CommandServerOptions { Port = 0 });
         commands.Start();
         int port = server.LocalEndPoint!.Port;
-        var start = new ProcessStartInfo(mono, [program, $"{port}", $"{commands.LocalEndPoint!.Port}", $"{Frames}"]);
-        start.Environment["LD_LIBRARY_PATH"] = StagedLibrary.Folder;
+        var start = new ProcessStartInfo("mono", [program, $"{port}", $"{commands.LocalEndPoint!.Port}", $"{Frames}"]);
+        start.Environment["LD_LIBRARY_PATH"] = Path.GetDirectoryName(library);
 
         await using NativeProgram script = NativeProgram.Start(start);
 

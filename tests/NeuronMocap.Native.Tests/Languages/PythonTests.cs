@@ -66,7 +66,7 @@ public sealed class PythonTests
         await using NativeProgram program = Start("wait", $"{server.LocalEndPoint!.Port}");
         await program.ReadAsync("frame");
 
-        await Tool.RunAsync("kill", "-INT", $"{program.Id}");
+        await SystemTool.RunAsync("kill", "-INT", $"{program.Id}");
 
         await program.ReadAsync("interrupted");
         Assert.Equal(128 + 2, await program.EndAsync());
@@ -75,10 +75,8 @@ public sealed class PythonTests
 
     private static NativeProgram Start(params string[] arguments)
     {
-        StagedLibrary.Require();
-        string? python = Tool.Find("python3");
-        Assert.SkipUnless(python is not null, "Python is not installed (Debian's python3).");
-        var start = new ProcessStartInfo(python, [Repository.PathOf("tests", "native", "python", "reader.py"), StagedLibrary.Path, .. arguments]);
+        SystemTool.Require("python3", "python3");
+        var start = new ProcessStartInfo("python3", [Path.Combine(NativeFiles.Sources, "python", "reader.py"), NativeFiles.Library, .. arguments]);
         start.Environment["PYTHONIOENCODING"] = "utf-8";
         return NativeProgram.Start(start);
     }

@@ -106,15 +106,6 @@ static void *ask_once(void *argument)
     return NULL;
 }
 
-/* A command in a callback: the object is the connection to ask on. */
-static void CALLBACK ask_in_frame(void *object, SOCKET_REF sender, BvhDataHeader *header, float *data)
-{
-    (void)sender;
-    (void)header;
-    (void)data;
-    printf("asked in frame %d\n", ZeroOutAll(object));
-}
-
 int main(void)
 {
     char line[256], text[128];
@@ -149,8 +140,6 @@ int main(void)
             print_threads(socket);
         else if (sscanf(line, "ask-aside %p", &socket) == 1)
             pthread_create(&asking, NULL, ask_once, socket), pthread_detach(asking);
-        else if (sscanf(line, "ask-in-frame %p", &socket) == 1)
-            BRRegisterFrameDataCallback(socket, ask_in_frame), printf("= registered\n");
         else if (sscanf(line, "close %p", &socket) == 1)
             BRCloseSocket(socket), printf("= closed\n");
         else if (strcmp(line, "error\n") == 0)
