@@ -1,5 +1,6 @@
 using System.Text;
 using NeuronMocap.Compatibility.Callbacks;
+using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Native;
 
@@ -12,6 +13,13 @@ internal sealed unsafe class NativeCallbacks : IVendorCallbacks
     private volatile Registration? _calculation;
     private volatile Registration? _status;
     private volatile Registration? _command;
+    private volatile HeaderLayout _frameHeaders = HeaderVariable.Read();
+
+    public HeaderLayout FrameHeaders
+    {
+        get => _frameHeaders;
+        set => _frameHeaders = value;
+    }
 
     public bool WantsFrames => _frame is not null;
 

@@ -1,8 +1,13 @@
+using NeuronMocap.Protocol;
+
 namespace NeuronMocap.Compatibility.Callbacks;
 
 // The registered callbacks of one of the two namespaces. The methods call them, and throw what they throw.
 internal interface IVendorCallbacks
 {
+    // The layout of the headers that OnFrame is given, in whatever layout frames came: one struct then fits every frame.
+    HeaderLayout FrameHeaders { get; }
+
     bool WantsFrames { get; }
 
     bool WantsCalculation { get; }

@@ -12,16 +12,12 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks)
     private readonly FrameCounter _motionCounter = new();
     private readonly FrameCounter _calculationCounter = new();
 
-    // The header is always the new one of b15, whose version then stands in it: the vendor's struct fits every frame.
     public void Deliver(IntPtr socket, MotionFrame frame)
     {
         if (!callbacks.WantsFrames)
             return;
 
-        MotionHeader header = frame.Header;
-        if (frame.FrameIndex is null)
-            header = header with { Version = DataVersion.New, FrameIndex = _motionCounter.Next(frame.Source, frame.AvatarIndex) };
-
+        MotionHeader header = callbacks.FrameHeaders == HeaderLayout.Old ? OldHeaderOf(frame.Header) : NewHeaderOf(frame);
         header.Write(Take(frame.Values));
         callbacks.OnFrame(socket, _memory.Address, _memory.Address + ProtocolConstants.HeaderSize);
         GC.KeepAlive(_memory);
@@ -51,6 +47,15 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks)
         callbacks.OnCommand(socket, _memory.Address, reply.Payload.IsEmpty ? IntPtr.Zero : _memory.Address + ProtocolConstants.HeaderSize);
         GC.KeepAlive(_memory);
     }
+
+    // The reserved fields have other meanings in the two layouts: a timecode would be read as IsCompressed.
+    private static MotionHeader OldHeaderOf(MotionHeader header) => header.Version != DataVersion.None && header.Layout == HeaderLayout.Old
+        ? header
+        : header with { Version = DataVersion.Old, Reserved1 = 0, Reserved2 = 0 };
+
+    private MotionHeader NewHeaderOf(MotionFrame frame) => frame.FrameIndex is null
+        ? frame.Header with { Version = DataVersion.New, FrameIndex = _motionCounter.Next(frame.Source, frame.AvatarIndex) }
+        : frame.Header;
 
     // Room for the header, with the values behind it.
     private Span<byte> Take(ReadOnlySpan<float> values)

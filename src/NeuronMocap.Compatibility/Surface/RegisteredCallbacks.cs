@@ -1,4 +1,5 @@
 using NeuronMocap.Compatibility.Callbacks;
+using NeuronMocap.Protocol;
 
 namespace NeuronDataReaderWraper;
 
@@ -11,6 +12,9 @@ internal sealed class RegisteredCallbacks : IVendorCallbacks
     private readonly CallbackSlot<CommandDataReceived> _command = new();
     private FrameDataReceived? _calculationHandler;
     private CommandDataReceived? _commandHandler;
+
+    // The struct of this namespace has no other.
+    public HeaderLayout FrameHeaders => HeaderLayout.New;
 
     public bool WantsFrames => NeuronDataReader.frameDataReceivedCallback is not null;
 

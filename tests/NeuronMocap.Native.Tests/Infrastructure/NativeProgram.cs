@@ -25,6 +25,8 @@ internal sealed class NativeProgram : IAsyncDisposable
         _process.BeginErrorReadLine();
     }
 
+    public int Id => _process.Id;
+
     public string Errors
     {
         get
@@ -34,24 +36,34 @@ internal sealed class NativeProgram : IAsyncDisposable
         }
     }
 
-    public static NativeProgram Start(string name, params string[] arguments)
+    public static NativeProgram Start(string name, params string[] arguments) => Start(Prepare(name, arguments));
+
+    /// <summary>Starts a program of any language, whose input and outputs are this object's.</summary>
+    public static NativeProgram Start(ProcessStartInfo start)
+    {
+        start.RedirectStandardInput = true;
+        start.RedirectStandardOutput = true;
+        start.RedirectStandardError = true;
+        start.UseShellExecute = false;
+        return new NativeProgram(start);
+    }
+
+    /// <summary>A program of tests/native, to be started in an environment that is to be changed first.</summary>
+    public static ProcessStartInfo Prepare(string name, params string[] arguments)
     {
         string path = Path.Combine(AppContext.BaseDirectory, "native", name);
         Assert.SkipUnless(File.Exists(path), "The C programs are not built: a C compiler and CMake are needed, on Linux.");
-        var start = new ProcessStartInfo(path, arguments)
-        {
-            RedirectStandardInput = true,
-            RedirectStandardOutput = true,
-            RedirectStandardError = true,
-            UseShellExecute = false,
-        };
-        return new NativeProgram(start);
+        return new ProcessStartInfo(path, arguments);
     }
 
     public void Write(string line) => _process.StandardInput.WriteLine(line);
 
     /// <summary>The next line of its output.</summary>
-    public Task<string> ReadAsync() => _lines.Reader.ReadAsync(TestContext.Current.CancellationToken).Soon();
+    public async Task<string> ReadAsync()
+    {
+        Assert.True(await _lines.Reader.WaitToReadAsync(TestContext.Current.CancellationToken).Soon(), $"The program has ended. {Errors}");
+        return await _lines.Reader.ReadAsync(TestContext.Current.CancellationToken);
+    }
 
     /// <summary>The next line that begins so; those before it are passed over.</summary>
     public async Task<string> ReadAsync(string start)
@@ -69,6 +81,13 @@ internal sealed class NativeProgram : IAsyncDisposable
     {
         Write(line);
         return (await ReadAsync("= "))[2..];
+    }
+
+    /// <summary>All lines that are left, once it has ended.</summary>
+    public IEnumerable<string> ReadRest()
+    {
+        while (_lines.Reader.TryRead(out string? line))
+            yield return line;
     }
 
     /// <summary>Ends its input; the number it ended with, 128 and more for a signal.</summary>

@@ -1,0 +1,20 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using NeuronMocap.Compatibility;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Native;
+
+// Ours: the vendor had a library for each generation.
+internal static unsafe partial class Exports
+{
+    // The numbers of BRHeaderLayout are those of HeaderLayout.
+    [UnmanagedCallersOnly(EntryPoint = nameof(BRSetHeaderLayout), CallConvs = [typeof(CallConvCdecl)])]
+    public static void BRSetHeaderLayout(int layout)
+    {
+        if (layout is (int)HeaderLayout.New or (int)HeaderLayout.Old)
+            Callbacks.FrameHeaders = (HeaderLayout)layout;
+        else
+            LastError.Set($"There is no header layout {layout}.");
+    }
+}

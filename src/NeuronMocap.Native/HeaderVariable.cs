@@ -1,0 +1,24 @@
+using NeuronMocap.Compatibility;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Native;
+
+// For programs that nobody can compile again: the environment chooses the layout of frames' headers.
+internal static class HeaderVariable
+{
+    private const string Name = "NEURONDATAREADER_HEADER";
+    private const string Old = "b12";
+
+    // Read once, by the first call that registers or connects: a receive thread that read it would race with programs that set variables.
+    public static HeaderLayout Read()
+    {
+        string? value = Environment.GetEnvironmentVariable(Name);
+        if (string.Equals(value, Old, StringComparison.Ordinal))
+            return HeaderLayout.Old;
+
+        if (!string.IsNullOrEmpty(value))
+            LastError.Set($"{Name} is '{value}'; it has to be '{Old}' or not set.");
+
+        return HeaderLayout.New;
+    }
+}

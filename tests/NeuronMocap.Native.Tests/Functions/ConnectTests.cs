@@ -1,0 +1,196 @@
+using NeuronMocap.Native.Tests.Infrastructure;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Native.Tests.Functions;
+
+// The beginning of connections: protocol.md section 10, texts letter by letter.
+public sealed class ConnectTests
+{
+    [Fact]
+    public async Task A_connection_is_told_on_the_thread_that_connects_with_the_handle_that_it_gets()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        await driver.CallAsync("whenever status get-status sender");
+
+        string handle = await driver.ConnectAsync(server.Port);
+
+        Assert.NotEqual(Driver.None, handle);
+        Assert.Equal(
+            [
+                new DriverStatus("s", handle, "main", $@"1 Connecting to 127.0.0.1:{server.Port} ...\n", 0),
+                new DriverStatus("s", handle, "main", $"0 Successfully connected to '127.0.0.1:{server.Port}'.", 0),
+            ],
+            driver.Statuses);
+        Assert.Equal(["1", "0"], driver.Reactions);
+        Assert.Equal("0", await driver.CallAsync("get-status " + handle));
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task A_refused_connection_is_told_and_null()
+    {
+        int port;
+        using (var server = new TestServer())
+            port = server.Port;
+
+        await using var driver = new Driver();
+        await driver.CallAsync("whenever status get-status sender");
+        await driver.CallAsync("when status:Failed error");
+
+        Assert.Equal(Driver.None, await driver.ConnectAsync(port));
+
+        string handle = driver.Statuses[0].Sender;
+        Assert.NotEqual(Driver.None, handle);
+        Assert.Equal(
+            [
+                new DriverStatus("s", handle, "main", $@"1 Connecting to 127.0.0.1:{port} ...\n", 0),
+                new DriverStatus("s", handle, "main", $"1 Failed to connect to '127.0.0.1:{port}'.", 0),
+                new DriverStatus("s", handle, "main", @"2 Service is stoped\n", 0),
+            ],
+            driver.Statuses);
+        string error = $"Failed to connect to '127.0.0.1:{port}'. System error code: 111";
+        Assert.Equal(["1", "1", error, "2"], driver.Reactions);
+        Assert.Equal(error, await driver.CallAsync("error"));
+        Assert.Equal("2", await driver.CallAsync("get-status " + handle));
+        await driver.EndAsync();
+    }
+
+    // The vendor's library ends the process for a name that it cannot find.
+    [Theory]
+    [InlineData("no-such-computer.invalid", 7001, "no-such-computer.invalid:7001'. System error code: 11001")]
+    [InlineData("陈.invalid", 7001, "陈.invalid:7001'. System error code: 11001")]
+    [InlineData("empty", 7001, ":7001'. System error code: 22")]
+    [InlineData("null", 7001, ":7001'. System error code: 22")]
+    [InlineData("127.0.0.1", 0, "127.0.0.1:0'. System error code: 22")]
+    [InlineData("127.0.0.1", 65_536, "127.0.0.1:65536'. System error code: 22")]
+    [InlineData("127.0.0.1", -1, "127.0.0.1:-1'. System error code: 22")]
+    public async Task What_no_computer_can_be_is_a_failure_and_no_crash(string host, int port, string error)
+    {
+        await using var driver = new Driver();
+        Assert.Equal(Driver.None, await driver.ConnectAsync(port, host));
+        Assert.Equal("Failed to connect to '" + error, await driver.CallAsync("error"));
+        Assert.Equal(3, driver.Statuses.Count);
+        Assert.Equal(Driver.None, await driver.CallAsync($"connect-command {host} {port}"));
+        Assert.Equal("Failed to connect to '" + error, await driver.CallAsync("error"));
+        Assert.Equal(3, driver.Statuses.Count);
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task A_server_that_does_not_answer_is_given_up()
+    {
+        using var hole = new BlackHole();
+        await using var driver = new Driver();
+        Assert.Equal(Driver.None, await driver.ConnectAsync(hole.Port));
+        Assert.Equal($"Failed to connect to '127.0.0.1:{hole.Port}'. System error code: 110", await driver.CallAsync("error"));
+        Assert.Equal(3, driver.Statuses.Count);
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task A_name_is_looked_up()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        string handle = await driver.ConnectAsync(server.Port, "localhost");
+        Assert.Equal($"0 Successfully connected to 'localhost:{server.Port}'.", driver.LinesOf(handle).Last());
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task A_second_call_for_the_same_place_gives_the_same_connection()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        (string handle, TestConnection connection) = await driver.ConnectAsync(server);
+
+        Assert.Equal(handle, await driver.ConnectAsync(server.Port));
+
+        Assert.Equal(2, driver.Statuses.Count);
+        await connection.SendAsync(TestPackets.Motion(1));
+        await driver.FramesAsync(1);
+        Assert.NotEqual(handle, await driver.ConnectAsync(server.Port, "localhost"));
+        connection.Dispose();
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task Handles_are_never_used_again()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        var seen = new HashSet<string>(StringComparer.Ordinal) { Driver.None };
+        for (int i = 0; i < 20; i++)
+        {
+            string handle = await driver.ConnectAsync(server.Port);
+            Assert.True(seen.Add(handle));
+            await driver.CallAsync("close " + handle);
+            Assert.Equal("2", await driver.CallAsync("get-status " + handle));
+        }
+
+        await driver.EndAsync();
+    }
+
+    // The server sends as soon as it accepts, and the status callback takes its time: the frame waits.
+    [Fact]
+    public async Task No_frame_comes_before_the_connection_was_told()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        await driver.CallAsync("whenever status:Successfully connect 127.0.0.1 1");
+        for (int i = 1; i <= 10; i++)
+        {
+            Task<TestConnection> accepting = SendAtOnceAsync(server);
+            string handle = await driver.ConnectAsync(server.Port);
+            using TestConnection connection = await accepting;
+            await driver.FramesAsync(i);
+            Assert.All(driver.Statuses.Where(status => status.Sender == handle), status => Assert.Equal(i - 1, status.FramesBefore));
+            await driver.CallAsync("close " + handle);
+        }
+
+        await driver.EndAsync();
+    }
+
+    [Theory]
+    [InlineData("Connecting")]
+    [InlineData("Successfully")]
+    public async Task Closing_while_the_connection_is_told_gives_null(string text)
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        await driver.CallAsync($"when status:{text} close sender");
+
+        Assert.Equal(Driver.None, await driver.ConnectAsync(server.Port));
+
+        Assert.Equal(["closed"], driver.Reactions);
+        Assert.Equal(@"2 Service is stoped\n", driver.Statuses[^1].Line);
+        Assert.DoesNotContain(driver.Statuses, static status => status.Line.Contains("Failed", StringComparison.Ordinal));
+        Assert.NotEqual(Driver.None, await driver.ConnectAsync(server.Port));
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task Connecting_elsewhere_while_a_connection_is_told_works()
+    {
+        using var server = new TestServer();
+        using var other = new TestServer();
+        await using var driver = new Driver();
+        await driver.CallAsync($"when status:Connecting connect 127.0.0.1 {other.Port}");
+
+        string handle = await driver.ConnectAsync(server.Port);
+
+        string inner = Assert.Single(driver.Reactions);
+        Assert.NotEqual(handle, inner);
+        Assert.Equal("0", await driver.CallAsync("get-status " + handle));
+        Assert.Equal("0", await driver.CallAsync("get-status " + inner));
+        await driver.EndAsync();
+    }
+
+    private static async Task<TestConnection> SendAtOnceAsync(TestServer server)
+    {
+        TestConnection connection = await server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motion(1));
+        return connection;
+    }
+}

@@ -1,0 +1,230 @@
+using NeuronMocap.Native.Tests.Infrastructure;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Native.Tests.Functions;
+
+// How connections end: by the server, by the program, and from inside callbacks.
+public sealed class EndTests
+{
+    [Fact]
+    public async Task A_server_that_closes_is_told_on_another_thread_after_the_last_frame()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        (string handle, TestConnection connection) = await driver.ConnectAsync(server);
+        await driver.CallAsync("whenever status get-status sender");
+
+        await connection.SendAsync(TestPackets.Motions(1, 20));
+        connection.Close();
+        await driver.StatusesAsync(4);
+
+        Assert.Equal(["0 Failed to read data.", @"0 Data thread exited.\n"], driver.LinesOf(handle).Skip(2));
+        Assert.All(driver.Statuses.Skip(2), static status => Assert.NotEqual("main", status.Thread));
+        Assert.All(driver.Statuses.Skip(2), static status => Assert.Equal(20, status.FramesBefore));
+        Assert.Equal("Failed to read data.", await driver.CallAsync("error"));
+        Assert.Equal("2", await driver.CallAsync("get-status " + handle));
+        Assert.Equal(["2", "2"], driver.Reactions);
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task A_server_that_resets_leaves_the_systems_number()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        (string handle, TestConnection connection) = await driver.ConnectAsync(server);
+
+        connection.Reset();
+        await driver.StatusesAsync(4);
+
+        Assert.Equal(["0 Failed to read data.", @"0 Data thread exited.\n"], driver.LinesOf(handle).Skip(2));
+        Assert.Equal("Failed to read data. System error code: 104", await driver.CallAsync("error"));
+        await driver.EndAsync();
+    }
+
+    // The vendor's library gives the dead handle again until it is closed.
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public async Task After_the_end_connecting_again_makes_a_new_connection(bool closesFirst)
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        (string dead, TestConnection connection) = await driver.ConnectAsync(server);
+        connection.Close();
+        await driver.StatusesAsync(4);
+        if (closesFirst)
+        {
+            await driver.CallAsync("close " + dead);
+            Assert.Equal(new DriverStatus("s", dead, "main", @"2 Service is stoped\n", 0), driver.Statuses[4]);
+        }
+
+        (string handle, connection) = await driver.ConnectAsync(server);
+        Assert.NotEqual(dead, handle);
+        Assert.Equal("2", await driver.CallAsync("get-status " + dead));
+
+        // A program that closes the dead handle late closes nothing of the new connection.
+        await driver.CallAsync("close " + dead);
+        await connection.SendAsync(TestPackets.Motion(2));
+        await driver.FramesAsync(1);
+        Assert.Equal(handle, driver.Frames[0].Sender);
+        connection.Dispose();
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task Closing_is_told_once_by_the_caller_and_may_be_repeated()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        (string handle, TestConnection connection) = await driver.ConnectAsync(server);
+        await driver.CallAsync("whenever status get-status sender");
+
+        await driver.CallAsync("close " + handle);
+        await driver.CallAsync("close " + handle);
+        await driver.CallAsync("close " + Driver.None);
+
+        Assert.Equal(new DriverStatus("s", handle, "main", @"2 Service is stoped\n", 0), Assert.Single(driver.Statuses.Skip(2)));
+        Assert.Equal(["2"], driver.Reactions);
+        Assert.Equal("2", await driver.CallAsync("get-status " + handle));
+        await Limits.UntilAsync(() => HasEnded(connection));
+        await driver.EndAsync();
+        Assert.Equal(3, driver.Statuses.Count);
+    }
+
+    [Fact]
+    public async Task No_callback_comes_after_closing()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        for (int i = 0; i < 10; i++)
+        {
+            (string handle, TestConnection connection) = await driver.ConnectAsync(server);
+            int before = driver.Frames.Count;
+            Task sending = SendUntilClosedAsync(connection);
+            await driver.FramesAsync(before + 1);
+
+            await driver.CallAsync("close " + handle);
+            int count = driver.Frames.Count;
+
+            // The sender has seen the end of it when this ends.
+            await sending.Soon();
+            await driver.CallAsync("error");
+            Assert.Equal(count, driver.Frames.Count);
+            connection.Dispose();
+        }
+
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task Closing_in_the_frame_callback_makes_that_frame_the_last()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        await driver.CallAsync("whenever frame close sender");
+        (string handle, TestConnection connection) = await driver.ConnectAsync(server);
+
+        await connection.SendAsync(TestPackets.Motions(0, 50));
+        await driver.UntilAsync(() => driver.Reactions.Count == 1);
+
+        Assert.Equal(@"2 Service is stoped\n", driver.Statuses[2].Line);
+        Assert.Equal(driver.Frames[0].Thread, driver.Statuses[2].Thread);
+        Assert.NotEqual("main", driver.Statuses[2].Thread);
+        await Limits.UntilAsync(() => HasEnded(connection));
+        Assert.NotEqual(handle, await driver.ConnectAsync(server.Port));
+        await driver.EndAsync();
+        Assert.Single(driver.Frames);
+    }
+
+    [Fact]
+    public async Task Closing_and_connecting_again_when_the_end_is_told_works()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        (string first, TestConnection connection) = await driver.ConnectAsync(server);
+        await driver.CallAsync("when status:Failed close sender");
+        await driver.CallAsync($"when status:Service connect 127.0.0.1 {server.Port}");
+
+        connection.Close();
+        await driver.UntilAsync(() => driver.Reactions.Count == 2);
+
+        string second = driver.Reactions[0];
+        Assert.Equal("closed", driver.Reactions[1]);
+        Assert.Equal(["0 Failed to read data.", @"2 Service is stoped\n"], driver.LinesOf(first).Skip(2));
+        Assert.Equal(2, driver.LinesOf(second).Count());
+        Assert.Equal("0", await driver.CallAsync("get-status " + second));
+        using TestConnection again = await server.AcceptAsync();
+        await again.SendAsync(TestPackets.Motion(1));
+        await driver.FramesAsync(1);
+        Assert.Equal(second, driver.Frames[0].Sender);
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task Connecting_in_the_frame_callback_works()
+    {
+        using var server = new TestServer();
+        using var other = new TestServer();
+        await using var driver = new Driver();
+        (_, TestConnection connection) = await driver.ConnectAsync(server);
+        await driver.CallAsync($"when frame connect 127.0.0.1 {other.Port}");
+
+        await connection.SendAsync(TestPackets.Motion(1));
+        using TestConnection second = await other.AcceptAsync();
+        await second.SendAsync(TestPackets.Motion(2));
+        await driver.UntilAsync(() => driver.Frames.Count == 2 && driver.Reactions.Count == 1);
+
+        Assert.Equal(driver.Reactions[0], driver.Frames[1].Sender);
+        Assert.Equal(driver.Frames[0].Thread, driver.Statuses[^1].Thread);
+        connection.Dispose();
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task A_busy_callback_does_not_hold_up_closing_for_long()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        (string handle, TestConnection connection) = await driver.ConnectAsync(server);
+        await driver.CallAsync("when frame hold");
+        await connection.SendAsync(TestPackets.Motions(1, 2));
+        await driver.UntilAsync(() => driver.Reactions.Count == 1);
+
+        await driver.CallAsync("close " + handle);
+        await driver.CallAsync("release");
+        await driver.UntilAsync(() => driver.Reactions.Count == 2);
+
+        // Whose memory the callback was given is its own until the end of the call.
+        (_, connection) = await driver.ConnectAsync(server);
+        await connection.SendAsync(TestPackets.Motion(3));
+        await driver.FramesAsync(2);
+        Assert.Equal([1u, 3u], driver.Frames.Select(static frame => frame.FrameIndex));
+        await driver.EndAsync();
+    }
+
+    private static bool HasEnded(TestConnection connection)
+    {
+        try
+        {
+            return connection.Socket.Poll(0, System.Net.Sockets.SelectMode.SelectRead) && connection.Socket.Receive(new byte[1]) == 0;
+        }
+        catch (System.Net.Sockets.SocketException)
+        {
+            return true;
+        }
+    }
+
+    private static async Task SendUntilClosedAsync(TestConnection connection)
+    {
+        try
+        {
+            for (int frame = 0; ; frame += 20)
+                await connection.SendAsync(TestPackets.Motions(frame, 20));
+        }
+        catch (System.Net.Sockets.SocketException)
+        {
+            // Closed by the other side, as meant.
+        }
+    }
+}

@@ -1,0 +1,80 @@
+using NeuronMocap.Compatibility.Tests.Infrastructure;
+using NeuronMocap.Native.Tests.Infrastructure;
+using NeuronMocap.Tests.Commands;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Native.Tests.Functions;
+
+// Handles that are none, and memory that is none: nothing happens.
+public sealed class HandleTests
+{
+    private const string NothingDone = "20";
+
+    [Fact]
+    public async Task No_function_does_anything_with_null_or_a_closed_handle()
+    {
+        using var server = new TestServer();
+        using CommandScript commands = CommandScript.Always([1, 0, 0, 0]);
+        await using var driver = new Driver();
+        string[] handles =
+        [
+            Driver.None,
+            await driver.ConnectAsync(server.Port),
+            await driver.CallAsync($"udp {FreePort.Udp()}"),
+            await driver.CallAsync($"connect-command 127.0.0.1 {commands.Port}"),
+        ];
+        foreach (string handle in handles)
+        {
+            await driver.CallAsync("close " + handle);
+            Assert.Equal(NothingDone, await driver.CallAsync("all " + handle));
+        }
+
+        Assert.Equal(0, commands.Requests);
+        Assert.Equal(3, driver.Statuses.Count);
+        await driver.EndAsync();
+    }
+
+    // Addresses of the program's own, misaligned ones, and numbers that no library would give.
+    [Fact]
+    public async Task No_function_does_anything_with_a_foreign_handle()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        (_, TestConnection connection) = await driver.ConnectAsync(server);
+
+        Assert.Equal("0", await driver.CallAsync("all-foreign 10000"));
+
+        await connection.SendAsync(TestPackets.Motion(1));
+        await driver.FramesAsync(1);
+        Assert.Equal(0, connection.Socket.Available);
+        Assert.Equal("No error.", await driver.CallAsync("error"));
+        connection.Dispose();
+        await driver.EndAsync();
+    }
+
+    // A data connection takes the four commands of b12, and a command connection those of b18; a UDP service none.
+    [Fact]
+    public async Task Functions_for_other_connections_do_nothing()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        (string data, TestConnection connection) = await driver.ConnectAsync(server);
+        string service = await driver.CallAsync($"udp {FreePort.Udp()}");
+
+        Assert.Equal("4", await driver.CallAsync("all " + data));
+        Assert.Equal("0", await driver.CallAsync("all " + service));
+        connection.Dispose();
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task Null_where_an_answer_should_go_makes_the_call_fail_and_nothing_is_sent()
+    {
+        using CommandScript commands = CommandScript.Always([1, 0, 0, 0]);
+        await using var driver = new Driver();
+        string pipe = await driver.CallAsync($"connect-command 127.0.0.1 {commands.Port}");
+        Assert.Equal("0 0 0 0 0 before", await driver.CallAsync("nulls " + pipe));
+        Assert.Equal(0, commands.Requests);
+        await driver.EndAsync();
+    }
+}

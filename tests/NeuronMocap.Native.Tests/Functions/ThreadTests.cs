@@ -1,0 +1,70 @@
+using System.Globalization;
+using System.Net.Sockets;
+using NeuronMocap.Native.Tests.Infrastructure;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Native.Tests.Functions;
+
+// tests/native/threads.c: the functions from four threads at once.
+public sealed class ThreadTests
+{
+    [Fact]
+    public async Task Threads_that_ask_for_the_same_place_at_once_get_one_connection()
+    {
+        using var server = new TestServer();
+        string[] handles = await RunAsync("same", server.Port);
+        Assert.Equal(4, handles.Length);
+        Assert.NotEqual(Driver.None, Assert.Single(handles.Distinct(StringComparer.Ordinal)));
+    }
+
+    [Fact]
+    public async Task The_last_error_always_ends_while_others_fail() => Assert.Equal(["0"], await RunAsync("errors", 0));
+
+    [Fact]
+    public async Task Threads_that_open_register_and_close_at_once_do_no_harm()
+    {
+        using var server = new TestServer();
+        using var end = new CancellationTokenSource();
+        Task serving = ServeAsync(server, end.Token);
+        Assert.Equal(["0"], await RunAsync("churn", server.Port));
+        await end.CancelAsync();
+        await serving.Soon();
+    }
+
+    private static async Task<string[]> RunAsync(string what, int port)
+    {
+        await using NativeProgram program = NativeProgram.Start("threads", what, port.ToString(CultureInfo.InvariantCulture));
+        Assert.Equal(0, await program.EndAsync());
+        Assert.Empty(program.Errors);
+        return [.. program.ReadRest()];
+    }
+
+    // Every connection gets frames until it ends.
+    private static async Task ServeAsync(TestServer server, CancellationToken end)
+    {
+        byte[] frames = TestPackets.Motions(1, 20);
+        var sending = new List<Task>();
+        try
+        {
+            while (true)
+                sending.Add(SendUntilClosedAsync(await server.AcceptAsync(end), frames));
+        }
+        catch (OperationCanceledException)
+        {
+            await Task.WhenAll(sending);
+        }
+    }
+
+    private static async Task SendUntilClosedAsync(TestConnection connection, byte[] frames)
+    {
+        try
+        {
+            while (true)
+                await connection.SendAsync(frames);
+        }
+        catch (SocketException)
+        {
+            connection.Dispose();
+        }
+    }
+}

@@ -1,0 +1,111 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Compatibility.Tests.Infrastructure;
+using NeuronMocap.Native.Tests.Infrastructure;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Native.Tests.Functions;
+
+public sealed class UdpServiceTests
+{
+    [Fact]
+    public async Task A_service_receives_and_calls_no_status_callback()
+    {
+        await using var driver = new Driver();
+        int port = FreePort.Udp();
+        string service = await driver.CallAsync($"udp {port}");
+        Assert.Equal("0", await driver.CallAsync("get-status " + service));
+
+        Send(port, TestPackets.Motion(1), TestPackets.Calculation(2));
+        await driver.UntilAsync(() => driver.Frames.Count == 1 && driver.Calculations.Count == 1);
+        await driver.CallAsync("close " + service);
+        await driver.CallAsync("close " + service);
+
+        Assert.Equal((service, "f"), (driver.Frames[0].Sender, driver.Frames[0].Object));
+        Assert.Equal((service, "c"), (driver.Calculations[0].Sender, driver.Calculations[0].Object));
+        Assert.NotEqual("main", driver.Frames[0].Thread);
+        Assert.Equal("2", await driver.CallAsync("get-status " + service));
+        Assert.Empty(driver.Statuses);
+        await driver.EndAsync();
+    }
+
+    // The vendor's library lost the frame of a macOS server, which comes in two datagrams.
+    [Fact]
+    public async Task A_frame_in_two_datagrams_is_joined()
+    {
+        await using var driver = new Driver();
+        int port = FreePort.Udp();
+        await driver.CallAsync($"udp {port}");
+        byte[] packet = TestPackets.Motion(1);
+        Send(port, packet[..1024], packet[1024..]);
+        await driver.FramesAsync(1);
+        Assert.Equal(packet[..64], driver.Frames[0].Header);
+        Assert.Equal(DriverFrame.HashOf(packet.AsSpan(64)), driver.Frames[0].Hash);
+        await driver.EndAsync();
+    }
+
+    // Which of the two gets a datagram, the system decides.
+    [Fact]
+    public async Task Every_call_starts_a_service_of_its_own()
+    {
+        await using var driver = new Driver();
+        int port = FreePort.Udp();
+        string first = await driver.CallAsync($"udp {port}");
+        string second = await driver.CallAsync($"udp {port}");
+        Assert.NotEqual(Driver.None, second);
+        Assert.NotEqual(first, second);
+
+        Send(port, TestPackets.Motion(1));
+        await driver.FramesAsync(1);
+        await driver.CallAsync("close " + driver.Frames[0].Sender);
+        Send(port, TestPackets.Motion(2));
+        await driver.FramesAsync(2);
+
+        Assert.Equal(new HashSet<string> { first, second }, driver.Frames.Select(static frame => frame.Sender).ToHashSet(StringComparer.Ordinal));
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task A_port_that_cannot_be_had_is_null_with_an_error()
+    {
+        using var other = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ExclusiveAddressUse = true };
+        other.Bind(new IPEndPoint(IPAddress.Any, 0));
+        int port = ((IPEndPoint)other.LocalEndPoint!).Port;
+        await using var driver = new Driver();
+
+        Assert.Equal(Driver.None, await driver.CallAsync($"udp {port}"));
+        Assert.Equal($"Failed to bind UDP service to port {port}. System error code: 98", await driver.CallAsync("error"));
+        Assert.Equal(Driver.None, await driver.CallAsync("udp -1"));
+        Assert.Equal("Failed to bind UDP service to port -1. System error code: 22", await driver.CallAsync("error"));
+        Assert.Equal(Driver.None, await driver.CallAsync("udp 65536"));
+        Assert.Equal("Failed to bind UDP service to port 65536. System error code: 22", await driver.CallAsync("error"));
+        Assert.NotEqual(Driver.None, await driver.CallAsync("udp 0"));
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task Closing_in_the_frame_callback_makes_that_frame_the_last()
+    {
+        await using var driver = new Driver();
+        int port = FreePort.Udp();
+        string service = await driver.CallAsync($"udp {port}");
+        await driver.CallAsync("when frame close sender");
+
+        Send(port, TestPackets.Motions(1, 10));
+        await driver.UntilAsync(() => driver.Reactions.Count == 1);
+        string again = await driver.CallAsync($"udp {port}");
+        Send(port, TestPackets.Motion(11));
+        await driver.FramesAsync(2);
+
+        Assert.NotEqual(service, again);
+        Assert.Equal([1u, 11u], driver.Frames.Select(static frame => frame.FrameIndex));
+        await driver.EndAsync();
+    }
+
+    private static void Send(int port, params byte[][] datagrams)
+    {
+        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        foreach (byte[] datagram in datagrams)
+            socket.SendTo(datagram, new IPEndPoint(IPAddress.Loopback, port));
+    }
+}

@@ -1,0 +1,113 @@
+using System.Globalization;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Native.Tests.Infrastructure;
+
+/// <summary>A frame as a callback was given it. Thread is "main", or a number; Hash that of the floats' bytes.</summary>
+internal sealed record DriverFrame(string Object, string Sender, string Thread, ulong HeaderAddress, ulong DataAddress, byte[] Header, string Hash)
+{
+    public uint FrameIndex => BitConverter.ToUInt32(Header, 46);
+
+    public static DriverFrame Read(string[] words) =>
+        new(words[1], words[2], words[3], AddressOf(words[4]), AddressOf(words[5]), Convert.FromHexString(words[6]), words[7]);
+
+    // FNV-1a, as in driver.c.
+    public static string HashOf(ReadOnlySpan<byte> bytes)
+    {
+        ulong value = 14_695_981_039_346_656_037;
+        foreach (byte part in bytes)
+            value = unchecked((value ^ part) * 1_099_511_628_211);
+        return value.ToString("X16", CultureInfo.InvariantCulture);
+    }
+
+    private static ulong AddressOf(string word) => ulong.Parse(word.AsSpan(2), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture);
+}
+
+/// <summary>A status as a callback was given it: its number and its text, line feeds as \n. FramesBefore is how many frames had come.</summary>
+internal sealed record DriverStatus(string Object, string Sender, string Thread, string Line, int FramesBefore);
+
+/// <summary>The program driver of tests/native, which calls functions of the library as lines tell it to.</summary>
+internal sealed class Driver : IAsyncDisposable
+{
+    public const string None = "(nil)";
+
+    private readonly NativeProgram _program = NativeProgram.Start("driver");
+    private readonly Queue<string> _answers = [];
+
+    public List<DriverFrame> Frames { get; } = [];
+
+    public List<DriverFrame> Calculations { get; } = [];
+
+    public List<DriverStatus> Statuses { get; } = [];
+
+    /// <summary>What lines returned that callbacks ran.</summary>
+    public List<string> Reactions { get; } = [];
+
+    public IEnumerable<string> LinesOf(string sender) => Statuses.Where(status => status.Sender == sender).Select(static status => status.Line);
+
+    /// <summary>Writes a line, and gives what it returned. Callbacks that came before that are kept.</summary>
+    public async Task<string> CallAsync(string line)
+    {
+        _program.Write(line);
+        await UntilAsync(() => _answers.Count > 0);
+        return _answers.Dequeue();
+    }
+
+    public Task<string> ConnectAsync(int port, string host = "127.0.0.1") => CallAsync($"connect {host} {port}");
+
+    public async Task<(string Handle, TestConnection Connection)> ConnectAsync(TestServer server)
+    {
+        string handle = await ConnectAsync(server.Port);
+        Assert.NotEqual(None, handle);
+        return (handle, await server.AcceptAsync());
+    }
+
+    /// <summary>Reads what the program says until the condition holds.</summary>
+    public async Task UntilAsync(Func<bool> condition)
+    {
+        while (!condition())
+            Keep(await _program.ReadAsync());
+    }
+
+    public Task FramesAsync(int count) => UntilAsync(() => Frames.Count >= count);
+
+    public Task StatusesAsync(int count) => UntilAsync(() => Statuses.Count >= count);
+
+    /// <summary>Ends the program, which has to be content with that.</summary>
+    public async Task EndAsync()
+    {
+        int code = await _program.EndAsync();
+        foreach (string line in _program.ReadRest())
+            Keep(line);
+        Assert.Empty(_program.Errors);
+        Assert.Equal(0, code);
+    }
+
+    public ValueTask DisposeAsync() => _program.DisposeAsync();
+
+    private void Keep(string line)
+    {
+        string[] words = line.Split(' ');
+        switch (words[0])
+        {
+            case "=":
+                _answers.Enqueue(line[2..]);
+                break;
+            case "!":
+                Reactions.Add(line[2..]);
+                break;
+            case "frame":
+                Frames.Add(DriverFrame.Read(words));
+                break;
+            case "calculation":
+                Calculations.Add(DriverFrame.Read(words));
+                break;
+            case "status":
+                Statuses.Add(new DriverStatus(words[1], words[2], words[3], string.Join(' ', words[4..]), Frames.Count));
+                break;
+            default:
+                Assert.Fail(line);
+                break;
+        }
+    }
+}

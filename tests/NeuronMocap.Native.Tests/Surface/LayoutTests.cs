@@ -1,0 +1,63 @@
+using System.Runtime.InteropServices;
+using NeuronMocap.Native.Tests.Infrastructure;
+
+namespace NeuronMocap.Native.Tests.Surface;
+
+// The headers with every compiler that is there: tests/native/layout.h asserts all sizes, offsets and values, and no warning is left.
+public sealed class LayoutTests
+{
+    private static readonly string[] Strict =
+    [
+        "-fsyntax-only", "-pedantic", "-Wall", "-Wextra", "-Wpadded", "-Wshadow", "-Wconversion", "-Wwrite-strings", "-Werror",
+        "-I" + NativeFiles.Headers,
+    ];
+
+    // As Windows with 32 bits, where callbacks and functions differ in their calling conventions.
+    private static readonly string[] Windows =
+    [
+        "-m32", "-ffreestanding", "-D_WIN32", "-D__declspec(x)=", "-D__stdcall=__attribute__((stdcall))", "-D__cdecl=__attribute__((cdecl))",
+    ];
+
+    public static TheoryData<string, string, string> Compilers => new(
+        from standard in (string[])["c99", "c17", "c++98", "c++20"]
+        from compiler in standard.StartsWith("c++", StringComparison.Ordinal) ? (string[])["g++", "clang++"] : ["gcc", "clang"]
+        from generation in (string[])["B18", "B12", "B10"]
+        select (compiler, standard, generation));
+
+    [Theory, MemberData(nameof(Compilers))]
+    public async Task The_layout_is_that_of_the_wire(string compiler, string standard, string generation) =>
+        await CompileAsync(compiler, standard, generation);
+
+    [Theory, MemberData(nameof(Compilers))]
+    public async Task The_layout_is_the_same_with_32_bits(string compiler, string standard, string generation)
+    {
+        Assert.SkipUnless(RuntimeInformation.OSArchitecture == Architecture.X64, "Only compilers for x64 compile for 32 bits, too.");
+        await CompileAsync(compiler, standard, generation, "-m32", "-ffreestanding");
+    }
+
+    [Theory, MemberData(nameof(Compilers))]
+    public async Task The_headers_go_before_and_after_those_of_Windows(string compiler, string standard, string generation)
+    {
+        Assert.SkipUnless(RuntimeInformation.OSArchitecture == Architecture.X64, "Only compilers for x64 compile for 32 bits, too.");
+        await CompileAsync(compiler, standard, generation, [.. Windows, "-DLAYOUT_WINDOWS_FIRST"]);
+        await CompileAsync(compiler, standard, generation, [.. Windows, "-DLAYOUT_WINDOWS_LAST"]);
+    }
+
+    [Fact]
+    public async Task A_compilers_option_that_changes_the_layout_is_an_error_in_the_header_itself()
+    {
+        (int code, _, string errors) = await SystemTool.RunAsync(
+            "gcc", "-fsyntax-only", "-fshort-enums", "-x", "c", Path.Combine(NativeFiles.Headers, "DataType.h"));
+        Assert.NotEqual(0, code);
+        Assert.Contains("NeuronDataReader_RotateOrders_differs", errors, StringComparison.Ordinal);
+    }
+
+    private static async Task CompileAsync(string compiler, string standard, string generation, params string[] options)
+    {
+        string source = Path.Combine(NativeFiles.Sources, compiler.EndsWith("++", StringComparison.Ordinal) ? "layout.cpp" : "layout.c");
+        (int code, string output, string errors) = await SystemTool.RunAsync(
+            compiler, [.. Strict, "-std=" + standard, "-DNEURONDATAREADER_" + generation, .. options, source]);
+        Assert.Equal("", output + errors);
+        Assert.Equal(0, code);
+    }
+}
