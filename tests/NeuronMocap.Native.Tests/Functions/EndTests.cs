@@ -97,7 +97,7 @@ public sealed class EndTests
     {
         using var server = new TestServer();
         await using var driver = new Driver();
-        for (int i = 0; i < 10; i++)
+        for (int i = 0; i < 5; i++)
         {
             (string handle, TestConnection connection) = await driver.ConnectAsync(server);
             int before = driver.Frames.Count;
