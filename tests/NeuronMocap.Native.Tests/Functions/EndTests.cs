@@ -215,12 +215,17 @@ public sealed class EndTests
         }
     }
 
+    // In bursts, so that some frames are under way, and no faster than the driver can print them.
     private static async Task SendUntilClosedAsync(TestConnection connection)
     {
+        byte[] burst = TestPackets.Motions(0, 20);
         try
         {
-            for (int frame = 0; ; frame += 20)
-                await connection.SendAsync(TestPackets.Motions(frame, 20));
+            while (true)
+            {
+                await connection.SendAsync(burst);
+                await Task.Delay(5, TestContext.Current.CancellationToken);
+            }
         }
         catch (System.Net.Sockets.SocketException)
         {
