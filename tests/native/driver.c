@@ -6,7 +6,8 @@
  *   KIND OBJECT SENDER THREAD …        a callback; THREAD is main or the system's number
  *
  * "when KIND LINE" lets the next callback of that kind run a line, "whenever KIND LINE" every one. KIND is frame, calculation, status, or status:TEXT
- * for statuses that begin so. In such a line, sender is the callback's connection. Objects are letters.
+ * for statuses that begin so. In such a line, sender is the callback's connection. "thread LINE" runs a line on a thread of its own, which answers as
+ * callbacks do. Objects are letters.
  */
 #include <NeuronDataReader.h>
 
@@ -154,11 +155,14 @@ static SOCKET_REF handle_of(const struct call *call)
     return handle;
 }
 
-/* "null" and "empty" are what they say. */
+/* "null" and "empty" are what they say, "long" has 5,000 letters, and "broken" is no text in UTF-8. */
 static const char *host_of(const struct call *call)
 {
+    static char letters_of_long[5001];
     const char *word = call->words[1];
-    return strcmp(word, "null") == 0 ? NULL : strcmp(word, "empty") == 0 ? "" : word;
+    if (strcmp(word, "long") == 0)
+        return memset(letters_of_long, 'x', sizeof letters_of_long - 1);
+    return strcmp(word, "null") == 0 ? NULL : strcmp(word, "empty") == 0 ? "" : strcmp(word, "broken") == 0 ? "\xFF\xC3.\x80" : word;
 }
 
 static int number_of(const struct call *call, size_t index)
@@ -243,6 +247,23 @@ static void ask_with_nulls(const struct call *call)
            GetBvhHeader(pipe, 0, text, 0), GetBvhHeader(pipe, 0, text, -1), text);
 }
 
+static void *run_on_thread(void *line)
+{
+    run('!', NULL, line);
+    free(line);
+    return NULL;
+}
+
+static void start_thread(const struct call *call)
+{
+    pthread_t thread;
+    char *line = strdup(call->words[1]);
+    if (line == NULL || pthread_create(&thread, NULL, run_on_thread, line) != 0)
+        abort();
+    pthread_detach(thread);
+    answer(call, "started");
+}
+
 static void run_words(const struct call *call)
 {
     const char *name = call->words[0];
@@ -256,6 +277,8 @@ static void run_words(const struct call *call)
         answer(call, "%d", (int)BRGetSocketStatus(handle_of(call)));
     else if (strcmp(name, "error") == 0)
         answer(call, "%s", BRGetLastErrorMessage());
+    else if (strcmp(name, "error-length") == 0)
+        answer(call, "%zu", strlen(BRGetLastErrorMessage()));
     else if (strcmp(name, "error-address") == 0)
         answer(call, "%p", (void *)BRGetLastErrorMessage());
     else if (strcmp(name, "register") == 0)
@@ -282,6 +305,8 @@ static void run_words(const struct call *call)
         add_reaction(call, 1);
     else if (strcmp(name, "whenever") == 0)
         add_reaction(call, 0);
+    else if (strcmp(name, "thread") == 0)
+        start_thread(call);
     else if (strcmp(name, "hold") == 0)
         answer(call, "held"), sem_wait(&released), answer(call, "released");
     else if (strcmp(name, "release") == 0)
@@ -290,7 +315,7 @@ static void run_words(const struct call *call)
         printf("? %s\n", name);
 }
 
-/* Splits a line; what is missing is empty. The rest of a reaction stays whole. */
+/* Splits a line; what is missing is empty. The line within a line stays whole. */
 static void run(char mark, SOCKET_REF sender, const char *line)
 {
     static char none[] = "";
@@ -301,7 +326,7 @@ static void run(char mark, SOCKET_REF sender, const char *line)
     copy[strcspn(copy, "\n")] = '\0';
     for (size_t i = 0; i < MOST_WORDS && next != NULL; i++) {
         call.words[i] = next;
-        if (i == 2 && strncmp(copy, "when", 4) == 0)
+        if ((i == 2 && strncmp(copy, "when", 4) == 0) || (i == 1 && strcmp(copy, "thread") == 0))
             break;
         next = strchr(next, ' ');
         if (next != NULL)

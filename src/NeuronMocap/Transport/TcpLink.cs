@@ -55,7 +55,11 @@ internal sealed class TcpLink(LinkOptions options) : Link
         try
         {
             lock (_sending)
-                return _socket!.Send(bytes, SocketFlags.None, out _) == bytes.Length;
+            {
+                // Not before the first command: on Linux this time-out would hold for connecting, too.
+                _socket!.SendTimeout = SendTimeoutMilliseconds;
+                return _socket.Send(bytes, SocketFlags.None, out _) == bytes.Length;
+            }
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
         {
@@ -123,7 +127,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
         timeout.CancelAfter(options.ConnectTimeout);
         try
         {
-            socket = new Socket(address.AddressFamily, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true, SendTimeout = SendTimeoutMilliseconds };
+            socket = new Socket(address.AddressFamily, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
             TcpKeepAlive.Enable(socket);
             if (!Adopt(socket))
                 return LinkEnd.Requested;

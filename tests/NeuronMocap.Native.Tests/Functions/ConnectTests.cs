@@ -60,6 +60,7 @@ public sealed class ConnectTests
     [Theory]
     [InlineData("no-such-computer.invalid", 7001, "no-such-computer.invalid:7001'. System error code: 11001")]
     [InlineData("陈.invalid", 7001, "陈.invalid:7001'. System error code: 11001")]
+    [InlineData("broken", 7001, "\uFFFD\uFFFD.\uFFFD:7001'. System error code: 11001")]
     [InlineData("empty", 7001, ":7001'. System error code: 22")]
     [InlineData("null", 7001, ":7001'. System error code: 22")]
     [InlineData("127.0.0.1", 0, "127.0.0.1:0'. System error code: 22")]
@@ -73,17 +74,6 @@ public sealed class ConnectTests
         Assert.Equal(3, driver.Statuses.Count);
         Assert.Equal(Driver.None, await driver.CallAsync($"connect-command {host} {port}"));
         Assert.Equal("Failed to connect to '" + error, await driver.CallAsync("error"));
-        Assert.Equal(3, driver.Statuses.Count);
-        await driver.EndAsync();
-    }
-
-    [Fact]
-    public async Task A_server_that_does_not_answer_is_given_up()
-    {
-        using var hole = new BlackHole();
-        await using var driver = new Driver();
-        Assert.Equal(Driver.None, await driver.ConnectAsync(hole.Port));
-        Assert.Equal($"Failed to connect to '127.0.0.1:{hole.Port}'. System error code: 110", await driver.CallAsync("error"));
         Assert.Equal(3, driver.Statuses.Count);
         await driver.EndAsync();
     }
@@ -184,6 +174,39 @@ public sealed class ConnectTests
         Assert.NotEqual(handle, inner);
         Assert.Equal("0", await driver.CallAsync("get-status " + handle));
         Assert.Equal("0", await driver.CallAsync("get-status " + inner));
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task Connecting_to_the_same_place_while_its_connection_is_told_gives_that_one()
+    {
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        await driver.CallAsync($"whenever status connect 127.0.0.1 {server.Port}");
+
+        string handle = await driver.ConnectAsync(server.Port);
+
+        Assert.Equal([handle, handle], driver.Reactions);
+        Assert.Equal(2, driver.Statuses.Count);
+        await driver.EndAsync();
+    }
+
+    [Fact]
+    public async Task Closing_from_another_thread_ends_connecting()
+    {
+        using var hole = new BlackHole();
+        await using var driver = new Driver();
+        await driver.CallAsync($"thread connect 127.0.0.1 {hole.Port}");
+        await driver.StatusesAsync(1);
+        string handle = driver.Statuses[0].Sender;
+        Assert.Equal("1", await driver.CallAsync("get-status " + handle));
+
+        await driver.CallAsync("close " + handle);
+        await driver.UntilAsync(() => driver.Reactions.Count == 1);
+
+        Assert.Equal([Driver.None], driver.Reactions);
+        Assert.Equal("main", driver.Statuses.Last(status => status.Sender == handle).Thread);
+        Assert.Equal([$@"1 Connecting to 127.0.0.1:{hole.Port} ...\n", @"2 Service is stoped\n"], driver.LinesOf(handle));
         await driver.EndAsync();
     }
 

@@ -97,7 +97,7 @@ public sealed class EndTests
     {
         using var server = new TestServer();
         await using var driver = new Driver();
-        for (int i = 0; i < 10; i++)
+        for (int i = 0; i < 5; i++)
         {
             (string handle, TestConnection connection) = await driver.ConnectAsync(server);
             int before = driver.Frames.Count;
@@ -215,12 +215,17 @@ public sealed class EndTests
         }
     }
 
+    // In bursts, so that some frames are under way, and no faster than the driver can print them.
     private static async Task SendUntilClosedAsync(TestConnection connection)
     {
+        byte[] burst = TestPackets.Motions(0, 20);
         try
         {
-            for (int frame = 0; ; frame += 20)
-                await connection.SendAsync(TestPackets.Motions(frame, 20));
+            while (true)
+            {
+                await connection.SendAsync(burst);
+                await Task.Delay(5, TestContext.Current.CancellationToken);
+            }
         }
         catch (System.Net.Sockets.SocketException)
         {

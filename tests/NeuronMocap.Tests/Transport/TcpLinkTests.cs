@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Tests.Network;
@@ -91,6 +92,19 @@ public sealed class TcpLinkTests
         LinkEnd end = await link.OpenAsync(CancellationToken.None).Soon();
         Assert.Equal(ConnectionReason.TimedOut, end.Reason);
         Assert.Contains("0.2 s", end.Message, StringComparison.Ordinal);
+    }
+
+    // On Linux a socket's time-out for sending, which commands have, holds for connecting too.
+    [Fact]
+    public async Task No_other_time_out_makes_connecting_shorter()
+    {
+        using var blackHole = new BlackHole();
+        var timeout = TimeSpan.FromSeconds(1.5);
+        using var link = new TcpLink(new LinkOptions("127.0.0.1", blackHole.Port) { ConnectTimeout = timeout });
+        long start = Stopwatch.GetTimestamp();
+        LinkEnd end = await link.OpenAsync(CancellationToken.None).Soon();
+        Assert.Equal(ConnectionReason.TimedOut, end.Reason);
+        Assert.True(Stopwatch.GetElapsedTime(start) > timeout - TimeSpan.FromSeconds(0.1));
     }
 
     private static async Task<LinkEnd> OpenAsync(Func<string, Task<IPAddress[]>> resolve)
