@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using NeuronMocap.Compatibility;
+using NeuronMocap.Native.Process;
 
 namespace NeuronMocap.Native;
 
@@ -10,6 +11,13 @@ internal static unsafe partial class Exports
 {
     private static readonly NativeCallbacks Callbacks = new();
     private static readonly VendorFunctions Functions = new(Callbacks);
+
+    static Exports()
+    {
+        CallbackGate.CloseOnExit();
+        // Nobody asked for text in the program's standard error.
+        CompatibilityEvents.CallbackFailed += static _ => { };
+    }
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRRegisterFrameDataCallback), CallConvs = [typeof(CallConvCdecl)])]
     public static void BRRegisterFrameDataCallback(IntPtr customedObj, IntPtr handle) => Callbacks.SetFrame(customedObj, handle);

@@ -1,0 +1,122 @@
+/* The exported functions on Linux, in front of the managed ones, which the build renames to managed_NAME. They start the runtime, and fail where it
+   cannot run: it did not start, or this is a child that fork made after it had. The caller's floating-point environment is kept from managed code,
+   and kept as it is. */
+#include <fenv.h>
+#include <pthread.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+enum { NOT_STARTED, STARTING, RUNNING, FAILED, FORKED };
+
+static volatile int state = NOT_STARTED;
+static pthread_once_t once = PTHREAD_ONCE_INIT;
+static int (*start_runtime)(void);
+static void (*exit_handler)(void);
+
+/* A child has no other thread of ours, and whatever locks those held stay held. */
+static void on_fork_in_child(void)
+{
+    state = FORKED;
+}
+
+static void end_callbacks(void)
+{
+    if (state == RUNNING && exit_handler != NULL)
+        exit_handler();
+}
+
+static void start(void)
+{
+    /* A child of a process that was just starting comes here again. */
+    if (state != NOT_STARTED)
+        return;
+
+    state = STARTING;
+    state = pthread_atfork(NULL, NULL, on_fork_in_child) == 0 && start_runtime() == 0 && atexit(end_callbacks) == 0 ? RUNNING : FAILED;
+}
+
+/* The runtime hands over what starts it when the library is loaded. The first managed function to be entered calls that, and aborts if it fails;
+   here it is called before, and may fail. */
+static int is_started(void)
+{
+    return state == STARTING || state == RUNNING ? 0 : -1;
+}
+
+void __real_RhSetRuntimeInitializationCallback(int (*callback)(void));
+
+void __wrap_RhSetRuntimeInitializationCallback(int (*callback)(void))
+{
+    start_runtime = callback;
+    __real_RhSetRuntimeInitializationCallback(is_started);
+}
+
+/* Called from managed code: what to do before the destructors of the program's objects run. */
+void NeuronMocapSetExitHandler(void (*handler)(void))
+{
+    exit_handler = handler;
+}
+
+static int enter(fenv_t *environment)
+{
+    if (state == FORKED)
+        return 0;
+
+    fegetenv(environment);
+    fesetenv(FE_DFL_ENV);
+    pthread_once(&once, start);
+    if (state == RUNNING)
+        return 1;
+
+    fesetenv(environment);
+    return 0;
+}
+
+#define FUNCTION(type, failure, name, parameters, arguments) \
+    type managed_##name parameters; \
+    type name parameters \
+    { \
+        fenv_t environment; \
+        type result = failure; \
+        if (enter(&environment)) { \
+            result = managed_##name arguments; \
+            fesetenv(&environment); \
+        } \
+        return result; \
+    }
+
+#define PROCEDURE(name, parameters, arguments) \
+    void managed_##name parameters; \
+    void name parameters \
+    { \
+        fenv_t environment; \
+        if (enter(&environment)) { \
+            managed_##name arguments; \
+            fesetenv(&environment); \
+        } \
+    }
+
+typedef unsigned char byte;
+
+enum { OFF_WORK = 2 };
+
+#define NO_RUNTIME "The library cannot run here: it did not start, or this is a forked process."
+
+PROCEDURE(BRRegisterFrameDataCallback, (void *object, void *handle), (object, handle))
+PROCEDURE(BRRegisterCalculationDataCallback, (void *object, void *handle), (object, handle))
+PROCEDURE(BRRegisterSocketStatusCallback, (void *object, void *handle), (object, handle))
+PROCEDURE(BRRegisterCommandDataCallback, (void *object, void *handle), (object, handle))
+FUNCTION(void *, NULL, BRConnectTo, (const char *host, int port), (host, port))
+FUNCTION(void *, NULL, BRStartUDPServiceAt, (int port), (port))
+FUNCTION(void *, NULL, BRConnectCmd, (const char *host, int port), (host, port))
+PROCEDURE(BRCloseSocket, (void *socket), (socket))
+FUNCTION(int, OFF_WORK, BRGetSocketStatus, (void *socket), (socket))
+FUNCTION(const char *, NO_RUNTIME, BRGetLastErrorMessage, (void), ())
+FUNCTION(byte, 0, ZeroOut, (void *socket, int avatar), (socket, avatar))
+FUNCTION(byte, 0, ZeroOutAll, (void *socket), (socket))
+FUNCTION(byte, 0, GetBvhRotation, (void *socket, int *order), (socket, order))
+FUNCTION(byte, 0, GetBoneSize, (void *socket, int avatar, void *sizes), (socket, avatar, sizes))
+FUNCTION(byte, 0, GetBvhHeader, (void *socket, int avatar, char *data, int length), (socket, avatar, data, length))
+FUNCTION(int, 0, BRCommandFetchDataFromServer, (void *socket, int command), (socket, command))
+FUNCTION(int, 0, BRCommandFetchAvatarDataFromServer, (void *socket, int avatar, int command), (socket, avatar, command))
+FUNCTION(int, 0, BRRegisterAutoSyncParmeter, (void *socket, int command), (socket, command))
+FUNCTION(int, 0, BRUnregisterAutoSyncParmeter, (void *socket, int command), (socket, command))
