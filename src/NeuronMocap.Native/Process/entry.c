@@ -12,6 +12,7 @@ static volatile int state = NOT_STARTED;
 static pthread_once_t once = PTHREAD_ONCE_INIT;
 static int (*start_runtime)(void);
 static void (*exit_handler)(void);
+static const char *volatile refusal;
 
 /* A child has no other thread of ours, and whatever locks those held stay held. */
 static void on_fork_in_child(void)
@@ -71,13 +72,46 @@ static int enter(fenv_t *environment)
     return 0;
 }
 
-#define FUNCTION(type, failure, name, parameters, arguments) \
+static void *wait_at(void *gate)
+{
+    pthread_mutex_lock(gate);
+    pthread_mutex_unlock(gate);
+    return NULL;
+}
+
+/* The runtime starts threads when work comes up, and ends the process where it gets none. So a connection is made only where the threads that it
+   may need are to be had. */
+static int has_threads(void)
+{
+    enum { NEEDED = 8 };
+
+    pthread_mutex_t gate = PTHREAD_MUTEX_INITIALIZER;
+    pthread_t threads[NEEDED];
+    int started = 0, i;
+
+    if (state == FORKED)
+        return 0;
+
+    pthread_mutex_lock(&gate);
+    while (started < NEEDED && pthread_create(&threads[started], NULL, wait_at, &gate) == 0)
+        started++;
+    pthread_mutex_unlock(&gate);
+    for (i = 0; i < started; i++)
+        pthread_join(threads[i], NULL);
+    refusal = started == NEEDED ? NULL : "The system has no threads left for a connection.";
+    return started == NEEDED;
+}
+
+#define FUNCTION(type, failure, name, parameters, arguments) GUARDED(1, type, failure, name, parameters, arguments)
+#define OPENING(name, parameters, arguments) GUARDED(has_threads(), void *, NULL, name, parameters, arguments)
+
+#define GUARDED(condition, type, failure, name, parameters, arguments) \
     type managed_##name parameters; \
     type name parameters \
     { \
         fenv_t environment; \
         type result = failure; \
-        if (enter(&environment)) { \
+        if (condition && enter(&environment)) { \
             result = managed_##name arguments; \
             fesetenv(&environment); \
         } \
@@ -99,18 +133,18 @@ typedef unsigned char byte;
 
 enum { OFF_WORK = 2 };
 
-#define NO_RUNTIME "The library cannot run here: it did not start, or this is a forked process."
+#define NO_RUNTIME (refusal != NULL ? refusal : "The library cannot run here: it did not start, or this is a forked process.")
 
 PROCEDURE(BRRegisterFrameDataCallback, (void *object, void *handle), (object, handle))
 PROCEDURE(BRRegisterCalculationDataCallback, (void *object, void *handle), (object, handle))
 PROCEDURE(BRRegisterSocketStatusCallback, (void *object, void *handle), (object, handle))
 PROCEDURE(BRRegisterCommandDataCallback, (void *object, void *handle), (object, handle))
-FUNCTION(void *, NULL, BRConnectTo, (const char *host, int port), (host, port))
-FUNCTION(void *, NULL, BRStartUDPServiceAt, (int port), (port))
-FUNCTION(void *, NULL, BRConnectCmd, (const char *host, int port), (host, port))
+OPENING(BRConnectTo, (const char *host, int port), (host, port))
+OPENING(BRStartUDPServiceAt, (int port), (port))
+OPENING(BRConnectCmd, (const char *host, int port), (host, port))
 PROCEDURE(BRCloseSocket, (void *socket), (socket))
 FUNCTION(int, OFF_WORK, BRGetSocketStatus, (void *socket), (socket))
-FUNCTION(const char *, NO_RUNTIME, BRGetLastErrorMessage, (void), ())
+GUARDED(refusal == NULL, const char *, NO_RUNTIME, BRGetLastErrorMessage, (void), ())
 FUNCTION(byte, 0, ZeroOut, (void *socket, int avatar), (socket, avatar))
 FUNCTION(byte, 0, ZeroOutAll, (void *socket), (socket))
 FUNCTION(byte, 0, GetBvhRotation, (void *socket, int *order), (socket, order))
