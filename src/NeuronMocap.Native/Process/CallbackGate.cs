@@ -1,10 +1,9 @@
 using System.Diagnostics;
-using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Native.Process;
 
 // Which callbacks run, so that none does any more when the process ends and the objects that they use are destroyed.
-internal static unsafe partial class CallbackGate
+internal static class CallbackGate
 {
     // A callback may wait for the very thread that ends the process.
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
@@ -37,14 +36,8 @@ internal static unsafe partial class CallbackGate
         Interlocked.Decrement(ref _running);
     }
 
-    public static void CloseOnExit()
-    {
-        if (OperatingSystem.IsLinux())
-            SetExitHandler(&Close);
-    }
-
-    [UnmanagedCallersOnly]
-    private static void Close()
+    // No callback begins any more. Waits for those that run.
+    public static void Close()
     {
         _isClosed = true;
         Interlocked.MemoryBarrier();
@@ -52,7 +45,4 @@ internal static unsafe partial class CallbackGate
         while (Volatile.Read(ref _running) > _depth && watch.Elapsed < Patience)
             Thread.Sleep(1);
     }
-
-    [LibraryImport("entry", EntryPoint = "NeuronMocapSetExitHandler")]
-    private static partial void SetExitHandler(delegate* unmanaged<void> handler);
 }

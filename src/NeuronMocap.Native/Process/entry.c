@@ -12,7 +12,7 @@ static volatile int state = NOT_STARTED;
 static pthread_once_t once = PTHREAD_ONCE_INIT;
 static int (*start_runtime)(void);
 static void (*exit_handler)(void);
-static const char *volatile refusal;
+static void (*refusal_handler)(void);
 
 /* A child has no other thread of ours, and whatever locks those held stay held. */
 static void on_fork_in_child(void)
@@ -51,10 +51,11 @@ void __wrap_RhSetRuntimeInitializationCallback(int (*callback)(void))
     __real_RhSetRuntimeInitializationCallback(is_started);
 }
 
-/* Called from managed code: what to do before the destructors of the program's objects run. */
-void NeuronMocapSetExitHandler(void (*handler)(void))
+/* Called from managed code: what to do before the destructors of the program's objects run, and when a connection is refused for want of threads. */
+void NeuronMocapSetHandlers(void (*on_exit_of_process)(void), void (*on_refusal)(void))
 {
-    exit_handler = handler;
+    exit_handler = on_exit_of_process;
+    refusal_handler = on_refusal;
 }
 
 static int enter(fenv_t *environment)
@@ -89,16 +90,14 @@ static int has_threads(void)
     pthread_t threads[NEEDED];
     int started = 0, i;
 
-    if (state == FORKED)
-        return 0;
-
     pthread_mutex_lock(&gate);
     while (started < NEEDED && pthread_create(&threads[started], NULL, wait_at, &gate) == 0)
         started++;
     pthread_mutex_unlock(&gate);
     for (i = 0; i < started; i++)
         pthread_join(threads[i], NULL);
-    refusal = started == NEEDED ? NULL : "The system has no threads left for a connection.";
+    if (started < NEEDED)
+        refusal_handler();
     return started == NEEDED;
 }
 
@@ -111,8 +110,9 @@ static int has_threads(void)
     { \
         fenv_t environment; \
         type result = failure; \
-        if (condition && enter(&environment)) { \
-            result = managed_##name arguments; \
+        if (enter(&environment)) { \
+            if (condition) \
+                result = managed_##name arguments; \
             fesetenv(&environment); \
         } \
         return result; \
@@ -133,7 +133,7 @@ typedef unsigned char byte;
 
 enum { OFF_WORK = 2 };
 
-#define NO_RUNTIME (refusal != NULL ? refusal : "The library cannot run here: it did not start, or this is a forked process.")
+#define NO_RUNTIME "The library cannot run here: it did not start, or this is a forked process."
 
 PROCEDURE(BRRegisterFrameDataCallback, (void *object, void *handle), (object, handle))
 PROCEDURE(BRRegisterCalculationDataCallback, (void *object, void *handle), (object, handle))
@@ -144,7 +144,7 @@ OPENING(BRStartUDPServiceAt, (int port), (port))
 OPENING(BRConnectCmd, (const char *host, int port), (host, port))
 PROCEDURE(BRCloseSocket, (void *socket), (socket))
 FUNCTION(int, OFF_WORK, BRGetSocketStatus, (void *socket), (socket))
-GUARDED(refusal == NULL, const char *, NO_RUNTIME, BRGetLastErrorMessage, (void), ())
+FUNCTION(const char *, NO_RUNTIME, BRGetLastErrorMessage, (void), ())
 FUNCTION(byte, 0, ZeroOut, (void *socket, int avatar), (socket, avatar))
 FUNCTION(byte, 0, ZeroOutAll, (void *socket), (socket))
 FUNCTION(byte, 0, GetBvhRotation, (void *socket, int *order), (socket, order))
