@@ -11,6 +11,8 @@ int main(int count, char **arguments)
 
     alarm(30);
     setrlimit(RLIMIT_CORE, &no_core);
+    /* Whoever started the program may have it ignored. */
+    signal(number, SIG_DFL);
     CHECK(BRConnectTo("127.0.0.1", port) != NULL);
     if (is_fault && number == SIGSEGV)
         *nowhere = 1;

@@ -79,6 +79,7 @@ static inline int serve(enum serving serving, const char *value)
     socklen_t length = sizeof address;
     int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0), i;
     char *end = line + sprintf(line, "0 Char00 ");
+    pid_t program;
 
     for (i = 0; i < VALUES; i++)
         end += sprintf(end, "%s ", value);
@@ -89,8 +90,11 @@ static inline int serve(enum serving serving, const char *value)
     CHECK(bind(listener, (struct sockaddr *)&address, sizeof address) == 0 && listen(listener, 64) == 0);
     CHECK(getsockname(listener, (struct sockaddr *)&address, &length) == 0);
     fflush(stdout);
+    program = getpid();
     if (fork() == 0) {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (getppid() != program)
+            _exit(0);
         alarm(60);
         serve_for_ever(listener, serving, line);
     }

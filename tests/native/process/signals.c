@@ -79,6 +79,7 @@ int main(void)
     alarm(30);
     main_thread = pthread_self();
     set_handlers();
+    signal(SIGPIPE, SIG_DFL);
     sigemptyset(&mask_before);
     sigaddset(&mask_before, SIGUSR2);
     pthread_sigmask(SIG_SETMASK, &mask_before, NULL);

@@ -98,5 +98,6 @@ int main(void)
     CHECK(umask(0) == mask);
     CHECK(getcwd(folder_after, sizeof folder_after) != NULL && strcmp(folder, folder_after) == 0);
     CHECK(fstat(0, &input_after) == 0 && input.st_ino == input_after.st_ino && input.st_dev == input_after.st_dev);
+    free(locale);
     return 0;
 }
