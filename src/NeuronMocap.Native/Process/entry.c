@@ -8,6 +8,8 @@
 
 enum { NOT_STARTED, STARTING, RUNNING, FAILED, FORKED };
 
+const char *managed_BRGetLastErrorMessage(void);
+
 static volatile int state = NOT_STARTED;
 static pthread_once_t once = PTHREAD_ONCE_INIT;
 static int (*start_runtime)(void);
@@ -22,8 +24,15 @@ static void on_fork_in_child(void)
 
 static void end_callbacks(void)
 {
-    if (state == RUNNING && exit_handler != NULL)
-        exit_handler();
+    fenv_t environment;
+
+    if (state != RUNNING)
+        return;
+
+    fegetenv(&environment);
+    fesetenv(FE_DFL_ENV);
+    exit_handler();
+    fesetenv(&environment);
 }
 
 static void start(void)
@@ -33,7 +42,14 @@ static void start(void)
         return;
 
     state = STARTING;
-    state = pthread_atfork(NULL, NULL, on_fork_in_child) == 0 && start_runtime() == 0 && atexit(end_callbacks) == 0 ? RUNNING : FAILED;
+    if (pthread_atfork(NULL, NULL, on_fork_in_child) != 0 || start_runtime() != 0 || atexit(end_callbacks) != 0) {
+        state = FAILED;
+        return;
+    }
+
+    /* Any managed function makes them set the handlers. */
+    managed_BRGetLastErrorMessage();
+    state = RUNNING;
 }
 
 /* The runtime hands over what starts it when the library is loaded. The first managed function to be entered calls that, and aborts if it fails;
@@ -135,6 +151,9 @@ enum { OFF_WORK = 2 };
 
 #define NO_RUNTIME "The library cannot run here: it did not start, or this is a forked process."
 
+/* Not of the vendor's, and perhaps not there. */
+#pragma weak managed_BRSetHeaderLayout
+PROCEDURE(BRSetHeaderLayout, (int layout), (layout))
 PROCEDURE(BRRegisterFrameDataCallback, (void *object, void *handle), (object, handle))
 PROCEDURE(BRRegisterCalculationDataCallback, (void *object, void *handle), (object, handle))
 PROCEDURE(BRRegisterSocketStatusCallback, (void *object, void *handle), (object, handle))

@@ -5,7 +5,7 @@ public sealed class MemoryTests
 {
     [Theory]
     [InlineData("misuse")]
-    [InlineData("surroundings")]
+    [InlineData("floating")]
     public Task The_address_sanitizer_finds_nothing(string name)
     {
         ProgramRun.PathOf(name);

@@ -81,5 +81,10 @@ int main(int count, char **arguments)
     CALL(BRCloseSocket(socket));
     CALL(BRCloseSocket(other));
     CHECK(!wrong);
+
+    /* Ends while it receives. */
+    CALL(socket = BRConnectTo("127.0.0.1", port));
+    frames = 0;
+    AWAIT(frames > 20);
     return 0;
 }

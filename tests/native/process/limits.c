@@ -71,9 +71,9 @@ int main(int count, char **arguments)
     else
         most_threads = (int)most;
 
-    BRRegisterFrameDataCallback(NULL, on_frame);
     for (i = 0; i < 20; i++)
         failures += BRStartUDPServiceAt(0) == NULL;
+    BRRegisterFrameDataCallback(NULL, on_frame);
     for (i = 0; i < 5; i++) {
         SOCKET_REF socket = BRConnectTo("127.0.0.1", port), commands = BRConnectCmd("127.0.0.1", port);
 
