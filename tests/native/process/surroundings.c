@@ -78,7 +78,7 @@ int main(void)
         BRCloseSocket(BRStartUDPServiceAt(0));
     descriptors = entries_of("/proc/self/fd");
     threads = entries_of("/proc/self/task");
-    for (i = 0; i < 1000; i++) {
+    for (i = 0; i < 400; i++) {
         SOCKET_REF service = BRStartUDPServiceAt(0), connection = i % 10 == 0 ? BRConnectTo("127.0.0.1", port) : NULL;
 
         CHECK(service != NULL && (i % 10 != 0 || connection != NULL));
