@@ -11,7 +11,8 @@ internal static unsafe partial class Exports
     private const int UnknownOrder = 6;
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRConnectCmd), CallConvs = [typeof(CallConvCdecl)])]
-    public static IntPtr BRConnectCmd(IntPtr serverIP, int nPort) => Functions.ConnectCommands(TextOf(serverIP), nPort);
+    public static IntPtr BRConnectCmd(IntPtr serverIP, int nPort) =>
+        Open(() => Functions.ConnectCommands(TextOf(serverIP), nPort));
 
     [UnmanagedCallersOnly(EntryPoint = nameof(ZeroOut), CallConvs = [typeof(CallConvCdecl)])]
     public static byte ZeroOut(IntPtr sockRef, int avatarIndex) => ByteOf(VendorFunctions.ZeroOut(sockRef, avatarIndex));

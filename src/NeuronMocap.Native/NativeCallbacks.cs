@@ -1,5 +1,6 @@
 using System.Text;
 using NeuronMocap.Compatibility.Callbacks;
+using NeuronMocap.Native.Process;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Native;
@@ -59,10 +60,22 @@ internal sealed unsafe class NativeCallbacks : IVendorCallbacks
         public static Registration? Of(IntPtr customObject, IntPtr function) =>
             function == IntPtr.Zero ? null : new Registration(customObject, function);
 
-        public void Call(IntPtr socket, IntPtr header, IntPtr data) =>
-            ((delegate* unmanaged[Stdcall]<IntPtr, IntPtr, IntPtr, IntPtr, void>)function)(customObject, socket, header, data);
+        public void Call(IntPtr socket, IntPtr header, IntPtr data)
+        {
+            if (!CallbackGate.TryEnter())
+                return;
 
-        public void Call(IntPtr socket, int status, byte* message) =>
+            ((delegate* unmanaged[Stdcall]<IntPtr, IntPtr, IntPtr, IntPtr, void>)function)(customObject, socket, header, data);
+            CallbackGate.Leave();
+        }
+
+        public void Call(IntPtr socket, int status, byte* message)
+        {
+            if (!CallbackGate.TryEnter())
+                return;
+
             ((delegate* unmanaged[Stdcall]<IntPtr, IntPtr, int, byte*, void>)function)(customObject, socket, status, message);
+            CallbackGate.Leave();
+        }
     }
 }

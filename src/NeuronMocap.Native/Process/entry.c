@@ -1,0 +1,175 @@
+/* The exported functions on Linux, in front of the managed ones, which the build renames to managed_NAME. They start the runtime, and fail where it
+   cannot run: it did not start, or this is a child that fork made after it had. The caller's floating-point environment is kept from managed code,
+   and kept as it is. */
+#include <fenv.h>
+#include <pthread.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+enum { NOT_STARTED, STARTING, RUNNING, FAILED, FORKED };
+
+const char *managed_BRGetLastErrorMessage(void);
+
+static volatile int state = NOT_STARTED;
+static pthread_once_t once = PTHREAD_ONCE_INIT;
+static int (*start_runtime)(void);
+static void (*exit_handler)(void);
+static void (*refusal_handler)(void);
+
+/* A child has no other thread of ours, and whatever locks those held stay held. */
+static void on_fork_in_child(void)
+{
+    state = FORKED;
+}
+
+static void end_callbacks(void)
+{
+    fenv_t environment;
+
+    if (state != RUNNING)
+        return;
+
+    fegetenv(&environment);
+    fesetenv(FE_DFL_ENV);
+    exit_handler();
+    fesetenv(&environment);
+}
+
+static void start(void)
+{
+    /* A child of a process that was just starting comes here again. */
+    if (state != NOT_STARTED)
+        return;
+
+    state = STARTING;
+    if (pthread_atfork(NULL, NULL, on_fork_in_child) != 0 || start_runtime() != 0 || atexit(end_callbacks) != 0) {
+        state = FAILED;
+        return;
+    }
+
+    /* Any managed function makes them set the handlers. */
+    managed_BRGetLastErrorMessage();
+    state = RUNNING;
+}
+
+/* The runtime hands over what starts it when the library is loaded. The first managed function to be entered calls that, and aborts if it fails;
+   here it is called before, and may fail. */
+static int is_started(void)
+{
+    return state == STARTING || state == RUNNING ? 0 : -1;
+}
+
+void __real_RhSetRuntimeInitializationCallback(int (*callback)(void));
+
+void __wrap_RhSetRuntimeInitializationCallback(int (*callback)(void))
+{
+    start_runtime = callback;
+    __real_RhSetRuntimeInitializationCallback(is_started);
+}
+
+/* Called from managed code: what to do before the destructors of the program's objects run, and when a connection is refused for want of threads. */
+void NeuronMocapSetHandlers(void (*on_exit_of_process)(void), void (*on_refusal)(void))
+{
+    exit_handler = on_exit_of_process;
+    refusal_handler = on_refusal;
+}
+
+static int enter(fenv_t *environment)
+{
+    if (state == FORKED)
+        return 0;
+
+    fegetenv(environment);
+    fesetenv(FE_DFL_ENV);
+    pthread_once(&once, start);
+    if (state == RUNNING)
+        return 1;
+
+    fesetenv(environment);
+    return 0;
+}
+
+static void *wait_at(void *gate)
+{
+    pthread_mutex_lock(gate);
+    pthread_mutex_unlock(gate);
+    return NULL;
+}
+
+/* The runtime starts threads when work comes up, and ends the process where it gets none. So a connection is made only where the threads that it
+   may need are to be had. */
+static int has_threads(void)
+{
+    enum { NEEDED = 8 };
+
+    pthread_mutex_t gate = PTHREAD_MUTEX_INITIALIZER;
+    pthread_t threads[NEEDED];
+    int started = 0, i;
+
+    pthread_mutex_lock(&gate);
+    while (started < NEEDED && pthread_create(&threads[started], NULL, wait_at, &gate) == 0)
+        started++;
+    pthread_mutex_unlock(&gate);
+    for (i = 0; i < started; i++)
+        pthread_join(threads[i], NULL);
+    if (started < NEEDED)
+        refusal_handler();
+    return started == NEEDED;
+}
+
+#define FUNCTION(type, failure, name, parameters, arguments) GUARDED(1, type, failure, name, parameters, arguments)
+#define OPENING(name, parameters, arguments) GUARDED(has_threads(), void *, NULL, name, parameters, arguments)
+
+#define GUARDED(condition, type, failure, name, parameters, arguments) \
+    type managed_##name parameters; \
+    type name parameters \
+    { \
+        fenv_t environment; \
+        type result = failure; \
+        if (enter(&environment)) { \
+            if (condition) \
+                result = managed_##name arguments; \
+            fesetenv(&environment); \
+        } \
+        return result; \
+    }
+
+#define PROCEDURE(name, parameters, arguments) \
+    void managed_##name parameters; \
+    void name parameters \
+    { \
+        fenv_t environment; \
+        if (enter(&environment)) { \
+            managed_##name arguments; \
+            fesetenv(&environment); \
+        } \
+    }
+
+typedef unsigned char byte;
+
+enum { OFF_WORK = 2 };
+
+#define NO_RUNTIME "The library cannot run here: it did not start, or this is a forked process."
+
+/* Not of the vendor's, and perhaps not there. */
+#pragma weak managed_BRSetHeaderLayout
+PROCEDURE(BRSetHeaderLayout, (int layout), (layout))
+PROCEDURE(BRRegisterFrameDataCallback, (void *object, void *handle), (object, handle))
+PROCEDURE(BRRegisterCalculationDataCallback, (void *object, void *handle), (object, handle))
+PROCEDURE(BRRegisterSocketStatusCallback, (void *object, void *handle), (object, handle))
+PROCEDURE(BRRegisterCommandDataCallback, (void *object, void *handle), (object, handle))
+OPENING(BRConnectTo, (const char *host, int port), (host, port))
+OPENING(BRStartUDPServiceAt, (int port), (port))
+OPENING(BRConnectCmd, (const char *host, int port), (host, port))
+PROCEDURE(BRCloseSocket, (void *socket), (socket))
+FUNCTION(int, OFF_WORK, BRGetSocketStatus, (void *socket), (socket))
+FUNCTION(const char *, NO_RUNTIME, BRGetLastErrorMessage, (void), ())
+FUNCTION(byte, 0, ZeroOut, (void *socket, int avatar), (socket, avatar))
+FUNCTION(byte, 0, ZeroOutAll, (void *socket), (socket))
+FUNCTION(byte, 0, GetBvhRotation, (void *socket, int *order), (socket, order))
+FUNCTION(byte, 0, GetBoneSize, (void *socket, int avatar, void *sizes), (socket, avatar, sizes))
+FUNCTION(byte, 0, GetBvhHeader, (void *socket, int avatar, char *data, int length), (socket, avatar, data, length))
+FUNCTION(int, 0, BRCommandFetchDataFromServer, (void *socket, int command), (socket, command))
+FUNCTION(int, 0, BRCommandFetchAvatarDataFromServer, (void *socket, int avatar, int command), (socket, avatar, command))
+FUNCTION(int, 0, BRRegisterAutoSyncParmeter, (void *socket, int command), (socket, command))
+FUNCTION(int, 0, BRUnregisterAutoSyncParmeter, (void *socket, int command), (socket, command))

@@ -1,0 +1,67 @@
+/* What the runtime asks of the system, as a guest in somebody's process may: the linker sends the runtime's calls of these functions here (--wrap). */
+#include <errno.h>
+#include <fenv.h>
+#include <pthread.h>
+#include <signal.h>
+#include <sys/socket.h>
+
+int __real_sigaction(int number, const struct sigaction *action, struct sigaction *previous);
+int __real_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*start)(void *), void *argument);
+ssize_t __real_send(int socket, const void *data, size_t length, int flags);
+ssize_t __real_sendmsg(int socket, const struct msghdr *message, int flags);
+
+/* All signals stay the program's. The runtime would ignore SIGPIPE, turn faults of managed code into exceptions, of which correct code has none,
+   and stop threads for a garbage collection by a signal that programs use too. */
+int __wrap_sigaction(int number, const struct sigaction *action, struct sigaction *previous)
+{
+    (void)action;
+    return __real_sigaction(number, NULL, previous);
+}
+
+void (*__wrap_signal(int number, void (*handler)(int)))(int)
+{
+    (void)number;
+    (void)handler;
+    return SIG_DFL;
+}
+
+/* A thread that is to stop for a garbage collection does so at its next call out of managed code, which in this library is never far. */
+int __wrap_pthread_kill(pthread_t thread, int number)
+{
+    (void)thread;
+    (void)number;
+    return ESRCH;
+}
+
+/* The library's threads begin with nothing of the thread that happened to start them: the default floating-point environment, and all signals
+   blocked, which are for the program's threads, but those of faults. */
+int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*start)(void *), void *argument)
+{
+    static const int faults[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS, SIGABRT };
+    fenv_t environment;
+    sigset_t blocked, mask;
+    size_t i;
+    int error;
+
+    sigfillset(&blocked);
+    for (i = 0; i < sizeof faults / sizeof faults[0]; i++)
+        sigdelset(&blocked, faults[i]);
+    fegetenv(&environment);
+    fesetenv(FE_DFL_ENV);
+    pthread_sigmask(SIG_SETMASK, &blocked, &mask);
+    error = __real_pthread_create(thread, attributes, start, argument);
+    pthread_sigmask(SIG_SETMASK, &mask, NULL);
+    fesetenv(&environment);
+    return error;
+}
+
+/* Whoever sends to a connection that the other side has closed gets an error, and the process no SIGPIPE. */
+ssize_t __wrap_send(int socket, const void *data, size_t length, int flags)
+{
+    return __real_send(socket, data, length, flags | MSG_NOSIGNAL);
+}
+
+ssize_t __wrap_sendmsg(int socket, const struct msghdr *message, int flags)
+{
+    return __real_sendmsg(socket, message, flags | MSG_NOSIGNAL);
+}

@@ -1,0 +1,26 @@
+namespace NeuronMocap.Native.Tests.Processes;
+
+// The program's side of the memory: what the library does to it, and that the tools which look at it can be used.
+public sealed class MemoryTests
+{
+    [Theory]
+    [InlineData("misuse")]
+    [InlineData("floating")]
+    public Task The_address_sanitizer_finds_nothing(string name)
+    {
+        ProgramRun.PathOf(name);
+        string program = $"{name}-checked";
+        Assert.SkipUnless(File.Exists(Path.Combine(ProgramRun.Folder, $"process-{program}")), "The C compiler has no address sanitizer (libasan).");
+        return ProgramRun.SucceedsAsync(program);
+    }
+
+    [Fact]
+    public async Task Valgrind_finds_nothing()
+    {
+        const string valgrind = "/usr/bin/valgrind";
+        Assert.SkipUnless(File.Exists(valgrind), "valgrind is not installed.");
+        ProgramRun run = await ProgramRun.InAsync(
+            valgrind, "--quiet", "--error-exitcode=9", "--child-silent-after-fork=yes", ProgramRun.PathOf("misuse"));
+        Assert.True(run.ExitCode == 0, run.Output);
+    }
+}

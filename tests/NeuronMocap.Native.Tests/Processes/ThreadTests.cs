@@ -1,0 +1,32 @@
+using System.Runtime.InteropServices;
+
+namespace NeuronMocap.Native.Tests.Processes;
+
+public sealed class ThreadTests
+{
+    [Theory]
+    [InlineData("small")]
+    [InlineData("many")]
+    [InlineData("random")]
+    public Task Any_thread_may_call(string how) => ProgramRun.SucceedsAsync("threads", how);
+
+    [Fact]
+    public Task Children_and_other_programs_may_be_started() => ProgramRun.SucceedsAsync("forks");
+
+    [Fact]
+    public async Task It_may_be_loaded_and_unloaded_at_will_and_twice()
+    {
+        ProgramRun.PathOf("loads");
+        string library = Repository.PathOf("artifacts", "native", RuntimeInformation.RuntimeIdentifier, "lib", "libNeuronDataReader.so");
+        string copy = Path.Combine(Directory.CreateTempSubdirectory("neuron").FullName, "copy.so");
+        File.Copy(library, copy);
+        try
+        {
+            await ProgramRun.SucceedsAsync("loads", library, copy);
+        }
+        finally
+        {
+            Directory.Delete(Path.GetDirectoryName(copy)!, recursive: true);
+        }
+    }
+}
