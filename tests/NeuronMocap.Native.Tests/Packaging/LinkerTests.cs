@@ -1,0 +1,19 @@
+namespace NeuronMocap.Native.Tests.Packaging;
+
+/// <summary>What a build says that cannot make the library.</summary>
+public sealed class LinkerTests
+{
+    [Theory]
+    [InlineData("-p:CppCompilerAndLinker=no-such-compiler", "needs no-such-compiler and objcopy", "apt install gcc libc6-dev")]
+    [InlineData("-p:RuntimeIdentifier=win-x64", "win-x64 has to be published on Windows", "Desktop development with C++")]
+    [InlineData("-p:RuntimeIdentifier=osx-arm64", "osx-arm64 has to be published on macOS", "xcode-select --install")]
+    public async Task The_error_names_what_to_install(string property, string reason, string remedy)
+    {
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "What Linux says.");
+        (int exitCode, string output) = await CommandLine.RunAsync(
+            "dotnet", "msbuild", Repository.PathOf("src", "NeuronMocap.Native"), "-t:RequireLinker", "-v:q", "-nodeReuse:false", property);
+        Assert.NotEqual(0, exitCode);
+        Assert.Contains(reason, output, StringComparison.Ordinal);
+        Assert.Contains(remedy, output, StringComparison.Ordinal);
+    }
+}
