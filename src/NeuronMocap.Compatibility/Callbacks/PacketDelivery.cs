@@ -1,4 +1,3 @@
-using System.Runtime.InteropServices;
 using NeuronMocap.Commands;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
@@ -12,17 +11,17 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks)
     private readonly FrameCounter _motionCounter = new();
     private readonly FrameCounter _calculationCounter = new();
 
-    // The header is always the new one of b15, whose version then stands in it: the vendor's struct fits every frame.
+    // The header is always the new one of b15, whose version then stands in it: the vendor's struct fits every frame. Packets that have it are
+    // their own images.
     public void Deliver(IntPtr socket, MotionFrame frame)
     {
         if (!callbacks.WantsFrames)
             return;
 
-        MotionHeader header = frame.Header;
+        Span<byte> image = Copy(frame.Packet);
         if (frame.FrameIndex is null)
-            header = header with { Version = DataVersion.New, FrameIndex = _motionCounter.Next(frame.Source, frame.AvatarIndex) };
+            (frame.Header with { Version = DataVersion.New, FrameIndex = _motionCounter.Next(frame.Source, frame.AvatarIndex) }).Write(image);
 
-        header.Write(Take(frame.Values));
         callbacks.OnFrame(socket, _memory.Address, _memory.Address + ProtocolConstants.HeaderSize);
         GC.KeepAlive(_memory);
     }
@@ -32,11 +31,10 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks)
         if (!callbacks.WantsCalculation)
             return;
 
-        CalculationHeader header = frame.Header;
+        Span<byte> image = Copy(frame.Packet);
         if (frame.FrameIndex is null)
-            header = header with { Version = DataVersion.Calculation, FrameIndex = _calculationCounter.Next(frame.Source, frame.AvatarIndex) };
+            (frame.Header with { Version = DataVersion.Calculation, FrameIndex = _calculationCounter.Next(frame.Source, frame.AvatarIndex) }).Write(image);
 
-        header.Write(Take(frame.Values));
         callbacks.OnCalculation(socket, _memory.Address, _memory.Address + ProtocolConstants.HeaderSize);
         GC.KeepAlive(_memory);
     }
@@ -47,17 +45,16 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks)
         if (!callbacks.WantsCommands)
             return;
 
-        reply.Packet.Span.CopyTo(_memory.Take(reply.Packet.Length));
+        Copy(reply.Packet.Span);
         callbacks.OnCommand(socket, _memory.Address, reply.Payload.IsEmpty ? IntPtr.Zero : _memory.Address + ProtocolConstants.HeaderSize);
         GC.KeepAlive(_memory);
     }
 
-    // Room for the header, with the values behind it.
-    private Span<byte> Take(ReadOnlySpan<float> values)
+    // Programs may keep the address, and look at a frame after their callback: it stays that of the newest one.
+    private Span<byte> Copy(ReadOnlySpan<byte> packet)
     {
-        ReadOnlySpan<byte> bytes = MemoryMarshal.AsBytes(values);
-        Span<byte> packet = _memory.Take(ProtocolConstants.HeaderSize + bytes.Length);
-        bytes.CopyTo(packet[ProtocolConstants.HeaderSize..]);
-        return packet;
+        Span<byte> image = _memory.Take(packet.Length);
+        packet.CopyTo(image);
+        return image;
     }
 }

@@ -45,6 +45,9 @@ public abstract class AvatarFrame
     /// </summary>
     public int Source { get; private protected set; }
 
+    // Header and values. Of a line of text, what TextLine made of it.
+    internal ReadOnlySpan<byte> Packet => _data.Packet;
+
     internal void Borrow(in ReceivedPacket packet)
     {
         _data.Borrow(packet.Array, packet.Offset, packet.Length);
