@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Runtime.CompilerServices;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Frames;
@@ -48,6 +49,7 @@ public abstract class AvatarFrame
     // Header and values. Of a line of text, what TextLine made of it.
     internal ReadOnlySpan<byte> Packet => _data.Packet;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void Borrow(in ReceivedPacket packet)
     {
         _data.Borrow(packet.Array, packet.Offset, packet.Length);

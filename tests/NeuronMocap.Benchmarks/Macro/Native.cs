@@ -21,6 +21,7 @@ internal sealed class Native(DirectoryInfo programs, int runs, Report report)
         new(Added, 10),
         new(Lost, 0),
         new("wrong", 0),
+        new("allocations", 0),
     ];
 
     private readonly FileInfo _raw = new(Path.Combine(programs.FullName, "bench-raw"));
@@ -78,7 +79,11 @@ internal sealed class Native(DirectoryInfo programs, int runs, Report report)
             [Lost] = frames - (double)told["frames"],
         };
         if (told.TryGetValue("sum", out ulong sum))
+        {
             figures["wrong"] = sum == ulong.Parse(await sender.ReadLineAsync(), CultureInfo.InvariantCulture) ? 0 : 1;
+            foreach (string figure in (string[])["allocations", "faults", "resident"])
+                figures[figure] = told.GetValueOrDefault(figure);
+        }
 
         return figures;
     }

@@ -1,4 +1,5 @@
 /* bench-library: the same through the library's callback. */
+#include "memory.h"
 #include "receiver.h"
 
 #include <NeuronDataReader.h>
@@ -8,6 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+
+/* Frames in which whatever is made once is made. */
+enum { WARM_UP = 2000 };
 
 /* Of the callback, which runs on one thread; the main thread looks when the stream has ended. */
 static int64_t frames_seen, frames_wanted, first_frame;
@@ -45,6 +49,10 @@ static void CALLBACK on_checked_frame(void *object, SOCKET_REF sender, BvhDataHe
 {
     (void)object, (void)sender;
     sum += sum_words(header, sizeof *header) + sum_words(data, header->DataCount * sizeof *data);
+    if (frames_seen == WARM_UP)
+        memory_begin();
+    if (frames_seen == frames_wanted - 1)
+        memory_end();
     count_frame();
 }
 
