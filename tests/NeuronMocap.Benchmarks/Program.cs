@@ -60,19 +60,38 @@ playback.SetAction((result, _) => Playback.RunAsync(result.GetValue(speeds)!, re
 var micro = new Command("micro", "The steps of the receive path one by one, by BenchmarkDotNet.");
 micro.SetAction(_ => { BenchmarkRunner.Run<ReceivePathBenchmarks>(ReceivePathBenchmarks.Config); });
 
+var programs = new Option<DirectoryInfo>("--programs") { Description = "Where bench-raw and bench-library are: tests/native, built.", Required = true };
+var nativeWrites = new Option<int[]>("--writes")
+{
+    Description = "Frames that the sender hands to one write.",
+    DefaultValueFactory = _ => [8, 32, 256],
+    AllowMultipleArgumentsPerToken = true,
+};
+var native = new Command("native", "The C library: frames per second, latency, start.") { programs, frames, runs, nativeWrites, rates, seconds, json };
+native.SetAction((result, _) => new Native(result.GetValue(programs)!, result.GetValue(runs), Open(result))
+    .RunAsync(result.GetValue(frames), result.GetValue(nativeWrites)!, result.GetValue(rates)!, result.GetValue(seconds)));
+
 var perWrite = new Option<int>("--per-write") { Required = true };
 var flood = new Command("flood", "The sender of throughput, in its own process.") { Hidden = true };
 flood.Add(perWrite);
 flood.Add(frames);
 flood.SetAction(result => FloodSender.Run(result.GetValue(perWrite), result.GetValue(frames)));
 
-var connections = new Option<int>("--connections") { Required = true };
+var connections = new Option<int>("--connections");
+var udp = new Option<int?>("--udp") { Description = "The port to send to." };
 var rate = new Option<double>("--rate") { Required = true };
 var pace = new Command("pace", "The sender of latency and streams, in its own process.") { Hidden = true };
 pace.Add(connections);
+pace.Add(udp);
 pace.Add(rate);
 pace.Add(seconds);
-pace.SetAction(result => PacedSender.Run(result.GetValue(connections), result.GetValue(rate), result.GetValue(seconds)));
+pace.SetAction(result =>
+{
+    if (result.GetValue(udp) is { } toPort)
+        PacedSender.RunUdp(toPort, result.GetValue(rate), result.GetValue(seconds));
+    else
+        PacedSender.Run(result.GetValue(connections), result.GetValue(rate), result.GetValue(seconds));
+});
 
 var port = new Option<int>("--port") { Required = true };
 var idler = new Option<bool>("--idler");
@@ -84,7 +103,7 @@ sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(conne
 
 return await new RootCommand("Measures the receive path as ratios to a floor that is measured in the same run.")
     {
-        throughput, latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, retarget, recording, playback, micro, flood, pace, sinks,
+        throughput, latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, retarget, recording, playback, native, micro, flood, pace, sinks,
     }
     .Parse(args)
     .InvokeAsync();

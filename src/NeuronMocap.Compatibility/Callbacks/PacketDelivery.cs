@@ -1,4 +1,3 @@
-using System.Runtime.InteropServices;
 using NeuronMocap.Commands;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
@@ -12,13 +11,19 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks)
     private readonly FrameCounter _motionCounter = new();
     private readonly FrameCounter _calculationCounter = new();
 
+    // The header is that of b15 unless that of b12 is asked for, and its version says so: one struct fits every frame. Packets that have it are their
+    // own images.
     public void Deliver(IntPtr socket, MotionFrame frame)
     {
         if (!callbacks.WantsFrames)
             return;
 
-        MotionHeader header = callbacks.FrameHeaders == HeaderLayout.Old ? OldHeaderOf(frame.Header) : NewHeaderOf(frame);
-        header.Write(Take(frame.Values));
+        Span<byte> image = Copy(frame.Packet);
+        if (callbacks.FrameHeaders == HeaderLayout.Old)
+            OldHeaderOf(frame.Header).Write(image);
+        else if (frame.FrameIndex is null)
+            (frame.Header with { Version = DataVersion.New, FrameIndex = _motionCounter.Next(frame.Source, frame.AvatarIndex) }).Write(image);
+
         callbacks.OnFrame(socket, _memory.Address, _memory.Address + ProtocolConstants.HeaderSize);
         GC.KeepAlive(_memory);
     }
@@ -28,11 +33,10 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks)
         if (!callbacks.WantsCalculation)
             return;
 
-        CalculationHeader header = frame.Header;
+        Span<byte> image = Copy(frame.Packet);
         if (frame.FrameIndex is null)
-            header = header with { Version = DataVersion.Calculation, FrameIndex = _calculationCounter.Next(frame.Source, frame.AvatarIndex) };
+            (frame.Header with { Version = DataVersion.Calculation, FrameIndex = _calculationCounter.Next(frame.Source, frame.AvatarIndex) }).Write(image);
 
-        header.Write(Take(frame.Values));
         callbacks.OnCalculation(socket, _memory.Address, _memory.Address + ProtocolConstants.HeaderSize);
         GC.KeepAlive(_memory);
     }
@@ -43,7 +47,7 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks)
         if (!callbacks.WantsCommands)
             return;
 
-        reply.Packet.Span.CopyTo(_memory.Take(reply.Packet.Length));
+        Copy(reply.Packet.Span);
         callbacks.OnCommand(socket, _memory.Address, reply.Payload.IsEmpty ? IntPtr.Zero : _memory.Address + ProtocolConstants.HeaderSize);
         GC.KeepAlive(_memory);
     }
@@ -53,16 +57,11 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks)
         ? header
         : header with { Version = DataVersion.Old, Reserved1 = 0, Reserved2 = 0 };
 
-    private MotionHeader NewHeaderOf(MotionFrame frame) => frame.FrameIndex is null
-        ? frame.Header with { Version = DataVersion.New, FrameIndex = _motionCounter.Next(frame.Source, frame.AvatarIndex) }
-        : frame.Header;
-
-    // Room for the header, with the values behind it.
-    private Span<byte> Take(ReadOnlySpan<float> values)
+    // Programs may keep the address, and look at a frame after their callback: it stays that of the newest one.
+    private Span<byte> Copy(ReadOnlySpan<byte> packet)
     {
-        ReadOnlySpan<byte> bytes = MemoryMarshal.AsBytes(values);
-        Span<byte> packet = _memory.Take(ProtocolConstants.HeaderSize + bytes.Length);
-        bytes.CopyTo(packet[ProtocolConstants.HeaderSize..]);
-        return packet;
+        Span<byte> image = _memory.Take(packet.Length);
+        packet.CopyTo(image);
+        return image;
     }
 }

@@ -18,15 +18,17 @@ internal sealed unsafe class PacketMemory
     public Span<byte> Take(int length)
     {
         if (length > _capacity)
-        {
-            int capacity = Math.Max(length, 2 * _capacity);
-            Marshal.FreeHGlobal(Address);
-            Address = IntPtr.Zero;
-            _capacity = 0;
-            Address = Marshal.AllocHGlobal(capacity);
-            _capacity = capacity;
-        }
+            Grow(Math.Max(length, 2 * _capacity));
 
         return new Span<byte>((void*)Address, length);
+    }
+
+    private void Grow(int capacity)
+    {
+        Marshal.FreeHGlobal(Address);
+        Address = IntPtr.Zero;
+        _capacity = 0;
+        Address = Marshal.AllocHGlobal(capacity);
+        _capacity = capacity;
     }
 }

@@ -90,5 +90,9 @@ internal abstract class VendorSocket : IDisposable
     protected void SetOver() => _isOver = true;
 
     // Holds frames and the end of a connection back until its beginning was told.
-    protected void WaitUntilTold() => _opened.Wait();
+    protected void WaitUntilTold()
+    {
+        if (!_opened.IsSet)
+            _opened.Wait();
+    }
 }

@@ -151,8 +151,6 @@ enum { OFF_WORK = 2 };
 
 #define NO_RUNTIME "The library cannot run here: it did not start, or this is a forked process."
 
-/* Not of the vendor's, and perhaps not there. */
-#pragma weak managed_BRSetHeaderLayout
 PROCEDURE(BRSetHeaderLayout, (int layout), (layout))
 PROCEDURE(BRRegisterFrameDataCallback, (void *object, void *handle), (object, handle))
 PROCEDURE(BRRegisterCalculationDataCallback, (void *object, void *handle), (object, handle))

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Runtime.CompilerServices;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
@@ -92,6 +93,7 @@ internal sealed class AvatarTracker(
         Volatile.Write(ref _text, Frames.AvatarNames.GetText(name));
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Average(double seconds)
     {
         // A plain mean until there are enough: the first intervals, of frames that came in one piece, would weigh too much.

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace NeuronMocap.Delivery;
 
 // Follows the frame index of one avatar, and tells apart what a step of it can mean: the next frame, a gap, a late frame, a server that counts
@@ -58,6 +60,7 @@ internal sealed class IndexTracker
         EndRun();
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void OnIndex(uint? index)
     {
         if (index is not { } next || _newest is not { } newest)
@@ -167,6 +170,7 @@ internal sealed class IndexTracker
 
     private int MissingAt(int back) => back is >= 0 and <= LargestDelay ? (int)((_missing >> back) & 1) : 0;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Advance(uint next, uint step)
     {
         _newest = next;
@@ -174,6 +178,7 @@ internal sealed class IndexTracker
         _lateRun = 0;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void EndRun()
     {
         if (_even.Count == 0)

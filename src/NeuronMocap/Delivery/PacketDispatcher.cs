@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
@@ -31,6 +32,7 @@ internal sealed class PacketDispatcher(StreamCounters counters)
             consumer.OnPacket(packet);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Count(in ReceivedPacket packet)
     {
         if (packet.Kind == PacketKind.Command)

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Runtime.CompilerServices;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
@@ -120,6 +121,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
         };
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void CountBytes(in ReceivedPacket packet)
     {
         if (!packet.IsText)
@@ -131,6 +133,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     }
 
     // Avatars take turns: the one that followed the last one before nearly always follows it now.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private AvatarTracker? Find(in ReceivedPacket packet, uint avatar)
     {
         if (_last?.Next is { } next && next.Avatar == avatar && next.Kind == packet.Kind && next.Source == packet.Source)

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Runtime.CompilerServices;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Frames;
@@ -45,6 +46,10 @@ public abstract class AvatarFrame
     /// </summary>
     public int Source { get; private protected set; }
 
+    // Header and values. Of a line of text, what TextLine made of it.
+    internal ReadOnlySpan<byte> Packet => _data.Packet;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void Borrow(in ReceivedPacket packet)
     {
         _data.Borrow(packet.Array, packet.Offset, packet.Length);

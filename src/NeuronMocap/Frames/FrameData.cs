@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using NeuronMocap.Protocol;
 
@@ -25,6 +26,7 @@ internal struct FrameData
 
     public readonly ReadOnlySpan<byte> Packet => _bytes.AsSpan(_offset, _length);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Borrow(byte[] bytes, int offset, int length)
     {
         if (!BitConverter.IsLittleEndian || (!ReadsMisaligned && offset % sizeof(float) != 0))

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Runtime.CompilerServices;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Frames;
@@ -32,11 +33,13 @@ internal sealed class FrameFormat(RotationOrder? order, SkeletonVariant? variant
     public void LearnFailure(string? failure) => _findings = _findings with { Failure = failure };
 
     // The caller has seen a motion header.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public SkeletonFormat Of(ReadOnlySpan<byte> header) => new(
         order ?? ReadOrder(header) ?? _findings.Order ?? SkeletonFormat.Default.RotationOrder,
         variant ?? _findings.Variant ?? SkeletonFormat.Default.Variant);
 
     // The order that Axis Studio writes into the first reserved field (protocol.md section 9); null where there is none.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static RotationOrder? ReadOrder(ReadOnlySpan<byte> header)
     {
         if (BinaryPrimitives.ReadUInt32LittleEndian(header[2..]) != StudioVersion)

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace NeuronMocap.Protocol;
 
 /// <summary>
@@ -46,8 +48,10 @@ public readonly record struct DataVersion(byte Major, byte Minor, byte Revision,
     // What has no version has no frame index either, as the Old layout.
     internal HeaderLayout Layout => this is { Major: <= 1, Minor: 0 } ? HeaderLayout.Old : HeaderLayout.New;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static bool IsOld(ReadOnlySpan<byte> source) => source[3] <= 1 && source[2] == 0;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static bool IsKnown(ReadOnlySpan<byte> source) => source[3] == 1 && source[2] <= 1;
 
     internal static DataVersion Read(ReadOnlySpan<byte> source) => new(source[3], source[2], source[1], source[0]);

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Protocol;
 
@@ -100,16 +101,20 @@ public readonly record struct MotionHeader
     }
 
     // Single fields, for the receive path, which does not need the others.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static uint ReadValueCount(ReadOnlySpan<byte> source) => DataVersion.IsOld(source[2..])
         ? BinaryPrimitives.ReadUInt32LittleEndian(source[6..])
         : BinaryPrimitives.ReadUInt16LittleEndian(source[6..]);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static uint ReadAvatarIndex(ReadOnlySpan<byte> source) =>
         BinaryPrimitives.ReadUInt32LittleEndian(source[(DataVersion.IsOld(source[2..]) ? 18 : 10)..]);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static AvatarName ReadAvatarName(ReadOnlySpan<byte> source) =>
         AvatarName.Read(source[(DataVersion.IsOld(source[2..]) ? 22 : 14)..]);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static uint? ReadFrameIndex(ReadOnlySpan<byte> source) =>
         DataVersion.IsOld(source[2..]) ? null : BinaryPrimitives.ReadUInt32LittleEndian(source[46..]);
 

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace NeuronMocap.Protocol;
 
 /// <summary>
@@ -33,6 +35,7 @@ public sealed class PacketScanner
     /// <summary>Looks at the start of some bytes.</summary>
     /// <param name="source">Bytes in the order of their arrival; only read.</param>
     /// <returns>A packet, a number of bytes to wait for, or a number of bytes to skip; never a length of zero.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public ScanResult Scan(ReadOnlySpan<byte> source)
     {
         if (source.Length < ProtocolConstants.HeaderSize)
@@ -100,6 +103,7 @@ public sealed class PacketScanner
         return source.Length < 2 ? PacketTokens.IsStart(source[0]) : PacketTokens.KindOf(source[0], source[1]) != PacketKind.None;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static long PayloadSize(ReadOnlySpan<byte> header, PacketKind kind) => kind switch
     {
         PacketKind.Motion => sizeof(float) * (long)MotionHeader.ReadValueCount(header),
@@ -108,6 +112,7 @@ public sealed class PacketScanner
         _ => CommandHeader.Read(header).PayloadSize,
     };
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private long PayloadLimit(PacketKind kind) =>
         kind == PacketKind.Command ? ProtocolConstants.MaxCommandPayload : sizeof(float) * (long)_maxValues;
 }

@@ -1,8 +1,11 @@
+using System.Runtime.CompilerServices;
+
 namespace NeuronMocap.Protocol;
 
 // The pair of tokens that frames every header: two bytes at offset 0, two at offset 62.
 internal static class PacketTokens
 {
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static PacketKind KindOf(byte start, byte token1) => start switch
     {
         ProtocolConstants.TokenStart => token1 switch
@@ -17,12 +20,14 @@ internal static class PacketTokens
     };
 
     // The caller has seen 64 bytes.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static PacketKind KindOf(ReadOnlySpan<byte> header)
     {
         PacketKind kind = KindOf(header[0], header[1]);
         return kind != PacketKind.None && HasToken2(header, kind) ? kind : PacketKind.None;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsStart(byte value) => value is ProtocolConstants.TokenStart or ProtocolConstants.StudioTokenStart;
 
     public static bool Match(ReadOnlySpan<byte> source, PacketKind kind) =>
@@ -36,6 +41,7 @@ internal static class PacketTokens
         header[ProtocolConstants.Token2Offset + 1] = Token2(kind);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool HasToken2(ReadOnlySpan<byte> header, PacketKind kind) =>
         header[ProtocolConstants.Token2Offset] == header[0]
         && header[ProtocolConstants.Token2Offset + 1] == Token2(kind);
@@ -51,6 +57,7 @@ internal static class PacketTokens
         _ => ProtocolConstants.CommandToken1,
     };
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static byte Token2(PacketKind kind) => kind switch
     {
         PacketKind.Motion => ProtocolConstants.MotionToken2,

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace NeuronMocap.Protocol;
 
 internal enum StreamPart
@@ -62,6 +64,7 @@ internal sealed class StreamScanner(PacketScanner packets)
         Forget();
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public StreamScan Scan(ReadOnlySpan<byte> source)
     {
         if (source.Length > 0 && _place != Place.Noise && !PacketTokens.IsStart(source[0]))
@@ -86,6 +89,7 @@ internal sealed class StreamScanner(PacketScanner packets)
         return Math.Min(end < 0 ? piece.Length : end + 1, LongestLine - pending);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private StreamScan ScanPacket(ReadOnlySpan<byte> source)
     {
         ScanResult result = packets.Scan(source);

@@ -1,16 +1,22 @@
 using System.Net;
 using System.Net.Sockets;
+using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Benchmarks.Peers;
 
-// Sends one client so many frames as fast as they are taken, and ends.
+// Sends one client so many frames as fast as they are taken, prints the sum of all 32-bit words that it sent, and ends.
 internal static class FloodSender
 {
     public static void Run(int perWrite, int frames)
     {
         byte[] block = new byte[perWrite * TestFrame.Size];
+        ulong[] sums = new ulong[perWrite];
         for (int i = 0; i < perWrite; i++)
-            TestFrame.Create().CopyTo(block.AsSpan(i * TestFrame.Size));
+        {
+            Span<byte> frame = block.AsSpan(i * TestFrame.Size, TestFrame.Size);
+            TestFrame.Create(values: i + 1).CopyTo(frame);
+            sums[i] = SumWords(frame);
+        }
 
         using var listener = new TcpListener(IPAddress.Loopback, 0);
         listener.Start();
@@ -18,17 +24,31 @@ internal static class FloodSender
         using Socket socket = listener.AcceptSocket();
         socket.NoDelay = true;
         uint index = 0;
+        ulong sum = 0;
         for (int sent = 0; sent < frames; sent += perWrite)
         {
             int count = Math.Min(perWrite, frames - sent);
             for (int i = 0; i < count; i++)
+            {
+                sum += sums[i] + TestFrame.SumOfIndex(index);
                 TestFrame.SetIndex(block.AsSpan(i * TestFrame.Size), index++);
+            }
 
             SendAll(socket, block.AsSpan(0, count * TestFrame.Size));
         }
 
         socket.Shutdown(SocketShutdown.Send);
+        Console.WriteLine(sum);
         socket.Receive(new byte[1]);
+    }
+
+    private static ulong SumWords(ReadOnlySpan<byte> frame)
+    {
+        ulong sum = 0;
+        foreach (uint word in MemoryMarshal.Cast<byte, uint>(frame))
+            sum += word;
+
+        return sum;
     }
 
     public static void SendAll(Socket socket, ReadOnlySpan<byte> bytes)

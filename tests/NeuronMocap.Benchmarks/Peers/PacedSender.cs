@@ -22,7 +22,34 @@ internal static class PacedSender
             sockets[i].NoDelay = true;
         }
 
-        int slices = Math.Min(connections, MaxSlices);
+        Send(sockets, rate, seconds);
+        foreach (Socket socket in sockets)
+        {
+            socket.Shutdown(SocketShutdown.Send);
+            socket.Receive(new byte[1]);
+            socket.Dispose();
+        }
+    }
+
+    // Datagrams, to a port of this machine on which somebody waits already.
+    public static void RunUdp(int port, double rate, double seconds)
+    {
+        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        socket.Connect(IPAddress.Loopback, port);
+        Console.WriteLine(port);
+        Send([socket], rate, seconds);
+    }
+
+    public static int FreePort()
+    {
+        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+        return ((IPEndPoint)socket.LocalEndPoint!).Port;
+    }
+
+    private static void Send(Socket[] sockets, double rate, double seconds)
+    {
+        int slices = Math.Min(sockets.Length, MaxSlices);
         byte[] packet = TestFrame.Create();
         long frames = (long)(rate * seconds);
         long start = Stopwatch.GetTimestamp();
@@ -32,19 +59,12 @@ internal static class PacedSender
             for (int slice = 0; slice < slices; slice++)
             {
                 WaitUntil(start + (long)((frame + (slice / (double)slices)) / rate * Stopwatch.Frequency));
-                for (int i = slice; i < connections; i += slices)
+                for (int i = slice; i < sockets.Length; i += slices)
                 {
                     TestFrame.SetTime(packet, Stopwatch.GetTimestamp());
                     FloodSender.SendAll(sockets[i], packet);
                 }
             }
-        }
-
-        foreach (Socket socket in sockets)
-        {
-            socket.Shutdown(SocketShutdown.Send);
-            socket.Receive(new byte[1]);
-            socket.Dispose();
         }
     }
 

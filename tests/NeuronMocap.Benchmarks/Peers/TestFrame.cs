@@ -12,15 +12,19 @@ internal static class TestFrame
 
     private const int IndexOffset = 46;
 
-    public static byte[] Create(int avatar = 0)
+    // Values: any number; other values for another one, none of them for 0.
+    public static byte[] Create(int avatar = 0, int values = 0)
     {
         byte[] packet = new byte[Size];
         var header = new MotionHeader { HasDisplacement = true, AvatarIndex = (uint)avatar, AvatarName = new AvatarName($"Char{avatar:00}") };
-        PacketEncoder.WriteMotion(packet, header, new float[354]);
+        PacketEncoder.WriteMotion(packet, header, [.. Enumerable.Range(0, 354).Select(i => values * MathF.Sin(values + i))]);
         return packet;
     }
 
     public static void SetIndex(Span<byte> packet, uint index) => BinaryPrimitives.WriteUInt32LittleEndian(packet[IndexOffset..], index);
+
+    // What it adds to the sum of all 32-bit words: its halves lie in two of them.
+    public static ulong SumOfIndex(uint index) => ((ulong)(index & 0xFFFF) << 16) + (index >> 16);
 
     public static void SetTime(Span<byte> packet, long ticks) => BinaryPrimitives.WriteInt64LittleEndian(packet[HeaderSize..], ticks);
 
