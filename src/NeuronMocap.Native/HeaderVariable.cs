@@ -9,7 +9,7 @@ internal static class HeaderVariable
     private const string Name = "NEURONDATAREADER_HEADER";
     private const string Old = "b12";
 
-    // Read once, by the first call that registers or connects: a receive thread that read it would race with programs that set variables.
+    // Read once, at the first call: a receive thread that read it would race with programs that set variables.
     public static HeaderLayout Read()
     {
         string? value = Environment.GetEnvironmentVariable(Name);

@@ -293,7 +293,7 @@ typedef enum _BRHeaderLayout {
 
 /**
  * Chooses the header layout for the process, from the next frame on, whatever the servers send. The default is BR_HEADER_NEW; the environment variable
- * NEURONDATAREADER_HEADER=b12, read by the first call that registers or connects, makes it BR_HEADER_OLD for programs that cannot be compiled again.
+ * NEURONDATAREADER_HEADER=b12, read at the first call, makes it BR_HEADER_OLD for programs that cannot be compiled again.
  *
  * @param layout The layout. Other values change nothing but the last error.
  */
