@@ -1,7 +1,7 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using NeuronMocap.Compatibility;
-using NeuronMocap.Native.Process;
+using NeuronMocap.Native.Host;
 
 namespace NeuronMocap.Native;
 

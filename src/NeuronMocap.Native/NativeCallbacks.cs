@@ -1,6 +1,6 @@
 using System.Text;
 using NeuronMocap.Compatibility.Callbacks;
-using NeuronMocap.Native.Process;
+using NeuronMocap.Native.Host;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Native;

@@ -1,6 +1,6 @@
 using System.Diagnostics;
 
-namespace NeuronMocap.Native.Process;
+namespace NeuronMocap.Native.Host;
 
 // Which callbacks run, so that none does any more when the process ends and the objects that they use are destroyed.
 internal static class CallbackGate

@@ -1,7 +1,7 @@
 using System.Runtime.InteropServices;
 using NeuronMocap.Compatibility;
 
-namespace NeuronMocap.Native.Process;
+namespace NeuronMocap.Native.Host;
 
 // What entry.c calls, which stands in front of the exports on Linux.
 internal static unsafe partial class Entry
