@@ -33,19 +33,20 @@ int __wrap_pthread_kill(pthread_t thread, int number)
     return ESRCH;
 }
 
-/* The library's threads begin with nothing of the thread that happened to start them: the default floating-point environment, and all signals
-   blocked, which are for the program's threads, but those of faults. */
+/* The library's threads begin with nothing of the thread that happened to start them: the default floating-point environment, and those signals
+   blocked that are sent to a process, whose handlers run on the program's own threads then. All others are open: faults, and what runtimes that
+   callbacks call into (Mono, Java) stop their threads with. */
 int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*start)(void *), void *argument)
 {
-    static const int faults[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS, SIGABRT };
+    static const int of_processes[] = { SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGCHLD, SIGTSTP, SIGWINCH };
     fenv_t environment;
     sigset_t blocked, mask;
     size_t i;
     int error;
 
-    sigfillset(&blocked);
-    for (i = 0; i < sizeof faults / sizeof faults[0]; i++)
-        sigdelset(&blocked, faults[i]);
+    sigemptyset(&blocked);
+    for (i = 0; i < sizeof of_processes / sizeof of_processes[0]; i++)
+        sigaddset(&blocked, of_processes[i]);
     fegetenv(&environment);
     fesetenv(FE_DFL_ENV);
     pthread_sigmask(SIG_SETMASK, &blocked, &mask);
