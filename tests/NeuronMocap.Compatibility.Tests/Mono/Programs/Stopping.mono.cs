@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
@@ -12,7 +13,7 @@ using NeuronMocap.Server;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Transport;
 
-// Compiled and run by Mono. Stops what can be stopped, again and again, in every state, and prints the longest time that it took, in milliseconds.
+// Compiled and run by Mono. Stops what can be stopped, again and again, in every state, and prints how long it took, in milliseconds.
 public static class Program
 {
     private const int Rounds = 15;
@@ -78,11 +79,11 @@ public static class Program
 
     private static void Show(string state, Func<NeuronReader> create, Action<NeuronReader> reach)
     {
-        double longest = 0;
+        var times = new List<double>();
         for (int i = 0; i < Rounds; i++)
-            longest = Math.Max(longest, Measure(create, reach));
+            times.Add(Measure(create, reach));
 
-        Console.WriteLine(state + ": " + longest.ToString("0.0", System.Globalization.CultureInfo.InvariantCulture));
+        Print(state, times);
     }
 
     // While no thread of the pool is free, and there are no more to come.
@@ -90,7 +91,7 @@ public static class Program
     {
         int workers, completers;
         ThreadPool.GetMaxThreads(out workers, out completers);
-        double longest = 0;
+        var times = new List<double>();
         for (int i = 0; i < 3; i++)
         {
             NeuronReader reader = create();
@@ -106,13 +107,20 @@ public static class Program
             }
             while (ran.WaitOne(200));
 
-            longest = Math.Max(longest, Measure(() => reader, null));
+            times.Add(Measure(() => reader, null));
             ThreadPool.SetMaxThreads(workers, completers);
             free.Set();
             ran.WaitOne();
         }
 
-        Console.WriteLine(state + " in a starved process: " + longest.ToString("0.0", System.Globalization.CultureInfo.InvariantCulture));
+        Print(state + " in a starved process", times);
+    }
+
+    // The second longest in milliseconds: a busy computer may hold up one of them.
+    private static void Print(string state, List<double> times)
+    {
+        times.Sort();
+        Console.WriteLine(state + ": " + times[times.Count - 2].ToString("0.0", System.Globalization.CultureInfo.InvariantCulture));
     }
 
     private static double Measure(Func<NeuronReader> create, Action<NeuronReader> reach)
@@ -135,7 +143,7 @@ public static class Program
 
     private static void ShowBroadcaster(string state, bool hasClient)
     {
-        double longest = 0;
+        var times = new List<double>();
         for (int i = 0; i < Rounds; i++)
         {
             var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = new MotionSource[] { new SyntheticActor() }, Port = 0 });
@@ -150,16 +158,16 @@ public static class Program
 
                 var watch = Stopwatch.StartNew();
                 broadcaster.Dispose();
-                longest = Math.Max(longest, watch.Elapsed.TotalMilliseconds);
+                times.Add(watch.Elapsed.TotalMilliseconds);
             }
         }
 
-        Console.WriteLine(state + ": " + longest.ToString("0.0", System.Globalization.CultureInfo.InvariantCulture));
+        Print(state, times);
     }
 
     private static void ShowCommandClient(string state, int port)
     {
-        double longest = 0;
+        var times = new List<double>();
         for (int i = 0; i < Rounds; i++)
         {
             var client = new NeuronCommandClient(new NeuronCommandOptions { Port = port });
@@ -167,11 +175,11 @@ public static class Program
             Thread.Sleep(10);
             var watch = Stopwatch.StartNew();
             client.Dispose();
-            longest = Math.Max(longest, watch.Elapsed.TotalMilliseconds);
+            times.Add(watch.Elapsed.TotalMilliseconds);
             Until(() => asking.IsFaulted && asking.Exception != null);
         }
 
-        Console.WriteLine(state + ": " + longest.ToString("0.0", System.Globalization.CultureInfo.InvariantCulture));
+        Print(state, times);
     }
 
     private static NeuronReader Tcp(int port)
