@@ -6,9 +6,9 @@
  * Order of calls: register callbacks, connect, and close at the end. A program that exits without closing is not held up by the library.
  *
  * Threads: all functions may be called from any thread, and from callbacks. None throws, and none does anything with NULL, closed or foreign handles.
- * Every connection and UDP service has a receive thread of its own, on which its callbacks run, one at a time; those of two connections run at once.
- * While a callback runs its connection reads nothing, so a slow one makes the server wait or lose frames. No C++ exception and no longjmp may leave a
- * callback.
+ * Callbacks of a connection or UDP service run one at a time, on its receive thread: its own for the first sixteen TCP connections, otherwise whichever
+ * of the library's is free. Those of two connections run at once. While a callback runs its connection reads nothing, so a slow one makes the server
+ * wait or lose frames. No C++ exception and no longjmp may leave a callback.
  *
  * Text is UTF-8.
  */
