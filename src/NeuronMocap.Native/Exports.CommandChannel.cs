@@ -5,7 +5,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Native;
 
-// The command channel of b17 and b18: manual sections 2.3.9 to 2.3.14. C++ bool is one byte.
+// The command channel of b17 and b18: manual sections 2.3.9 to 2.3.14. They return a bool, which is one byte; who takes it for an int reads more of them.
 internal static unsafe partial class Exports
 {
     private const int UnknownOrder = 6;
@@ -15,35 +15,35 @@ internal static unsafe partial class Exports
         Open(() => Functions.ConnectCommands(TextOf(serverIP), nPort));
 
     [UnmanagedCallersOnly(EntryPoint = nameof(ZeroOut), CallConvs = [typeof(CallConvCdecl)])]
-    public static byte ZeroOut(IntPtr sockRef, int avatarIndex) => ByteOf(VendorFunctions.ZeroOut(sockRef, avatarIndex));
+    public static int ZeroOut(IntPtr sockRef, int avatarIndex) => IntOf(VendorFunctions.ZeroOut(sockRef, avatarIndex));
 
     [UnmanagedCallersOnly(EntryPoint = nameof(ZeroOutAll), CallConvs = [typeof(CallConvCdecl)])]
-    public static byte ZeroOutAll(IntPtr sockRef) => ByteOf(VendorFunctions.ZeroOutAll(sockRef));
+    public static int ZeroOutAll(IntPtr sockRef) => IntOf(VendorFunctions.ZeroOutAll(sockRef));
 
     [UnmanagedCallersOnly(EntryPoint = nameof(GetBvhRotation), CallConvs = [typeof(CallConvCdecl)])]
-    public static byte GetBvhRotation(IntPtr sockRef, int* order)
+    public static int GetBvhRotation(IntPtr sockRef, int* order)
     {
         if (order is null)
             return 0;
 
         bool told = VendorFunctions.TryGetRotationOrder(sockRef, out RotationOrder answer);
         *order = told ? (int)answer : UnknownOrder;
-        return ByteOf(told);
+        return IntOf(told);
     }
 
     [UnmanagedCallersOnly(EntryPoint = nameof(GetBoneSize), CallConvs = [typeof(CallConvCdecl)])]
-    public static byte GetBoneSize(IntPtr sockRef, int avatarIndex, BoneDimension* boneSize)
+    public static int GetBoneSize(IntPtr sockRef, int avatarIndex, BoneDimension* boneSize)
     {
         if (boneSize is null)
             return 0;
 
         bool told = VendorFunctions.TryGetBoneDimensions(sockRef, avatarIndex, out BoneDimensions answer);
         *boneSize = new BoneDimension(answer);
-        return ByteOf(told);
+        return IntOf(told);
     }
 
     [UnmanagedCallersOnly(EntryPoint = nameof(GetBvhHeader), CallConvs = [typeof(CallConvCdecl)])]
-    public static byte GetBvhHeader(IntPtr sockRef, int avatarIndex, byte* data, int len)
+    public static int GetBvhHeader(IntPtr sockRef, int avatarIndex, byte* data, int len)
     {
         if (data is null || len <= 0 || !VendorFunctions.TryGetBvhHeader(sockRef, avatarIndex, out byte[]? text))
             return 0;
@@ -52,5 +52,5 @@ internal static unsafe partial class Exports
         return 1;
     }
 
-    private static byte ByteOf(bool value) => value ? (byte)1 : (byte)0;
+    private static int IntOf(bool value) => value ? 1 : 0;
 }

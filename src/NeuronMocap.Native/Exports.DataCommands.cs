@@ -11,15 +11,15 @@ internal static unsafe partial class Exports
     public static void BRRegisterCommandDataCallback(IntPtr customedObj, IntPtr handle) => Callbacks.SetCommand(customedObj, handle);
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRCommandFetchDataFromServer), CallConvs = [typeof(CallConvCdecl)])]
-    public static int BRCommandFetchDataFromServer(IntPtr sockRef, int cmdId) => ByteOf(VendorFunctions.Fetch(sockRef, cmdId, avatar: 0));
+    public static int BRCommandFetchDataFromServer(IntPtr sockRef, int cmdId) => IntOf(VendorFunctions.Fetch(sockRef, cmdId, avatar: 0));
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRCommandFetchAvatarDataFromServer), CallConvs = [typeof(CallConvCdecl)])]
     public static int BRCommandFetchAvatarDataFromServer(IntPtr sockRef, int avatarIndex, int cmdId) =>
-        ByteOf(VendorFunctions.Fetch(sockRef, cmdId, avatarIndex));
+        IntOf(VendorFunctions.Fetch(sockRef, cmdId, avatarIndex));
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRRegisterAutoSyncParmeter), CallConvs = [typeof(CallConvCdecl)])]
-    public static int BRRegisterAutoSyncParmeter(IntPtr sockRef, int cmdId) => ByteOf(VendorFunctions.Register(sockRef, cmdId));
+    public static int BRRegisterAutoSyncParmeter(IntPtr sockRef, int cmdId) => IntOf(VendorFunctions.Register(sockRef, cmdId));
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRUnregisterAutoSyncParmeter), CallConvs = [typeof(CallConvCdecl)])]
-    public static int BRUnregisterAutoSyncParmeter(IntPtr sockRef, int cmdId) => ByteOf(VendorFunctions.Unregister(sockRef, cmdId));
+    public static int BRUnregisterAutoSyncParmeter(IntPtr sockRef, int cmdId) => IntOf(VendorFunctions.Unregister(sockRef, cmdId));
 }

@@ -89,8 +89,8 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <summary>
     /// Ends when the broadcast is over. At a paced rate: the last frame was made, and all clients have read it, have left, or have used up
     /// <see cref="BroadcasterOptions.CloseTimeout"/>. At <see cref="BroadcasterOptions.MaxRate"/>: the destinations were sent everything,
-    /// at least one client was, and none is left. Also ends when the broadcaster is stopped; fails when a source threw,
-    /// or when the system had no thread left to make the frames on.
+    /// at least one client was, and none is left. Also ends when the broadcaster is stopped; fails when a source or a calculation writer
+    /// threw, which closes all connections, or when the system had no thread left to make the frames on.
     /// </summary>
     public Task Completion => _completion.Task;
 

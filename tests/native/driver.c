@@ -183,31 +183,11 @@ static void register_callback(const struct call *call)
     answer(call, "registered");
 }
 
-static void bone_size(const struct call *call)
-{
-    BoneDimension size;
-    memset(&size, 0xFF, sizeof size);
-    bool told = GetBoneSize(handle_of(call), number_of(call, 2), &size);
-    answer(call, "%d %g %g %g", told, size.Head, size.Neck, size.FootLength);
-}
-
 static void rotation(const struct call *call)
 {
     RotateOrders order = RO_XYZ;
     bool told = GetBvhRotation(handle_of(call), &order);
     answer(call, "%d %d", told, (int)order);
-}
-
-/* The text, line feeds as |, zeros as 0; ~ is room that was not written to. */
-static void bvh_header(const struct call *call)
-{
-    char text[1100];
-    size_t room = (size_t)number_of(call, 3);
-    memset(text, '~', sizeof text);
-    bool told = GetBvhHeader(handle_of(call), number_of(call, 2), text, (int)room);
-    for (size_t i = 0; i < room + 2; i++)
-        text[i] = text[i] == '\n' ? '|' : text[i] == '\0' ? '0' : text[i];
-    answer(call, "%d %.*s", told, (int)room + 2, text);
 }
 
 /* What all functions that take a handle say to this one. */
@@ -285,16 +265,8 @@ static void run_words(const struct call *call)
         register_callback(call);
     else if (strcmp(name, "connect-command") == 0)
         answer(call, "%p", BRConnectCmd(host_of(call), number_of(call, 2)));
-    else if (strcmp(name, "zero-out") == 0)
-        answer(call, "%d", ZeroOut(handle_of(call), number_of(call, 2)));
-    else if (strcmp(name, "zero-out-all") == 0)
-        answer(call, "%d", ZeroOutAll(handle_of(call)));
     else if (strcmp(name, "rotation") == 0)
         rotation(call);
-    else if (strcmp(name, "bone-size") == 0)
-        bone_size(call);
-    else if (strcmp(name, "bvh-header") == 0)
-        bvh_header(call);
     else if (strcmp(name, "all") == 0)
         answer(call, "%d", ask_all(handle_of(call)));
     else if (strcmp(name, "all-foreign") == 0)

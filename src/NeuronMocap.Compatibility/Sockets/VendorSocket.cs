@@ -5,8 +5,11 @@ namespace NeuronMocap.Compatibility.Sockets;
 // What a handle stands for. Open is called once, by the thread that asked for the handle; Dispose, which closes it, by anyone at any time.
 internal abstract class VendorSocket : IDisposable
 {
+    // How many this thread is opening: a callback of one may ask for another.
+    [ThreadStatic]
+    private static int _opening;
+
     private readonly ManualResetEventSlim _opened = new();
-    private int _openingThread;
     private volatile bool _isOpen;
     private volatile bool _isOver;
     private int _isClosed;
@@ -28,8 +31,8 @@ internal abstract class VendorSocket : IDisposable
 
     public bool Open()
     {
-        _openingThread = Environment.CurrentManagedThreadId;
         bool stands = false;
+        _opening++;
         try
         {
             stands = TryOpen();
@@ -41,14 +44,16 @@ internal abstract class VendorSocket : IDisposable
             if (!stands)
                 _isOver = true;
 
+            _opening--;
             _opened.Set();
         }
     }
 
-    // For whoever asks for a connection that somebody is making. A callback that does, on the thread that makes it, cannot wait for itself.
+    // For whoever asks for a connection that somebody is making. A callback on a thread that makes one itself does not wait: it may be this one, or one
+    // whose callback asks for that of the caller.
     public bool WaitUntilOpen()
     {
-        if (Environment.CurrentManagedThreadId != _openingThread)
+        if (_opening == 0)
             _opened.Wait();
 
         return State != SocketState.OffWork;

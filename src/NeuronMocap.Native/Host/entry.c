@@ -145,8 +145,6 @@ static int has_threads(void)
         } \
     }
 
-typedef unsigned char byte;
-
 enum { OFF_WORK = 2 };
 
 #define NO_RUNTIME "The library cannot run here: it did not start, or this is a forked process."
@@ -162,11 +160,11 @@ OPENING(BRConnectCmd, (const char *host, int port), (host, port))
 PROCEDURE(BRCloseSocket, (void *socket), (socket))
 FUNCTION(int, OFF_WORK, BRGetSocketStatus, (void *socket), (socket))
 FUNCTION(const char *, NO_RUNTIME, BRGetLastErrorMessage, (void), ())
-FUNCTION(byte, 0, ZeroOut, (void *socket, int avatar), (socket, avatar))
-FUNCTION(byte, 0, ZeroOutAll, (void *socket), (socket))
-FUNCTION(byte, 0, GetBvhRotation, (void *socket, int *order), (socket, order))
-FUNCTION(byte, 0, GetBoneSize, (void *socket, int avatar, void *sizes), (socket, avatar, sizes))
-FUNCTION(byte, 0, GetBvhHeader, (void *socket, int avatar, char *data, int length), (socket, avatar, data, length))
+FUNCTION(int, 0, ZeroOut, (void *socket, int avatar), (socket, avatar))
+FUNCTION(int, 0, ZeroOutAll, (void *socket), (socket))
+FUNCTION(int, 0, GetBvhRotation, (void *socket, int *order), (socket, order))
+FUNCTION(int, 0, GetBoneSize, (void *socket, int avatar, void *sizes), (socket, avatar, sizes))
+FUNCTION(int, 0, GetBvhHeader, (void *socket, int avatar, char *data, int length), (socket, avatar, data, length))
 FUNCTION(int, 0, BRCommandFetchDataFromServer, (void *socket, int command), (socket, command))
 FUNCTION(int, 0, BRCommandFetchAvatarDataFromServer, (void *socket, int avatar, int command), (socket, avatar, command))
 FUNCTION(int, 0, BRRegisterAutoSyncParmeter, (void *socket, int command), (socket, command))

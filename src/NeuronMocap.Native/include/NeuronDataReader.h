@@ -122,7 +122,8 @@ NEURONDATAREADER_API void NEURONDATAREADER_CALL BRRegisterSocketStatusCallback(v
  *
  * @param serverIP Address or name of the server. The vendor's library ended the process for a name that it could not find.
  * @param nPort    Its port, 1 to 65535; 7001 for BVH and 7003 for calculation data unless changed there.
- * @return The connection. Where one to the same place and port lives, that one. NULL when it failed: BRGetLastErrorMessage tells why.
+ * @return The connection. Where one to the same place and port lives, that one; to a status callback that is told of a connection's beginning it is
+ *         given while it is still starting, too. NULL when it failed: BRGetLastErrorMessage tells why.
  */
 NEURONDATAREADER_API SOCKET_REF NEURONDATAREADER_CALL BRConnectTo(const char *serverIP, int nPort);
 

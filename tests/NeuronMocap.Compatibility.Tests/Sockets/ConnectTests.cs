@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Diagnostics;
 using System.Net.Sockets;
 using NeuronDataReaderWraper;
@@ -155,6 +156,37 @@ public sealed class ConnectTests
         Assert.NotEqual(IntPtr.Zero, socket);
         Assert.Equal(2, log.Statuses.Count);
         NeuronDataReader.BRCloseSocket(socket);
+    }
+
+    // None may wait for the other, whose callback waits for it.
+    [Fact]
+    public async Task Threads_whose_callbacks_ask_for_each_others_connection_get_it()
+    {
+        using var first = new TestServer();
+        using var second = new TestServer();
+        using var log = new CallbackLog();
+        using var barrier = new Barrier(2);
+        var asked = new ConcurrentDictionary<IntPtr, IntPtr>();
+        log.OnStatus = status =>
+        {
+            if (status.Status != SocketStatus.CS_Starting)
+                return;
+
+            barrier.SignalAndWait(Limits.Unexpected);
+            bool isFirst = status.Text.Contains($":{first.Port} ", StringComparison.Ordinal);
+            asked[status.Socket] = NeuronDataReader.BRConnectTo("127.0.0.1", isFirst ? second.Port : first.Port);
+        };
+
+        IntPtr[] sockets = await Task.WhenAll(((TestServer[])[first, second]).Select(static server => Task.Factory.StartNew(
+            () => NeuronDataReader.BRConnectTo("127.0.0.1", server.Port),
+            CancellationToken.None,
+            TaskCreationOptions.LongRunning,
+            TaskScheduler.Default))).Soon();
+
+        Assert.DoesNotContain(IntPtr.Zero, sockets);
+        Assert.Equal((sockets[1], sockets[0]), (asked[sockets[0]], asked[sockets[1]]));
+        Assert.Equal(4, log.Statuses.Count);
+        Array.ForEach(sockets, NeuronDataReader.BRCloseSocket);
     }
 
     [Fact]

@@ -186,6 +186,27 @@ public sealed class CommandChannelTests
         Assert.Equal($"Failed to connect to '127.0.0.1:{port}'. System error code: 111", await program.CallAsync("error"));
     }
 
+    [Fact]
+    public async Task Frame_callbacks_may_ask_and_a_command_connection_tells_no_status()
+    {
+        using CommandScript answers = Answers();
+        using var server = new TestServer();
+        await using var driver = new Driver();
+        string pipe = await driver.CallAsync($"connect-command 127.0.0.1 {answers.Port}");
+        Assert.Empty(driver.Statuses);
+        (_, TestConnection connection) = await driver.ConnectAsync(server);
+        await driver.CallAsync("when frame rotation " + pipe);
+
+        await connection.SendAsync(TestPackets.Motion(1));
+        await driver.UntilAsync(() => driver.Reactions.Count == 1);
+
+        Assert.Equal("1 4", driver.Reactions[0]);
+        await driver.CallAsync("close " + pipe);
+        connection.Dispose();
+        await driver.EndAsync();
+        Assert.DoesNotContain(driver.Statuses, status => status.Sender == pipe);
+    }
+
     private static CommandScript Answers() => new(static request => request.Id switch
     {
         1001 => request.ReplyAsync([request.Avatar == 0 ? (byte)1 : (byte)0, 0, 0, 0]),

@@ -1,3 +1,5 @@
+using NeuronMocap.Native.Tests.Infrastructure;
+
 namespace NeuronMocap.Native.Tests.Packaging;
 
 /// <summary>What CMake finds on each system, by the package's own files; no library of it is needed.</summary>
@@ -5,7 +7,7 @@ public sealed class FindPackageTests
 {
     private const string Header = "include/NeuronDataReader.h";
 
-    public FindPackageTests() => Assert.SkipUnless(CommandLine.Has("cmake"), "CMake is needed.");
+    public FindPackageTests() => SystemTool.Require("cmake", "cmake");
 
     [Fact]
     public async Task On_linux_programs_take_the_name_of_the_major_version()

@@ -1,3 +1,5 @@
+using NeuronMocap.Native.Tests.Infrastructure;
+
 namespace NeuronMocap.Native.Tests.Packaging;
 
 /// <summary>What a build says that cannot make the library.</summary>
@@ -10,10 +12,10 @@ public sealed class LinkerTests
     public async Task The_error_names_what_to_install(string property, string reason, string remedy)
     {
         Assert.SkipUnless(OperatingSystem.IsLinux(), "What Linux says.");
-        (int exitCode, string output) = await CommandLine.RunAsync(
+        (int exitCode, string output, string errors) = await SystemTool.RunAsync(
             "dotnet", "msbuild", Repository.PathOf("src", "NeuronMocap.Native"), "-t:RequireLinker", "-v:q", "-nodeReuse:false", property);
         Assert.NotEqual(0, exitCode);
-        Assert.Contains(reason, output, StringComparison.Ordinal);
-        Assert.Contains(remedy, output, StringComparison.Ordinal);
+        Assert.Contains(reason, output + errors, StringComparison.Ordinal);
+        Assert.Contains(remedy, output + errors, StringComparison.Ordinal);
     }
 }

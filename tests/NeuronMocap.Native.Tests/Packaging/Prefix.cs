@@ -1,3 +1,5 @@
+using NeuronMocap.Native.Tests.Infrastructure;
+
 namespace NeuronMocap.Native.Tests.Packaging;
 
 /// <summary>A prefix of a system that this machine need not be: CMake's files as publish fills them, and the files that they lead to, empty.</summary>
@@ -33,7 +35,7 @@ internal sealed class Prefix : IDisposable
     /// <summary>Runs find_package for a system, and tells what the imported target says.</summary>
     /// <param name="request">What follows the package's name.</param>
     /// <param name="lines">Lines of CMake in front of it, such as the system.</param>
-    public Task<(int ExitCode, string Output)> FindAsync(string request, params string[] lines)
+    public async Task<(int ExitCode, string Output)> FindAsync(string request, params string[] lines)
     {
         string project = Path.Combine(Root, "project");
         Directory.CreateDirectory(project);
@@ -49,7 +51,9 @@ internal sealed class Prefix : IDisposable
                 message(STATUS "$<name>=$<value>")
             endforeach()
             """.Replace("$<name>", "${name}", StringComparison.Ordinal).Replace("$<value>", "${value}", StringComparison.Ordinal));
-        return CommandLine.RunAsync("cmake", "-S", project, "-B", Path.Combine(project, "made"), $"-DCMAKE_PREFIX_PATH={Folder}");
+        (int exitCode, string output, string errors) = await SystemTool.RunAsync(
+            "cmake", "-S", project, "-B", Path.Combine(project, "made"), $"-DCMAKE_PREFIX_PATH={Folder}");
+        return (exitCode, output + errors);
     }
 
     public void Dispose() => Directory.Delete(Root, recursive: true);

@@ -1,5 +1,6 @@
 using System.Runtime.InteropServices;
 using System.Xml.Linq;
+using NeuronMocap.Native.Tests.Infrastructure;
 
 namespace NeuronMocap.Native.Tests.Packaging;
 
@@ -44,10 +45,10 @@ public sealed class StagedFolderTests
     [Fact]
     public async Task Pkg_config_leads_to_where_the_folder_is_now()
     {
-        Assert.SkipUnless(CommandLine.Has("pkg-config"), "pkg-config is needed.");
+        SystemTool.Require("pkg-config", "pkgconf");
         string file = Path.Combine(Folder, "lib", "pkgconfig", "NeuronDataReader.pc");
-        (int exitCode, string output) = await CommandLine.RunAsync("pkg-config", "--cflags", "--libs", file);
-        Assert.Equal(0, exitCode);
+        (int exitCode, string output, string errors) = await SystemTool.RunAsync("pkg-config", "--cflags", "--libs", file);
+        Assert.Equal((0, string.Empty), (exitCode, errors));
         string[] words = output.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
         Assert.Equal(Path.Combine(Folder, "include"), Path.GetFullPath(words.Single(static word => word.StartsWith("-I", StringComparison.Ordinal))[2..]));
         Assert.Equal(Path.Combine(Folder, "lib"), Path.GetFullPath(words.Single(static word => word.StartsWith("-L", StringComparison.Ordinal))[2..]));

@@ -1,4 +1,4 @@
-using System.Runtime.InteropServices;
+using NeuronMocap.Native.Tests.Infrastructure;
 
 namespace NeuronMocap.Native.Tests.Processes;
 
@@ -16,8 +16,7 @@ public sealed class ThreadTests
     [Fact]
     public async Task It_may_be_loaded_and_unloaded_at_will_and_twice()
     {
-        ProgramRun.PathOf("loads");
-        string library = Repository.PathOf("artifacts", "native", RuntimeInformation.RuntimeIdentifier, "lib", "libNeuronDataReader.so");
+        string library = NativeFiles.Library;
         string copy = Path.Combine(Directory.CreateTempSubdirectory("neuron").FullName, "copy.so");
         File.Copy(library, copy);
         try

@@ -63,6 +63,11 @@ internal sealed class CommandScript : IDisposable
         {
             TestConnection connection = await _server.AcceptAsync(_end.Token);
             _connections.Enqueue(connection);
+
+            // Dispose may have looked before.
+            if (_end.IsCancellationRequested)
+                connection.Dispose();
+
             _ = ServeAsync(connection, _connections.Count - 1, greet);
         }
     }

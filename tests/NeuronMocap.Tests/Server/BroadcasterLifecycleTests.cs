@@ -123,14 +123,21 @@ public sealed class BroadcasterLifecycleTests
     {
         BroadcasterOptions options = Expect.Options();
         options.Sources = [new FailingSource(badFrame: 200)];
-        options.Rate = rate;
-        options.WaitForClient = true;
-        await using var broadcaster = new Broadcaster(options);
-        broadcaster.Start();
-        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        await AssertEndsAsync(options, rate);
+    }
 
-        await Assert.ThrowsAsync<InvalidDataException>(() => broadcaster.Completion.Soon());
-        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 0);
+    [Theory]
+    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(1000)]
+    public async Task What_a_calculation_writer_throws_does_so_too(double rate)
+    {
+        BroadcasterOptions options = Expect.Options();
+        options.Calculation = static (_, frame, _) =>
+        {
+            if (frame == 20)
+                throw new InvalidDataException("The writer is broken.");
+        };
+        await AssertEndsAsync(options, rate);
     }
 
     [Fact]
@@ -215,5 +222,17 @@ public sealed class BroadcasterLifecycleTests
         options.UdpDestinations = [new IPEndPoint(IPAddress.Loopback, 7002)];
         options.WaitForClient = true;
         Assert.Throws<ArgumentException>("WaitForClient", () => new Broadcaster(options));
+    }
+
+    private static async Task AssertEndsAsync(BroadcasterOptions options, double rate)
+    {
+        options.Rate = rate;
+        options.WaitForClient = true;
+        await using var broadcaster = new Broadcaster(options);
+        broadcaster.Start();
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+
+        await Assert.ThrowsAsync<InvalidDataException>(() => broadcaster.Completion.Soon());
+        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 0);
     }
 }

@@ -1,4 +1,4 @@
-// Ends in the way its argument names, while it receives at full speed. Its callback uses an object that exit destroys.
+// Ends in the way its argument names, while it receives at full speed. Its callback uses an object that exit destroys, and that calls the library then.
 #include "process.h"
 
 #include <sys/resource.h>
@@ -11,12 +11,14 @@ static volatile bool exits_in_callback;
 
 class Statistics {
 public:
-    Statistics() : sums(8192, 0.0f), is_alive(true) {}
+    Statistics() : sums(8192, 0.0f), socket(NULL), is_alive(true) {}
     ~Statistics()
     {
         is_alive = false;
         sums.assign(1, -1);
         sums.shrink_to_fit();
+        BRCloseSocket(socket);
+        BRRegisterFrameDataCallback(NULL, NULL);
         // Time for callbacks that should not come.
         usleep(20000);
     }
@@ -32,8 +34,14 @@ public:
             sums[i] += data[i];
     }
 
+    void closes_at_exit(SOCKET_REF opened)
+    {
+        socket = opened;
+    }
+
 private:
     std::vector<float> sums;
+    SOCKET_REF volatile socket;
     bool is_alive;
 };
 
@@ -76,7 +84,7 @@ int main(int count, char **arguments)
     for (int i = 0; i < 3; i++) {
         // A second connection to the same place would be the first.
         char hosts[][16] = {"127.0.0.1", "127.0.0.2", "localhost"};
-        BRConnectTo(hosts[i], port);
+        statistics.closes_at_exit(BRConnectTo(hosts[i], port));
     }
     if (how != "at-once")
         AWAIT(frames > 20);
