@@ -53,6 +53,16 @@ public sealed class SessionTests
     [Fact]
     public async Task A_busy_callback_is_waited_for_no_longer_than_asked()
     {
+        // A busy computer may hold up one of them; without the limit each takes the 2 s that closing a connection may.
+        var quickest = TimeSpan.MaxValue;
+        for (int i = 0; i < 3 && quickest >= TimeSpan.FromSeconds(1.5); i++)
+            quickest = await EndDuringCallbackAsync(TimeSpan.FromMilliseconds(50));
+
+        Assert.True(quickest < TimeSpan.FromSeconds(1.5));
+    }
+
+    private static async Task<TimeSpan> EndDuringCallbackAsync(TimeSpan timeout)
+    {
         using var log = new CallbackLog();
         using var release = new ManualResetEventSlim();
         using PacketServer server = await PacketServer.ConnectAsync(log);
@@ -61,11 +71,12 @@ public sealed class SessionTests
         await log.FramesAsync(1);
         long start = Stopwatch.GetTimestamp();
 
-        Assert.False(VendorSession.End(TimeSpan.FromMilliseconds(50)));
+        Assert.False(VendorSession.End(timeout));
 
-        Assert.True(Stopwatch.GetElapsedTime(start) < TimeSpan.FromSeconds(1.5));
+        TimeSpan elapsed = Stopwatch.GetElapsedTime(start);
         Assert.Equal(SocketStatus.CS_OffWork, NeuronDataReader.BRGetSocketStatus(server.Socket));
         release.Set();
         Assert.Single(log.Frames);
+        return elapsed;
     }
 }
