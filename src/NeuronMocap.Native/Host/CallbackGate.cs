@@ -36,7 +36,7 @@ internal static class CallbackGate
         Interlocked.Decrement(ref _running);
     }
 
-    // No callback begins any more. Waits for those that run.
+    // No callback begins any more. Waits for those that run, by looking: a signal would cost every callback what only the end of the process needs.
     public static void Close()
     {
         _isClosed = true;
