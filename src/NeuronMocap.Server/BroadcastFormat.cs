@@ -16,6 +16,7 @@ public enum BroadcastFormat
     /// Packets as Axis Studio sends them (protocol.md section 9): data version 1.1.0.1, the rotation order and a timecode in the reserved fields,
     /// and calculation packets of its own kind. The timecode is computed from the frame number and the rate: frame 0 is 00:00:00:00. That the
     /// order counts as the vendor's RotateOrders does, and how the timecode is packed (0x00HHMMSS, then the frame within the second), is inferred.
+    /// Programs with the vendor's b12 library crash on Axis Studio's stream, by a fault of their own.
     /// </summary>
     Studio,
 }

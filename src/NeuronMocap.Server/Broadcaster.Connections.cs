@@ -11,22 +11,46 @@ public sealed partial class Broadcaster
 {
     private void Open()
     {
-        var senders = new List<Recipient>(_options.UdpDestinations.Count);
+        var senders = new List<Recipient>(_options.UdpDestinations.Count * _streams.Length);
+        var listeners = new List<ClientListener>(_streams.Length);
         try
         {
-            foreach (IPEndPoint destination in _options.UdpDestinations)
-                senders.Add(new UdpSender(ConnectUdp(destination), destination, _content, CreateFeed(isSingle: _recording is not null), _options.Fragment, OnRecipientEnded));
-            if (_options.Port is int port)
-                _listener = Listen(new IPEndPoint(_options.BindAddress, port));
+            foreach (BroadcastStream stream in _streams)
+            {
+                foreach (IPEndPoint destination in _options.UdpDestinations)
+                    senders.Add(CreateSender(stream, stream.IsBeside ? new IPEndPoint(destination.Address, _options.CalculationPort!.Value) : destination));
+                if (_options.Port is int port)
+                    listeners.Add(Listen(stream, stream.IsBeside ? _options.CalculationPort!.Value : port));
+            }
         }
         catch
         {
-            senders.ForEach(sender => sender.Dispose());
+            senders.ForEach(sender => sender.Discard());
+            listeners.ForEach(listener => listener.Dispose());
             throw;
         }
 
         _recipients.AddRange(senders);
-        LocalEndPoint = _listener?.LocalEndPoint;
+        for (int i = 0; i < listeners.Count; i++)
+            _streams[i].Listen(listeners[i]);
+
+        LocalEndPoint = _streams[0].Listener?.LocalEndPoint;
+        CalculationEndPoint = _streams.FirstOrDefault(static stream => stream.IsBeside)?.Listener?.LocalEndPoint;
+    }
+
+    private UdpSender CreateSender(BroadcastStream stream, IPEndPoint destination)
+    {
+        Socket socket = ConnectUdp(destination);
+        try
+        {
+            return new UdpSender(
+                socket, destination, stream, stream.CreateFeed(isSingle: _recording is not null), _options.Fragment, OnRecipientEnded, _report);
+        }
+        catch
+        {
+            socket.Dispose();
+            throw;
+        }
     }
 
     private static Socket ConnectUdp(IPEndPoint destination)
@@ -41,19 +65,19 @@ public sealed partial class Broadcaster
         }
     }
 
-    private ClientListener Listen(IPEndPoint endPoint)
+    private ClientListener Listen(BroadcastStream stream, int port)
     {
+        var endPoint = new IPEndPoint(_options.BindAddress, port);
         try
         {
-            return new ClientListener(endPoint, OnAccepted);
+            return new ClientListener(endPoint, socket => OnAccepted(stream, socket), _report);
         }
         catch (SocketException exception)
         {
-            throw BroadcasterException.CannotListen(endPoint, exception);
+            string setting = stream.IsBeside ? nameof(BroadcasterOptions.CalculationPort) : nameof(BroadcasterOptions.Port);
+            throw BroadcasterException.CannotListen(endPoint, setting, exception);
         }
     }
-
-    private FrameFeed CreateFeed(bool isSingle) => _log is null ? _content.CreateFeed(isSingle) : new LiveFeed(_log, isSingle);
 
     // From here on there are frames.
     private void Begin()
@@ -69,48 +93,56 @@ public sealed partial class Broadcaster
             if (_pacer is not null)
                 StartWorker(_pacer.Worker);
         }
-        catch (OutOfMemoryException exception)
+        catch (Exception exception)
         {
-            // The system has no thread left: there can be no broadcast, and whoever waits for its end shall know why.
+            // The system has no thread left, normally: there can be no broadcast, and whoever waits for its end shall know why.
             Close(exception);
         }
     }
 
-    private int CountClients() => _recipients.Count(recipient => recipient is TcpClientSession);
+    private int CountClients(BroadcastStream stream) => _recipients.Count(recipient => recipient.Stream == stream && recipient is TcpClientSession);
 
-    private void OnAccepted(Socket socket)
+    private void OnAccepted(BroadcastStream stream, Socket socket)
     {
         lock (_gate)
         {
-            if (_isOver || CountClients() >= _options.MaxClients)
+            if (_isOver || CountClients(stream) >= _options.MaxClients)
             {
                 _refused += _isOver ? 0 : 1;
                 socket.Dispose();
                 return;
             }
 
-            if (TryServe(socket))
+            if (!TryServe(stream, socket))
+                return;
+
+            stream.HasAccepted = true;
+            if (_streams.All(static each => each.HasAccepted))
                 Begin();
         }
     }
 
     // The client has its place in the log before the first frame is made.
-    private bool TryServe(Socket socket)
+    private bool TryServe(BroadcastStream stream, Socket socket)
     {
+        FrameFeed? feed = null;
         try
         {
-            var session = new TcpClientSession(
-                socket, _content, CreateFeed(isSingle: false), _options, _options.AnswerDataCommands ? _replies : null, OnRecipientEnded);
+            feed = stream.CreateFeed(isSingle: false);
+            var session = new TcpClientSession(socket, stream, feed, _options, OnRecipientEnded, _report);
             StartWorker(session.Worker);
             _recipients.Add(session);
             _accepted++;
             return true;
         }
-        catch (Exception exception) when (exception is SocketException or OutOfMemoryException or IOException or UnauthorizedAccessException or NeuronException)
+        catch (Exception exception)
         {
             // It was reset before it was greeted, or the system has no thread left for it, or the recording's file is gone.
             _refused++;
             socket.Dispose();
+            feed?.Close();
+            if (exception is not (SocketException or OutOfMemoryException or IOException or UnauthorizedAccessException or NeuronException))
+                _report.Tell(exception);
             return false;
         }
     }
@@ -121,11 +153,11 @@ public sealed partial class Broadcaster
         {
             _recipients.Remove(recipient);
             _departed = _departed.Add(recipient.Counters);
-            _hasServed |= recipient is TcpClientSession && recipient.HadAll;
+            recipient.Stream.HasServed |= recipient is TcpClientSession && recipient.HadAll;
             Monitor.PulseAll(_gate);
 
             // A paced broadcast is ended by its pacer.
-            bool isOver = _pacer is null && _recipients.Count == 0 && (_listener is null || _hasServed);
+            bool isOver = _pacer is null && _recipients.Count == 0 && _streams.All(static stream => stream.Listener is null || stream.HasServed);
             if (isOver || error is not null)
                 Close(error);
         }
@@ -138,8 +170,12 @@ public sealed partial class Broadcaster
         {
             if (error is null)
             {
-                _listener?.Dispose();
-                _log!.Complete();
+                foreach (BroadcastStream stream in _streams)
+                {
+                    stream.Listener?.Dispose();
+                    stream.Log!.Complete();
+                }
+
                 WaitForRecipients(_options.CloseTimeout);
             }
 
@@ -164,10 +200,21 @@ public sealed partial class Broadcaster
             return;
 
         _isOver = true;
-        _listener?.Dispose();
         _pacer?.Stop();
-        _log?.Abort();
-        _recipients.ForEach(recipient => recipient.Dispose());
+        foreach (BroadcastStream stream in _streams)
+        {
+            stream.Listener?.Dispose();
+            stream.Log?.Abort();
+        }
+
+        foreach (Recipient recipient in _recipients)
+        {
+            if (recipient.Worker.IsStarted)
+                recipient.Dispose();
+            else
+                recipient.Discard();
+        }
+
         Monitor.PulseAll(_gate);
         if (error is null)
             _completion.TrySetResult(true);

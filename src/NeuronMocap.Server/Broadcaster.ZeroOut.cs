@@ -10,18 +10,18 @@ public sealed partial class Broadcaster
     internal FramePlan? Plan => _plan;
 
     /// <summary>
-    /// Turns an avatar to face front, along Z, where it stands: from the next frame on that has not been made yet, the whole performance is turned about
+    /// Zeroes out an avatar: turns it to face front, along Z, where it stands: from the next frame on that has not been made yet, the whole performance is turned about
     /// the vertical through its hips. Of a motion packet only the hips' values change; calculation packets follow. May be repeated, and called at any time.
+    /// What real servers change, the direction, the position or both, is not documented.
     /// </summary>
     /// <param name="avatar">Index of the avatar, from 0.</param>
-    /// <returns>False when there is no such avatar.</returns>
+    /// <returns>False when there is no such avatar, or when its hips are nowhere: not a number, or too far away to compute with.</returns>
     public bool ZeroOut(int avatar)
     {
         if ((uint)avatar >= (uint)_actors.Length)
             return false;
 
-        _actors[avatar].FaceFront(_plan!.FrameCount);
-        return true;
+        return _actors[avatar].FaceFront(_plan!.FrameCount);
     }
 
     /// <summary>Does what <see cref="ZeroOut"/> does, for all avatars.</summary>

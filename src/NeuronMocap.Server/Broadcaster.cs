@@ -22,21 +22,20 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     private static readonly TimeSpan JoinTimeout = TimeSpan.FromSeconds(5);
 
     private readonly object _gate = new();
+    private readonly FaultReport _report = new(nameof(Broadcaster));
     private readonly BroadcasterOptions _options;
     private readonly TurnableSource[] _actors;
     private readonly FramePlan? _plan;
     private readonly RecordingContent? _recording;
-    private readonly BroadcastContent _content;
     private readonly DataCommandReplies? _replies;
-    private readonly FrameLog? _log;
+    private readonly BroadcastStream[] _streams;
+    private readonly bool _isPacketwise;
     private readonly Pacer? _pacer;
     private readonly List<Recipient> _recipients = [];
     private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
-    private ClientListener? _listener;
     private RecipientCounters _departed;
     private long _accepted;
     private long _refused;
-    private bool _hasServed;
     private bool _isStarted;
     private bool _hasBegun;
     private bool _isOver;
@@ -48,27 +47,35 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <exception cref="IOException">The file of <see cref="BroadcasterOptions.Recording"/> cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">The file of <see cref="BroadcasterOptions.Recording"/> may not be read.</exception>
     public Broadcaster(BroadcasterOptions options)
+        : this(options, time: null)
+    {
+    }
+
+    // Time: of the frames of sources; null for the real one.
+    internal Broadcaster(BroadcasterOptions options, PacerTime? time)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).CopyChecked();
         _actors = UseTurnableSources();
         Rate = _options.Rate ?? (_options.Sources.Count > 0 ? _options.Sources[0].FrameRate : 0);
-        if (_options.Recording is null)
+        if (_options.Recording is not null)
         {
-            _content = _plan = CreatePlan(_options, Rate);
-            _replies = new DataCommandReplies(_plan, _options.DataCommandLength);
-        }
-        else
-        {
-            _content = _recording = new RecordingContent(_options);
-        }
-
-        if (double.IsPositiveInfinity(Rate))
+            bool hasOnePort = _options.CalculationPort is null;
+            _recording = new RecordingContent(_options, hasMotion: true, hasCalculation: hasOnePort);
+            _streams = hasOnePort
+                ? [CreateStream(_recording)]
+                : [CreateStream(_recording), CreateStream(new RecordingContent(_options, hasMotion: false, hasCalculation: true), isBeside: true)];
+            _pacer = IsPaced
+                ? new RecordingPacer([.. _streams.Select(static stream => ((RecordingContent)stream.Content, stream.Log!))], _options, OnPacerEnded, _report)
+                : null;
             return;
+        }
 
-        _log = new FrameLog(_options.QueueLength);
-        _pacer = _recording is not null
-            ? new RecordingPacer(_recording, _options, _log, OnPacerEnded)
-            : new FramePacer(_plan!, Rate, _log, OnPacerEnded);
+        FramePlan[] plans = CreatePlans(_options, Rate);
+        _plan = plans[0];
+        _replies = new DataCommandReplies(_plan, _options.DataCommandLength);
+        _isPacketwise = IsPaced && new PacketSpread(Rate, plans.Max(static plan => plan.PacketsPerFrame)).IsPacketwise;
+        _streams = [CreateStream(_plan, _options.AnswerDataCommands ? _replies : null), .. plans[1..].Select(plan => CreateStream(plan, isBeside: true))];
+        _pacer = IsPaced ? new FramePacer([.. _streams.Select(static stream => ((FramePlan)stream.Content, stream.Log!))], Rate, OnPacerEnded, _report, time) : null;
     }
 
     // Replaced by tests, which cannot use up all threads of a system.
@@ -76,6 +83,12 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
 
     /// <summary>Where TCP clients connect, with the real port; null before the start and without a listener.</summary>
     public IPEndPoint? LocalEndPoint { get; private set; }
+
+    /// <summary>
+    /// Where TCP clients connect for calculation packets alone, with the real port; null before the start, and without
+    /// <see cref="BroadcasterOptions.CalculationPort"/> or a listener.
+    /// </summary>
+    public IPEndPoint? CalculationEndPoint { get; private set; }
 
     /// <summary>
     /// Frames per second: the setting or the first source's own; <see cref="BroadcasterOptions.MaxRate"/> when not paced;
@@ -89,7 +102,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <summary>
     /// Ends when the broadcast is over. At a paced rate: the last frame was made, and all clients have read it, have left, or have used up
     /// <see cref="BroadcasterOptions.CloseTimeout"/>. At <see cref="BroadcasterOptions.MaxRate"/>: the destinations were sent everything,
-    /// at least one client was, and none is left. Also ends when the broadcaster is stopped; fails when a source or a calculation writer
+    /// at least one client of each port was, and none is left. Also ends when the broadcaster is stopped; fails when a source or a calculation writer
     /// threw, which closes all connections, or when the system had no thread left to make the frames on.
     /// </summary>
     public Task Completion => _completion.Task;
@@ -102,7 +115,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
             lock (_gate)
             {
                 RecipientCounters total = _recipients.Aggregate(_departed, (sum, recipient) => sum.Add(recipient.Counters));
-                return new BroadcasterStatistics(CountClients(), _accepted, _refused, total);
+                return new BroadcasterStatistics(_streams.Sum(CountClients), _streams.Where(stream => stream.IsBeside).Sum(CountClients), _accepted, _refused, total);
             }
         }
     }
@@ -156,7 +169,8 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
 
             Open();
             _isStarted = true;
-            _listener?.Worker.Start();
+            foreach (BroadcastStream stream in _streams)
+                stream.Listener?.Worker.Start();
             if (!_options.WaitForClient)
                 Begin();
         }
@@ -170,7 +184,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         Worker?[] workers;
         lock (_gate)
         {
-            workers = [_listener?.Worker, _pacer?.Worker, .. _recipients.ConvertAll(recipient => recipient.Worker)];
+            workers = [.. _streams.Select(stream => stream.Listener?.Worker), _pacer?.Worker, .. _recipients.ConvertAll(recipient => recipient.Worker)];
             Close(error: null);
         }
 
@@ -191,7 +205,17 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         ? _replies!
         : throw new ArgumentOutOfRangeException(nameof(avatar), avatar, $"The number of avatars is {_actors.Length}; the first is 0.");
 
-    private static FramePlan CreatePlan(BroadcasterOptions options, double rate)
+    private bool IsPaced => !double.IsPositiveInfinity(Rate);
+
+    private BroadcastStream CreateStream(BroadcastContent content, DataCommandReplies? replies = null, bool isBeside = false) =>
+        new(content, IsPaced ? new FrameLog(_options.QueueLength, content.PacketsPerFrame) : null, replies)
+        {
+            IsBeside = isBeside,
+            IsPacketwise = _isPacketwise,
+        };
+
+    // One for each port.
+    private static FramePlan[] CreatePlans(BroadcasterOptions options, double rate)
     {
         var names = new AvatarName[options.Sources.Count];
         for (int i = 0; i < names.Length; i++)
@@ -200,9 +224,16 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
             names[i] = new AvatarName(i < options.AvatarNames.Count ? options.AvatarNames[i] : ordinary);
         }
 
-        return new FramePlan(options, names, double.IsPositiveInfinity(rate) ? options.Sources[0].FrameRate : rate);
+        double frameRate = double.IsPositiveInfinity(rate) ? options.Sources[0].FrameRate : rate;
+        bool hasCalculation = options.Calculation is not null || options.StudioCalculation is not null;
+        return options.CalculationPort is null
+            ? [new FramePlan(options, names, frameRate, options.Motion, hasCalculation)]
+            : [
+                new FramePlan(options, names, frameRate, hasMotion: true, hasCalculation: false),
+                new FramePlan(options, names, frameRate, hasMotion: false, hasCalculation: true),
+            ];
     }
 
     private static BroadcasterClient Describe(Recipient recipient) =>
-        new(recipient.RemoteEndPoint, recipient is UdpSender, recipient.Counters);
+        new(recipient.RemoteEndPoint, recipient is UdpSender, recipient.Stream.IsBeside, recipient.Counters);
 }

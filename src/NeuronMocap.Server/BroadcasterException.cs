@@ -34,16 +34,16 @@ public sealed class BroadcasterException : NeuronException
     /// <summary>Name of the member of <see cref="BroadcasterOptions"/> to look at; empty when there is none.</summary>
     public string Setting { get; } = string.Empty;
 
-    internal static BroadcasterException CannotListen(IPEndPoint endPoint, SocketException cause) => cause.SocketErrorCode switch
+    internal static BroadcasterException CannotListen(IPEndPoint endPoint, string portSetting, SocketException cause) => cause.SocketErrorCode switch
     {
         SocketError.AddressAlreadyInUse => new BroadcasterException(
-            nameof(BroadcasterOptions.Port),
+            portSetting,
             $"Port {endPoint.Port} on {endPoint.Address} is used by another program; "
-            + "end that one, or choose another Port (0 takes any free one).",
+            + $"end that one, or choose another {portSetting} (0 takes any free one).",
             cause),
         SocketError.AccessDenied => new BroadcasterException(
-            nameof(BroadcasterOptions.Port),
-            $"This user may not listen on port {endPoint.Port}; choose a Port from 1024 up (0 takes any free one).",
+            portSetting,
+            $"This user may not listen on port {endPoint.Port}; choose a {portSetting} from 1024 up (0 takes any free one).",
             cause),
         _ => new BroadcasterException(
             nameof(BroadcasterOptions.BindAddress),

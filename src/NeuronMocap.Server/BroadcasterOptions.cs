@@ -47,12 +47,28 @@ public sealed class BroadcasterOptions
     public int? Port { get; set; } = ProtocolConstants.DefaultPort;
 
     /// <summary>
+    /// Port for calculation packets alone, 0 to 65535; null sends them behind the motion packets, on the same connections. Servers normally have a port for each,
+    /// 7001 and 7003 (protocol.md section 4.1). Over TCP the broadcaster listens there, on <see cref="BindAddress"/>, wherever <see cref="Port"/> is set;
+    /// 0 takes any free one, which <see cref="Broadcaster.CalculationEndPoint"/> tells. Over UDP, calculation goes to this port of every destination, from a
+    /// socket of its own. Needs <see cref="Calculation"/>, <see cref="StudioCalculation"/> or a <see cref="Recording"/>, whose calculation packets then go there,
+    /// whichever way they were received. A line of text does not say whose calculation it is: with
+    /// several avatars only the order tells. Default: null.
+    /// </summary>
+    public int? CalculationPort { get; set; }
+
+    /// <summary>
+    /// Whether motion packets are sent. False sends calculation packets alone, to <see cref="Port"/> and <see cref="UdpDestinations"/>, and needs
+    /// <see cref="Calculation"/> or <see cref="StudioCalculation"/>. Default: true.
+    /// </summary>
+    public bool Motion { get; set; } = true;
+
+    /// <summary>
     /// Address to listen on, one of this machine. Default: loopback, so that nothing leaves the machine unless told to;
     /// <see cref="IPAddress.Any"/> listens on all.
     /// </summary>
     public IPAddress BindAddress { get; set; } = IPAddress.Loopback;
 
-    /// <summary>Largest number of TCP clients at a time, 1 to 4096; more are refused and counted. Default: 256.</summary>
+    /// <summary>Largest number of TCP clients at a time on each port, 1 to 4096; more are refused and counted. Default: 256.</summary>
     public int MaxClients { get; set; } = 256;
 
     /// <summary>
@@ -75,8 +91,8 @@ public sealed class BroadcasterOptions
     public long? FrameLimit { get; set; }
 
     /// <summary>
-    /// Whether nothing is sent before the first TCP client is there, which then gets frame 0 first. Needs <see cref="Port"/>.
-    /// Default: false.
+    /// Whether nothing is sent before the first TCP client is there, which then gets frame 0 first. With a <see cref="CalculationPort"/>: before each of the
+    /// two ports has had one. Needs <see cref="Port"/>. Default: false.
     /// </summary>
     public bool WaitForClient { get; set; }
 
@@ -103,8 +119,8 @@ public sealed class BroadcasterOptions
     public DataVersion? DataVersion { get; set; }
 
     /// <summary>
-    /// Computes calculation packets, which then follow each motion packet on the same connections; null sends none. Not for
-    /// <see cref="BroadcastFormat.Studio"/>, which has packets of its own: <see cref="StudioCalculation"/>. Default: null.
+    /// Computes calculation packets, which then follow each motion packet on the same connections, or go to <see cref="CalculationPort"/>; null sends
+    /// none. Not for <see cref="BroadcastFormat.Studio"/>, which has packets of its own: <see cref="StudioCalculation"/>. Default: null.
     /// </summary>
     public CalculationWriter? Calculation { get; set; }
 

@@ -16,6 +16,7 @@ internal static class BroadcasterOptionsCheck
             CheckRecording(options);
 
         CheckNetwork(options);
+        CheckCalculationPort(options);
         Require(options.QueueLength is >= 1 and <= 65_536, nameof(options.QueueLength), "is 1 to 65,536 frames", options.QueueLength);
         Require(
             options.ClientTimeout == Timeout.InfiniteTimeSpan
@@ -71,6 +72,7 @@ internal static class BroadcasterOptionsCheck
             (nameof(options.Calculation), options.Calculation, null),
             (nameof(options.CalculationValueCount), options.CalculationValueCount, ordinary.CalculationValueCount),
             (nameof(options.StudioCalculation), options.StudioCalculation, null),
+            (nameof(options.Motion), options.Motion, ordinary.Motion),
             (nameof(options.TextDecimals), options.TextDecimals, ordinary.TextDecimals),
             (nameof(options.TextQuirks), options.TextQuirks, ordinary.TextQuirks),
             (nameof(options.DataCommandLength), options.DataCommandLength, null),
@@ -132,6 +134,22 @@ internal static class BroadcasterOptionsCheck
             "needs a Port that TCP clients can connect to",
             true);
         Require(options.Fragment is null or (>= 1 and <= 1_048_576), nameof(options.Fragment), "is 1 to 1,048,576 bytes", options.Fragment);
+    }
+
+    private static void CheckCalculationPort(BroadcasterOptions options)
+    {
+        int? port = options.CalculationPort;
+        bool hasCalculation = options.Calculation is not null || options.StudioCalculation is not null;
+        Require(port is null or (>= 0 and <= 65_535), nameof(options.CalculationPort), "is 0 to 65535", port);
+        Require(port is null || hasCalculation || options.Recording is not null, nameof(options.CalculationPort), "needs Calculation, StudioCalculation or a Recording", port);
+        Require(port is null || options.Motion, nameof(options.CalculationPort), "is null without Motion: calculation alone goes to Port and UdpDestinations", port);
+        Require(port is null or 0 || port != options.Port, nameof(options.CalculationPort), "is another one than Port", port);
+        Require(
+            port != 0 || options.UdpDestinations.Count == 0,
+            nameof(options.CalculationPort),
+            "is 1 to 65535 with UdpDestinations, which are not asked for a free one",
+            port);
+        Require(options.Motion || hasCalculation, nameof(options.Motion), "is true without Calculation or StudioCalculation: nothing would be sent", false);
     }
 
     private static void CheckFormat(BroadcasterOptions options)

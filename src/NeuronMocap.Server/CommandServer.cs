@@ -8,7 +8,8 @@ namespace NeuronMocap.Server;
 
 /// <summary>
 /// The command channel of a <see cref="Broadcaster"/> (manual sections 2.3.9 to 2.3.14, protocol.md section 6): a TCP port of its own, on which clients
-/// ask for the rotation order, the sizes of the avatars' bodies and the beginning of their BVH files, and have avatars turned to face front.
+/// ask for the rotation order, the sizes of the avatars' bodies and the beginning of their BVH files, and have avatars zeroed out,
+/// which turns them to face front.
 /// <para>
 /// Answers with the broadcaster's settings and sources; an avatar that there is not gets 0, or an empty answer, and so does a command that is
 /// not known. Nothing that a client sends ends the server or reaches another client: bytes that are no request are passed over, and a request that announces
@@ -19,7 +20,11 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
 {
     private static readonly TimeSpan JoinTimeout = TimeSpan.FromSeconds(5);
 
+    // A client that has just connected is about to ask, and one that was just answered often asks again.
+    private static readonly long SafeTime = 2 * Stopwatch.Frequency;
+
     private readonly object _gate = new();
+    private readonly FaultReport _report = new(nameof(CommandServer));
     private readonly CommandServerOptions _options;
     private readonly CommandAnswers _answers;
     private readonly List<CommandSession> _sessions = [];
@@ -38,6 +43,19 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
             throw new ArgumentException("A recording does not say what a command channel answers.", nameof(broadcaster));
 
         _options = (options ?? new CommandServerOptions()).CopyChecked();
+    }
+
+    // Replaced by tests.
+    internal Func<long> GetTimestamp { get; init; } = Stopwatch.GetTimestamp;
+
+    /// <summary>
+    /// Raised, on a thread of the server, with what a source threw when a command was to be answered. The connection of the client that asked is closed; the
+    /// server and its other clients go on. Without a handler the first exception goes to <see cref="Trace"/>. What a handler throws is not raised.
+    /// </summary>
+    public event Action<Exception>? Failed
+    {
+        add => _report.Failed += value;
+        remove => _report.Failed -= value;
     }
 
     /// <summary>Where clients connect, with the real port; null before the start.</summary>
@@ -69,11 +87,11 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
             var endPoint = new IPEndPoint(_options.BindAddress, _options.Port);
             try
             {
-                _listener = new ClientListener(endPoint, OnAccepted);
+                _listener = new ClientListener(endPoint, OnAccepted, _report);
             }
             catch (SocketException exception)
             {
-                throw BroadcasterException.CannotListen(endPoint, exception);
+                throw BroadcasterException.CannotListen(endPoint, nameof(CommandServerOptions.Port), exception);
             }
 
             LocalEndPoint = _listener.LocalEndPoint;
@@ -110,7 +128,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     {
         lock (_gate)
         {
-            if (_isOver || _sessions.Count >= _options.MaxClients)
+            if (_isOver || (_sessions.Count >= _options.MaxClients && !TryMakeRoom()))
             {
                 socket.Dispose();
                 return;
@@ -118,7 +136,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
 
             try
             {
-                var session = new CommandSession(socket, _answers, _options.Quirks, _stop, OnEnded);
+                var session = new CommandSession(socket, _answers, _options, GetTimestamp, _stop, OnEnded, _report);
                 session.Worker.Start();
                 _sessions.Add(session);
             }
@@ -128,6 +146,22 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
                 socket.Dispose();
             }
         }
+    }
+
+    // Whoever never asked gives way before whoever did: connections that only take up room push out each other.
+    private bool TryMakeRoom()
+    {
+        CommandSession? oldest = _sessions
+            .Where(static session => session.Idle.Elapsed > SafeTime)
+            .OrderBy(static session => session.Idle.HasAsked)
+            .ThenByDescending(static session => session.Idle.Elapsed)
+            .FirstOrDefault();
+        if (oldest is null)
+            return false;
+
+        _sessions.Remove(oldest);
+        oldest.Dispose();
+        return true;
     }
 
     private void OnEnded(CommandSession session)

@@ -17,8 +17,17 @@ public sealed class CommandServerOptions
     /// </summary>
     public IPAddress BindAddress { get; set; } = IPAddress.Loopback;
 
-    /// <summary>Largest number of clients at a time, 1 to 1024; more are closed at once. Default: 32.</summary>
+    /// <summary>
+    /// Largest number of clients at a time, 1 to 1024. One more takes the place of the client that has asked nothing for the longest time; those that never
+    /// asked go first. A client keeps its place for 2 seconds after it connected and after each answer: where all have, the new one is closed. Default: 32.
+    /// </summary>
     public int MaxClients { get; set; } = 32;
+
+    /// <summary>
+    /// How long a client may stay without asking anything before its connection is closed: 1 second to 1 day, or <see cref="Timeout.InfiniteTimeSpan"/>
+    /// for ever. Bytes that are no whole request do not count. Default: 1 hour, because clients connect when they start and may ask once in a session.
+    /// </summary>
+    public TimeSpan IdleTimeout { get; set; } = TimeSpan.FromHours(1);
 
     /// <summary>What the server does otherwise than it should, to test clients. Default: nothing.</summary>
     public CommandReplyQuirks Quirks { get; set; } = new();
@@ -29,6 +38,11 @@ public sealed class CommandServerOptions
         Require(Port is >= 0 and <= IPEndPoint.MaxPort, nameof(Port), "is 0 to 65535", Port);
         Require(BindAddress is not null, nameof(BindAddress), "is an address", BindAddress);
         Require(MaxClients is >= 1 and <= 1024, nameof(MaxClients), "is 1 to 1024", MaxClients);
+        Require(
+            IdleTimeout == Timeout.InfiniteTimeSpan || (IdleTimeout >= TimeSpan.FromSeconds(1) && IdleTimeout <= TimeSpan.FromDays(1)),
+            nameof(IdleTimeout),
+            "is 1 second to 1 day, or infinite",
+            IdleTimeout);
         Require(Quirks is not null, nameof(Quirks), "is not null", Quirks);
         copy.Quirks = Quirks!.Copy();
         CommandReplyQuirks quirks = copy.Quirks;

@@ -1,5 +1,6 @@
 using System.Globalization;
 using NeuronMocap.Bvh;
+using NeuronMocap.Files;
 using NeuronMocap.Frames;
 using NeuronMocap.Skeleton;
 
@@ -15,25 +16,34 @@ internal sealed class BvhExportFiles
     private readonly string _path;
     private readonly BvhExportOptions _options;
     private readonly BvhExportBodies _bodies;
+    private readonly Func<string, Stream> _open;
     private readonly Dictionary<(int Source, int Avatar), Take> _takes = [];
     private readonly List<Take> _begun = [];
-    private FileStream? _first;
+
+    // What was there before may be anything, a device for example, and is not deleted.
+    private readonly HashSet<string> _made = new(StringComparer.Ordinal);
+    private Stream? _first;
     private volatile BvhExportFile[] _snapshot = [];
     private long _ignored;
+    private long _received;
     private long _taken;
 
     /// <summary>Opens the file, where there is one only: who gave a wrong name shall know at once.</summary>
-    public BvhExportFiles(string path, BvhExportOptions options, BvhExportBodies bodies)
+    public BvhExportFiles(string path, BvhExportOptions options, BvhExportBodies bodies, Func<string, Stream>? open = null)
     {
         _path = path;
         _options = options;
         _bodies = bodies;
+        _open = open ?? OpenFile;
         _first = options.IsForEachAvatar ? null : Open(path);
     }
 
     public IReadOnlyList<BvhExportFile> Snapshot => _snapshot;
 
     public long Ignored => Volatile.Read(ref _ignored);
+
+    // Frames that came and are in no file, once Close was called: the disk took no more.
+    public long Cut { get; private set; }
 
     public bool IsFull => _taken >= _options.MaxFrames;
 
@@ -42,6 +52,7 @@ internal sealed class BvhExportFiles
         if (IsFull)
             return;
 
+        _received++;
         if (!frame.HasSkeleton || FindTake(frame) is not { } take)
         {
             Volatile.Write(ref _ignored, _ignored + 1);
@@ -70,7 +81,7 @@ internal sealed class BvhExportFiles
         _snapshot = [.. _begun.Select(static take => take.Describe())];
     }
 
-    /// <summary>Completes all files. A file for which nothing came is not left behind.</summary>
+    /// <summary>Completes all files. A file for which nothing came, or of which the disk took nothing, is not left behind.</summary>
     /// <returns>Why one could not be completed.</returns>
     public Exception? Close()
     {
@@ -79,28 +90,85 @@ internal sealed class BvhExportFiles
         {
             try
             {
-                take.Writer.Dispose();
+                CloseWriter(take);
             }
-            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            catch (Exception exception)
             {
+                // Whatever it is, the other files are closed, too.
                 failure = exception;
             }
         }
 
+        Cut = _received - _ignored - _begun.Sum(static take => take.Received);
+        _begun.RemoveAll(static take => take.IsDeleted);
         _snapshot = [.. _begun.Select(static take => take.Describe())];
-        if (_first is { } unused)
+        try
         {
-            bool isEmpty = unused.Length == 0;
-            unused.Dispose();
-            if (isEmpty)
-                File.Delete(_path);
+            if (_first is { } unused)
+                CloseUnused(unused, _path);
+        }
+        catch (Exception exception)
+        {
+            failure ??= exception;
         }
 
         return failure;
     }
 
+    // Again: nothing.
+    private void CloseWriter(Take take)
+    {
+        if (take.IsClosed)
+            return;
+
+        take.IsClosed = true;
+        try
+        {
+            take.Writer.Flush();
+        }
+        finally
+        {
+            take.IsDeleted = take.Writer.FrameCount == 0 && DeleteIfEmpty(take.Path);
+            take.Writer.Dispose();
+        }
+    }
+
+    private void CloseUnused(Stream stream, string path)
+    {
+        DeleteIfEmpty(path);
+        stream.Dispose();
+    }
+
+    // While the file is still open, and so nobody else's.
+    private bool DeleteIfEmpty(string path)
+    {
+        var file = new FileInfo(path);
+        if (!_made.Contains(path) || !file.Exists || file.Length > 0)
+            return false;
+
+        try
+        {
+            file.Delete();
+            return true;
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            return false;
+        }
+    }
+
+    private Stream Open(string path)
+    {
+        bool isNew = !File.Exists(path);
+        Stream stream = _open(path);
+        if (isNew)
+            _made.Add(path);
+
+        return stream;
+    }
+
     // A file that is replaced stays what it was until there is a first frame.
-    private FileStream Open(string path) => BvhFile.Open(path, _options.IsOverwriting);
+    private FileStream OpenFile(string path) => _options.Overwrite ? WritableFile.OpenOrCreate(path) : WritableFile.CreateNew(path);
 
     private Take? FindTake(MotionFrame frame)
     {
@@ -117,7 +185,7 @@ internal sealed class BvhExportFiles
 
     private Take BeginNextPart(Take take, MotionFrame frame)
     {
-        take.Writer.Dispose();
+        CloseWriter(take);
         if (take.Part == MostParts)
             throw new NeuronException($"The server changed layout or rotation order of avatar {frame.AvatarIndex} {MostParts} times; the export ends.");
 
@@ -128,9 +196,30 @@ internal sealed class BvhExportFiles
     {
         string path = PathOf(frame, part);
         (SkeletonBody? body, BvhBodySource source) = _bodies.Find(frame);
-        FileStream stream = _first ?? Open(path);
+        Stream stream = _first ?? Open(path);
         _first = null;
-        stream.SetLength(0);
+        BvhTakeWriter writer;
+        try
+        {
+            writer = CreateWriter(stream, body);
+        }
+        catch
+        {
+            CloseUnused(stream, path);
+            throw;
+        }
+
+        var take = new Take(writer, path, part, frame.AvatarIndex, frame.AvatarName, source);
+        _takes[(frame.Source, frame.AvatarIndex)] = take;
+        _begun.Add(take);
+        return take;
+    }
+
+    private BvhTakeWriter CreateWriter(Stream stream, SkeletonBody? body)
+    {
+        if (stream.Length > 0)
+            stream.SetLength(0);
+
         var options = new BvhTakeOptions
         {
             Body = body,
@@ -138,10 +227,7 @@ internal sealed class BvhExportFiles
             Gaps = _options.Gaps,
             TextFormat = _options.TextFormat,
         };
-        var take = new Take(new BvhTakeWriter(stream, options), path, part, frame.AvatarIndex, frame.AvatarName, source);
-        _takes[(frame.Source, frame.AvatarIndex)] = take;
-        _begun.Add(take);
-        return take;
+        return new BvhTakeWriter(stream, options);
     }
 
     private string PathOf(MotionFrame frame, int part)
@@ -161,9 +247,18 @@ internal sealed class BvhExportFiles
     {
         public BvhTakeWriter Writer => writer;
 
+        public string Path => path;
+
         public int Part => part;
 
+        // Frames that are in the file, and those that were late for it.
+        public int Received => writer.FrameCount - writer.RepeatedFrames + writer.LateFrames;
+
         public bool IsChanged { get; set; }
+
+        public bool IsClosed { get; set; }
+
+        public bool IsDeleted { get; set; }
 
         public BvhExportFile Describe() => new(
             path,

@@ -14,13 +14,13 @@ public sealed record BvhExportOptions
     public int? AvatarIndex { get; init; }
 
     /// <summary>
-    /// Whether every avatar gets a file: for "take.bvh" these are "take-avatar0.bvh", "take-avatar1.bvh" and so on; over UDP those of the second sender
+    /// Whether every avatar gets a file: for "take.bvh" these are "take-avatar0.bvh", "take-avatar1.bvh" and so on; over UDP those of the second server
     /// "take-sender1-avatar0.bvh". At most 64.
     /// </summary>
     public bool IsForEachAvatar { get; init; }
 
     /// <summary>Whether files that are there already are replaced; unless set they are an error.</summary>
-    public bool IsOverwriting { get; init; }
+    public bool Overwrite { get; init; }
 
     /// <summary>
     /// The actor's body; null, the default, to find it out. The OFFSETs are, in this order: the positions of the stream, where it has displacement; this body; those

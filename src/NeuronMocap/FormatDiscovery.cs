@@ -58,6 +58,11 @@ internal sealed class FormatDiscovery(NeuronCommandOptions options, FrameFormat 
         {
             // The reader was stopped.
         }
+        catch (Exception exception)
+        {
+            // A fault of ours, or out of memory: told as any other failure, and tried again as after any other.
+            format.LearnFailure($"The command channel's answer could not be used: {exception.Message}");
+        }
         finally
         {
             Volatile.Write(ref _asked, Stopwatch.GetTimestamp());

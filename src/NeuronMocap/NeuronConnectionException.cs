@@ -2,7 +2,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap;
 
-/// <summary>A reader could not connect, or lost its connection, and does not try again.</summary>
+/// <summary>A reader could not connect, or lost its connection, and does not try again; or it had no connection in the time that was given to it.</summary>
 public sealed class NeuronConnectionException : NeuronException
 {
     /// <summary>Makes an exception without a reason.</summary>
@@ -30,6 +30,12 @@ public sealed class NeuronConnectionException : NeuronException
     /// <param name="message">What happened and which setting to look at.</param>
     public NeuronConnectionException(ConnectionReason reason, string message)
         : base(message) => Reason = reason;
+
+    internal NeuronConnectionException(ConnectionReason reason, string message, ConnectionStatus lastStatus)
+        : this(reason, message) => LastStatus = lastStatus;
+
+    /// <summary>The status that tells how the last attempt ended, where a time to wait ran out; else null.</summary>
+    public ConnectionStatus? LastStatus { get; }
 
     /// <summary>Why there is no connection.</summary>
     public ConnectionReason Reason { get; }

@@ -44,12 +44,10 @@ public static class NeuronDiagnostics
         NeuronReaderOptions options, LinkOptions link, DiagnosisOptions how, IProgress<DiagnosisStep>? progress, CancellationToken stop)
     {
         var log = new StepLog(progress);
-
-        // The threads that connections share out among them are for readers; a look at a dozen ports is over in a moment.
-        var task = new DiagnosisTask(link with { TakeReceiver = static () => new BlockingTcpReceiver() }, how, log, stop);
-        Conclusion conclusion = options.Transport == TransportKind.Tcp
-            ? await new TcpExamination(task).RunAsync().ConfigureAwait(false)
-            : await new UdpExamination(task, options.AllowedSenders).RunAsync().ConfigureAwait(false);
+        var task = new DiagnosisTask(ForDiagnosis(link), how, log, stop);
+        Conclusion conclusion = await ExamineAsync(options, task).ConfigureAwait(false);
+        if (options.CalculationLink is { } second)
+            conclusion = await CalculationExamination.AddAsync(task, ForDiagnosis(second), conclusion, other => ExamineAsync(options, other)).ConfigureAwait(false);
 
         IReadOnlyList<Finding> findings = conclusion.Findings;
         string advice = string.Join(" ", findings.Select(static finding => finding.Advice).Where(static text => text is not null));
@@ -60,8 +58,15 @@ public static class NeuronDiagnostics
             Advice = advice.Length > 0 ? advice : null,
             Code = conclusion.Place is { } place ? ReaderCode.For(options, place, how.Wanted) : null,
             Steps = log.Steps,
-            Avatars = conclusion.Sample is { } sample ? [.. sample.Avatars.Select(static avatar => avatar.ToPublic())] : [],
+            Avatars = [.. conclusion.Samples.SelectMany(static sample => sample.Avatars).Select(static avatar => avatar.ToPublic())],
             Elapsed = task.Elapsed,
         };
     }
+
+    private static async Task<Conclusion> ExamineAsync(NeuronReaderOptions options, DiagnosisTask task) => options.Transport == TransportKind.Tcp
+        ? await new TcpExamination(task).RunAsync().ConfigureAwait(false)
+        : await new UdpExamination(task, options.AllowedSenders).RunAsync().ConfigureAwait(false);
+
+    // The threads that connections share out among them are for readers; a look at a dozen ports is over in a moment.
+    private static LinkOptions ForDiagnosis(LinkOptions link) => link with { TakeReceiver = static _ => new BlockingTcpReceiver() };
 }

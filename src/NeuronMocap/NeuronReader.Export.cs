@@ -6,7 +6,8 @@ namespace NeuronMocap;
 /// <content>Motion that is kept.</content>
 public sealed partial class NeuronReader
 {
-    private const string ExportQueueName = "bvh export";
+    // Also of the events that tell what it lost.
+    internal const string ExportQueueName = "bvh export";
 
     /// <summary>
     /// Writes the motion frames that arrive from now on into a BVH file, until the export or the reader is disposed of. To get the first frame too, call it
@@ -20,9 +21,12 @@ public sealed partial class NeuronReader
     /// <param name="options">Which avatars, and what the stream does not say; null for the defaults.</param>
     /// <returns>The export; dispose of it to complete the file.</returns>
     /// <exception cref="ArgumentException">The path is empty, or an option is out of its range.</exception>
-    /// <exception cref="IOException">The file is there already and shall not be replaced, or it cannot be written.</exception>
+    /// <exception cref="IOException">The file is there already and shall not be replaced, or it cannot be written, or is being written already.</exception>
     /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
-    public BvhExport ExportBvh(string path, BvhExportOptions? options = null)
+    public BvhExport ExportBvh(string path, BvhExportOptions? options = null) => ExportBvhTo(path, options, open: null);
+
+    // Tests put something else in a file's place.
+    internal BvhExport ExportBvhTo(string path, BvhExportOptions? options, Func<string, Stream>? open)
     {
         if (string.IsNullOrWhiteSpace(path))
             throw new ArgumentException("A file has a name.", nameof(path));
@@ -36,8 +40,25 @@ public sealed partial class NeuronReader
             throw new ArgumentException("FrameTime is above 0, or null.", nameof(options));
 
         var bodies = new BvhExportBodies(options, _options.Commands, _format);
-        var files = new BvhExportFiles(path, options, bodies);
-        FrameQueue queue = _pipeline.OpenMotionQueue(options.Capacity, ExportQueueName, out MotionIntake intake);
-        return new BvhExport(queue, intake, files, bodies, Completion);
+        BvhExportFiles? files = null;
+        FrameQueue? queue = null;
+        BvhExport export;
+        try
+        {
+            files = new BvhExportFiles(path, options, bodies, open);
+            queue = _pipeline.OpenMotionQueue(options.Capacity, ExportQueueName, out MotionIntake intake);
+            export = new BvhExport(path, queue, intake, files, bodies, _recordings.OnEnded);
+        }
+        catch
+        {
+            // The file cannot be opened, or there is no memory for the queue, or no thread.
+            queue?.Dispose();
+            files?.Close();
+            bodies.Dispose();
+            throw;
+        }
+
+        _recordings.Add(export);
+        return export;
     }
 }

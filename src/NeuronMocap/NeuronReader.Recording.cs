@@ -19,7 +19,7 @@ public sealed partial class NeuronReader
     /// <param name="options">How to record; copied. Null for the defaults.</param>
     /// <returns>The recording. It is no error to let go of it: it then ends with the reader.</returns>
     /// <exception cref="ArgumentException">The path is empty, or an option out of its range; the message names it.</exception>
-    /// <exception cref="IOException">The file exists, and <see cref="RecordingOptions.Overwrite"/> is off, or it cannot be made.</exception>
+    /// <exception cref="IOException">The file exists, and <see cref="RecordingOptions.Overwrite"/> is off, or it cannot be made, or is being written already.</exception>
     /// <exception cref="UnauthorizedAccessException">The file may not be made.</exception>
     /// <exception cref="InvalidOperationException">The reader plays a file.</exception>
     /// <exception cref="ObjectDisposedException">The reader was disposed of, or has stopped.</exception>

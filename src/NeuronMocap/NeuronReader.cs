@@ -20,14 +20,15 @@ namespace NeuronMocap;
 /// They can be mixed, and opened and closed while the reader runs. All but the last allocate nothing per frame.
 /// </para>
 /// <para>
-/// One reader has one connection, or one UDP port; a program may have any number of readers. All members may be called from any thread.
+/// One reader has one connection, or one UDP port, and a second one where <see cref="NeuronReaderOptions.CalculationPort"/> says so; a program may have any number of readers. All members may be called from any thread.
+/// </para>
+/// <para>
+/// A reader that runs stays alive, with its connection and its handlers, also when nothing in the program refers to it: as a thread does. It ends when it
+/// is disposed of or, where reconnecting is off, with its connection. A reader that was never started, or has ended, is collected like any object.
 /// </para>
 /// </summary>
 public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 {
-    // Longest wait for a handler that is running while the reader is disposed of.
-    private static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(2);
-
     private readonly NeuronReaderOptions _options;
     private readonly CancellationTokenSource _stop = new();
     private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -43,6 +44,10 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly LinkActivity _activity;
     private readonly SenderFilter _senders;
     private readonly ConnectionSupervisor _supervisor;
+    private readonly UdpServers? _servers;
+    private readonly object? _gate;
+    private readonly JointStatus? _jointStatus;
+    private readonly CalculationConnection? _calculation;
     private readonly FormatDiscovery? _discovery;
     private readonly ReaderRecordings _recordings;
     private readonly bool _isPlayback;
@@ -51,6 +56,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private int _begun;
     private int _disposed;
     private int _tellingThread;
+    private int _failureTraced;
 
     /// <summary>Makes a reader for a TCP server.</summary>
     /// <param name="host">Name or address of the computer that runs Axis Neuron.</param>
@@ -97,7 +103,14 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _isPlayback = player is not null;
         _options = player is null ? options.Copy() : options.CopyFor(player);
         _statusHandlers = new HandlerList<ConnectionStatus>(OnCallbackFailed);
-        _status = new StatusBoard(OnStatusChanged);
+        if (_options.CalculationLink is { } second)
+        {
+            _gate = new object();
+            _servers = new UdpServers();
+            _jointStatus = new JointStatus(OnStatusChanged, second.Port);
+        }
+
+        _status = new StatusBoard(OnFirstStatusChanged);
         _senders = new SenderFilter(_options.AllowedSenders);
         player?.Attach(_senders, OnCallbackFailed);
         _format = player?.CreateFormat(_options.RotationOrder, _options.SkeletonVariant) ?? _options.Format;
@@ -109,9 +122,16 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _eventHandlers.Add(_options.CreateLog());
         _metrics = new ReaderMetrics(_options.DisplayName);
         _supervisor = new ConnectionSupervisor(createLink ?? player?.LinkFactory ?? CreateLink, _options.Reconnect, _status, _activity, new Random().NextDouble);
-        _recordings = new ReaderRecordings(_options, _metrics.Name) { IsObserved = () => !_eventHandlers.IsEmpty };
+        _recordings = new ReaderRecordings(_options, _metrics.Name, _gate)
+        {
+            IsObserved = () => !_eventHandlers.IsEmpty,
+            Report = () => _reporter!.Check(Stopwatch.GetTimestamp()),
+        };
         _pipeline = new ReceivePipeline(
-            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player?.PatienceSource);
+            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player?.PatienceSource, _gate);
+        if (_jointStatus is not null)
+            _calculation = CreateCalculationConnection(_options.CalculationLink!, _jointStatus);
+
         _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke);
     }
 
@@ -128,20 +148,27 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     /// <summary>
     /// Called with every exception that a handler of this reader's events threw, on the thread that called the handler. The exception goes
     /// no further: other handlers and the connection go on. An exception of this event's own handlers is only counted.
+    /// <para>
+    /// As long as neither this event nor <see cref="EventReported"/> nor a log is in use, the first exception of a reader is written to
+    /// <see cref="Trace"/>. <see cref="ReaderStatistics.CallbackFailures"/> counts all of them in any case.
+    /// </para>
     /// </summary>
     public event Action<Exception>? CallbackFailed;
 
     /// <summary>
     /// Called with what deserves a line in a log: every change of the connection's state, on the thread that tells it, and lost and dropped
     /// frames, skipped bytes and failed handlers: the first of each kind within half a second, what follows in one event every 10 s, on a pool thread,
-    /// as are the beginning, the losses and the end of recordings.
-    /// Both threads may call at the same time; each for itself calls once at a time. On .NET the same goes to <c>NeuronReaderOptions.LoggerFactory</c>.
+    /// as are the beginning and the losses of recordings and exports. Their end is told at once, on their own thread.
+    /// These threads may call at the same time; each for itself calls once at a time. On .NET the same goes to <c>NeuronReaderOptions.LoggerFactory</c>.
     /// </summary>
     public event Action<ReaderEvent>? EventReported
     {
         add => _eventHandlers.Add(value);
         remove => _eventHandlers.Remove(value);
     }
+
+    // For a process that may have few threads: the C library counts those that a connection needs.
+    internal bool StartsOnPool { get; init; }
 
     // What discovery tells it is used for the frames from then on, and told with the status.
     internal FrameFormat Format => _format;
@@ -150,7 +177,13 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     public string Name => _metrics.Name;
 
     /// <summary>State of the connection, with the reason of its last change.</summary>
-    public ConnectionStatus Status => _status.Current;
+    public ConnectionStatus Status => _jointStatus?.Current ?? _status.Current;
+
+    /// <summary>
+    /// State of the connection to <see cref="NeuronReaderOptions.CalculationPort"/>; null where the reader has none. <see cref="Status"/> tells it in words,
+    /// and <see cref="StatusChanged"/> that it changed.
+    /// </summary>
+    public ConnectionStatus? CalculationStatus => _calculation?.Status;
 
     /// <summary>
     /// Completes when the reader has stopped for good: disposed of, or at the end of its connection where reconnecting is off. Never faults;
@@ -171,177 +204,12 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     /// <returns>A snapshot.</returns>
     public IReadOnlyList<AvatarStatistics> GetAvatarStatistics() => _pipeline.GetAvatarStatistics();
 
-    /// <summary>Starts connecting and receiving, and returns at once. Starting again does nothing.</summary>
-    /// <exception cref="ObjectDisposedException">The reader was disposed of.</exception>
-    public void Start()
-    {
-        ObjectDisposedException.ThrowIf(Volatile.Read(ref _disposed) != 0, this);
-        if (Interlocked.Exchange(ref _started, 1) != 0)
-            return;
+    private Link CreateLink() => CreateLink(_options.Link);
 
-        TimeSpan period = TimeSpan.FromSeconds(Math.Min(0.5, _options.SilenceTimeout.TotalSeconds / 4));
-        _watchdog = new Timer(_ => Check(Stopwatch.GetTimestamp()), state: null, period, period);
-        _ = Task.Run(RunAsync);
-    }
+    private Link CreateLink(LinkOptions link) => _options.Transport == TransportKind.Tcp ? new TcpLink(link) : new UdpLink(link, _senders, _servers, _gate);
 
-    /// <summary>Starts the reader and waits for its first connection; for UDP, for the port.</summary>
-    /// <param name="cancellationToken">Ends the wait; the reader goes on trying.</param>
-    /// <returns>A task that completes when the connection stands.</returns>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off and there is no connection, or the reader was disposed of meanwhile.</exception>
-    /// <exception cref="ObjectDisposedException">The reader was disposed of before.</exception>
-    public async Task StartAsync(CancellationToken cancellationToken = default)
-    {
-        Start();
-        var cancelled = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
-        using (cancellationToken.Register(() => cancelled.TrySetCanceled(cancellationToken)))
-            await (await Task.WhenAny(_connected.Task, cancelled.Task).ConfigureAwait(false)).ConfigureAwait(false);
-    }
-
-    /// <summary>
-    /// Stops receiving and closes the connection, in whatever state it is. When it returns, no handler runs and none will, with two
-    /// exceptions: called from a handler it returns before that handler does, and a handler that is still busy after 2 s is left behind.
-    /// Any thread, any number of times. Queues and statistics stay readable.
-    /// </summary>
-    public void Dispose()
-    {
-        // Not for both in one task, nor for Completion: that would take a thread of the pool, and in a busy process there may be none for a while.
-        Stop();
-        if (!IsHandlerThread)
-            Task.WaitAll([_stopped.Task, _reporter.Over], StopTimeout);
-    }
-
-    /// <summary>As <see cref="Dispose"/>, without blocking the thread.</summary>
-    /// <returns>A task that completes when the reader has stopped, or after 2 s.</returns>
-    public async ValueTask DisposeAsync()
-    {
-        Stop();
-        if (IsHandlerThread)
-            return;
-
-        // What follows is the caller's, and not for a thread of the reader.
-        Task stopped = Task.WhenAll(_stopped.Task, _reporter.Over).ContinueWith(
-            static _ => { }, CancellationToken.None, TaskContinuationOptions.RunContinuationsAsynchronously, TaskScheduler.Default);
-        await Task.WhenAny(stopped, Task.Delay(StopTimeout)).ConfigureAwait(false);
-    }
-
-    // Only the thread itself can find its own number here, so no barrier is needed.
-    private bool IsHandlerThread
-    {
-        get
-        {
-            int thread = Environment.CurrentManagedThreadId;
-            return thread == _tellingThread || thread == _pipeline.DeliveringThread || _reporter.IsReporting;
-        }
-    }
-
-    private void Stop()
-    {
-        if (Interlocked.Exchange(ref _disposed, 1) == 0)
-        {
-            _pipeline.Stop();
-            _metrics.Dispose();
-            _watchdog?.Dispose();
-            _discovery?.Dispose();
-            if (Interlocked.Exchange(ref _started, 1) == 0)
-                End();
-            else
-                _ = DedicatedThread.RunAsync("NeuronMocap stop", End);
-        }
-    }
-
-    // What waits goes on in here as far as it can, down to the handlers of the last status, so that no end needs a pool thread: in a busy process
-    // there may be none for a while. On a thread of its own, because those handlers may take longer than a stop.
-    private void End()
-    {
-        _stop.Cancel();
-        if (Interlocked.Exchange(ref _begun, 1) == 0)
-            _ = EndAsync(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, LinkEnd.Requested.Message));
-    }
-
-    private async Task RunAsync()
-    {
-        // Stopped before a pool thread had time for the start.
-        if (Interlocked.Exchange(ref _begun, 1) != 0)
-        {
-            _watchdog?.Dispose();
-            return;
-        }
-
-        ConnectionStatus last;
-        try
-        {
-            last = await _supervisor.RunAsync(_pipeline, _stop.Token).ConfigureAwait(false);
-        }
-        catch (Exception exception)
-        {
-            // Nothing the network does comes here; whoever waits for the end shall not wait for ever because of a fault of ours.
-            last = new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.NetworkError, $"The reader failed: {exception}");
-        }
-
-        await EndAsync(last).ConfigureAwait(false);
-    }
-
-    // The last report, then the last status, whatever becomes of the report.
-    private async Task EndAsync(ConnectionStatus last)
-    {
-        try
-        {
-            _watchdog?.Dispose();
-            _discovery?.Dispose();
-            await _recordings.StopAsync().ConfigureAwait(false);
-            await _reporter.EndAsync(Stopwatch.GetTimestamp()).ConfigureAwait(false);
-        }
-        finally
-        {
-            _status.Set(last);
-        }
-    }
-
-    private void Check(long now)
-    {
-        _activity.Check(now);
-        if (_status.Current.IsConnected)
-            _discovery?.Check(now);
-        if (!_eventHandlers.IsEmpty)
-            _reporter.Check(now);
-    }
-
-    // When the handlers of Stopped, the last status, have run.
-    private void Complete(ConnectionStatus last)
-    {
-        _connected.TrySetException(new NeuronConnectionException(last.Reason, last.Message));
-        _ = _connected.Task.Exception; // observed: most programs never wait for the connection
-        _pipeline.End();
-        _completion.TrySetResult(true);
-        _stopped.TrySetResult(true);
-    }
-
-    private Link CreateLink() => _options.Transport == TransportKind.Tcp ? new TcpLink(_options.Link) : new UdpLink(_options.Link, _senders);
-
-    private void OnStatusChanged(ConnectionStatus status)
-    {
-        if (status.IsConnected)
-            _connected.TrySetResult(true);
-        if (status.State == ConnectionState.Connected)
-        {
-            _discovery?.Begin();
-            _recordings.Ask();
-        }
-
-        _recordings.Learn(status.Format);
-        _tellingThread = Environment.CurrentManagedThreadId;
-        _reporter.OnStatus(status);
-        _statusHandlers.Invoke(status);
-        _tellingThread = 0;
-        if (status.State == ConnectionState.Stopped)
-            Complete(status);
-    }
-
-    private void OnFormatLearnt()
-    {
-        _activity.Redescribe(Stopwatch.GetTimestamp(), isDue: true);
-        _recordings.Learn(_format.Findings.Order, _format.Findings.Variant);
-    }
+    private CalculationConnection CreateCalculationConnection(LinkOptions link, JointStatus status) => new(
+        _options, _format, _pipeline, _options.Transport == TransportKind.Udp ? _senders : null, () => CreateLink(link), status.OnCalculation);
 
     private void OnCallbackFailed(Exception exception)
     {
@@ -349,7 +217,10 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _pipeline.CountCallbackFailure();
         try
         {
-            CallbackFailed?.Invoke(exception);
+            if (CallbackFailed is { } handlers)
+                handlers(exception);
+            else if (_eventHandlers.IsEmpty && Interlocked.Exchange(ref _failureTraced, 1) == 0)
+                Trace.TraceError($"A handler of the NeuronReader '{Name}' threw an exception. Further ones are only counted; handle CallbackFailed to see them. {exception}");
         }
         catch (Exception)
         {

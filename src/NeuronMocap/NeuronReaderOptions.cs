@@ -56,6 +56,13 @@ public sealed partial class NeuronReaderOptions
     /// <summary>After how long without a frame the state becomes Silent. 3 s unless set; at least 0.1 s, at most an hour.</summary>
     public TimeSpan SilenceTimeout { get; set; } = TimeSpan.FromSeconds(3);
 
+    /// <summary>
+    /// On which thread to receive, and so to run the handlers of frames. <see cref="Transport.ReceiveThread.Auto"/> unless set.
+    /// <see cref="ConnectionStatus.ReceiveThread"/> says which one a connection has. Set it to <see cref="Transport.ReceiveThread.Dedicated"/> where
+    /// the program blocks the threads of the pool.
+    /// </summary>
+    public ReceiveThread ReceiveThread { get; set; }
+
     /// <summary>Whether and when to try again after a connection failed or ended.</summary>
     public ReconnectPolicy Reconnect { get; set; } = new();
 
@@ -80,6 +87,16 @@ public sealed partial class NeuronReaderOptions
     public int? CommandPort { get; set; }
 
     /// <summary>
+    /// Port on which the server broadcasts calculation data, where that is not <see cref="Port"/>: 1 to 65535, for UDP also 0 for any free one. Null, the
+    /// default, for none; <see cref="ProtocolConstants.DefaultCalculationPort"/> is usual. Over TCP the reader then has a second connection to
+    /// <see cref="Host"/>, over UDP a second port; each reconnects by itself. Frames of both are handed out alike, with the same
+    /// <see cref="AvatarFrame.Source"/> for a server. Where the second one fails, motion goes on, and the status says so:
+    /// <see cref="ConnectionReason.CalculationUnavailable"/>. Motion that arrives there is skipped and counted. The same value as
+    /// <see cref="Port"/> means one connection for both.
+    /// </summary>
+    public int? CalculationPort { get; set; }
+
+    /// <summary>
     /// Largest number of values that a packet may announce, 1 to 1,000,000; larger ones are skipped and counted. 10,224 unless set, the most
     /// that the vendor's library delivers.
     /// </summary>
@@ -95,7 +112,11 @@ public sealed partial class NeuronReaderOptions
         ConnectTimeout = ConnectTimeout,
         MaxValues = MaxValues,
         SharePort = SharePort,
+        ReceiveThread = ReceiveThread,
     };
+
+    // Null where motion and calculation data come together, or one of them not at all.
+    internal LinkOptions? CalculationLink => CalculationPort is { } port && (port != Port || port == 0) ? Link with { Port = port } : null;
 
     internal NeuronCommandOptions? Commands => CommandPort is { } port
         ? new NeuronCommandOptions { Host = Host, Port = port, ConnectTimeout = ConnectTimeout }
@@ -116,6 +137,7 @@ public sealed partial class NeuronReaderOptions
         copy.Name ??= player.Target;
         copy.Transport = TransportKind.Tcp;
         copy.CommandPort = null;
+        copy.CalculationPort = null;
         copy.AllowedSenders = [];
         copy.Reconnect = new ReconnectPolicy { InitialDelay = TimeSpan.Zero, MaxDelay = TimeSpan.Zero };
         return copy;
@@ -125,6 +147,9 @@ public sealed partial class NeuronReaderOptions
     {
         if (!Enum.IsDefined(typeof(TransportKind), Transport))
             return $"Transport is {Transport}; it must be Tcp or Udp.";
+
+        if (!Enum.IsDefined(typeof(ReceiveThread), ReceiveThread))
+            return $"ReceiveThread is {ReceiveThread}; it must be Auto, Dedicated or Pool.";
 
         if (Name is not null && string.IsNullOrWhiteSpace(Name))
             return "Name is empty; give the reader one, or leave it out.";
@@ -146,6 +171,10 @@ public sealed partial class NeuronReaderOptions
             return $"CommandPort is {CommandPort}; it must be 1 to {IPEndPoint.MaxPort}, or null.";
         if (CommandPort == Port && Transport == TransportKind.Tcp)
             return $"CommandPort and Port are both {Port}; frames and the command channel have a port each, by default 7001 and 8013.";
+        if (CalculationPort < lowestPort || CalculationPort > IPEndPoint.MaxPort)
+            return $"CalculationPort is {CalculationPort}; it must be {lowestPort} to {IPEndPoint.MaxPort}, or null.";
+        if (CalculationPort is not null && CalculationPort == CommandPort && Transport == TransportKind.Tcp)
+            return $"CalculationPort and CommandPort are both {CommandPort}; calculation data and the command channel have a port each, by default 7003 and 8013.";
         if (MaxValues is < 1 or > 1_000_000)
             return $"MaxValues is {MaxValues}; it must be 1 to 1,000,000.";
         if (AllowedSenders?.Contains(null!) == true)

@@ -32,6 +32,8 @@ internal static class ReaderCode
 
         parts.Add($"Port = {place.Port}");
         int essential = parts.Count;
+        if (options.CalculationLink is { } calculation)
+            parts.Add($"CalculationPort = {calculation.Port}");
         if (options.LocalAddress is { } address)
             parts.Add($"LocalAddress = IPAddress.Parse(\"{address}\")");
         if (options.SharePort && place.Transport == TransportKind.Udp)

@@ -8,7 +8,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap;
 
-// The recordings of one reader, and what is written at the head of them all. Any thread.
+// The recordings and exports of one reader, and what is written at the head of its recordings. Any thread.
 internal sealed class ReaderRecordings
 {
     // Half of what a stop of the reader may take.
@@ -19,14 +19,15 @@ internal sealed class ReaderRecordings
 
     private readonly object _lock = new();
     private readonly NeuronCommandOptions? _commands;
-    private volatile StreamRecorder[] _all = [];
+    private volatile IFileOutput[] _all = [];
     private RecordingMetadata _metadata;
     private NeuronCommandClient? _client;
     private bool _isAsking;
     private bool _ended;
 
-    public ReaderRecordings(NeuronReaderOptions options, string name)
+    public ReaderRecordings(NeuronReaderOptions options, string name, object? gate = null)
     {
+        Tap = new StreamTap(gate);
         _commands = options.Commands;
         _metadata = new RecordingMetadata()
             .With(RecordingMetadata.Program, DescribeProgram())
@@ -37,13 +38,16 @@ internal sealed class ReaderRecordings
         Learn(options.RotationOrder, options.SkeletonVariant);
     }
 
-    public StreamTap Tap { get; } = new();
+    public StreamTap Tap { get; }
 
     // Those that ended stay until the report has told it.
-    public IReadOnlyList<StreamRecorder> All => _all;
+    public IReadOnlyList<IFileOutput> All => _all;
 
     // Whether somebody waits for reports.
     public Func<bool> IsObserved { get; set; } = static () => false;
+
+    // Called when a recording or an export has ended, on its thread: somebody waits for the report.
+    public Action Report { get; set; } = static () => { };
 
     public StreamRecorder Start(string path, RecordingOptions options, object reader)
     {
@@ -59,10 +63,26 @@ internal sealed class ReaderRecordings
         return recorder;
     }
 
-    public void Forget(StreamRecorder recorder)
+    // Ends with the reader; the caller tells OnEnded.
+    public void Add(IFileOutput output)
     {
         lock (_lock)
-            _all = [.. _all.Where(other => other != recorder)];
+        {
+            if (_ended)
+                output.Stop();
+            else
+                _all = [.. _all, output];
+        }
+
+        // It may have ended before it was known here.
+        if (output.Completion.IsCompleted)
+            OnEnded(output);
+    }
+
+    public void Forget(IFileOutput output)
+    {
+        lock (_lock)
+            _all = [.. _all.Where(other => other != output)];
     }
 
     public void Learn(RotationOrder? order, SkeletonVariant? variant)
@@ -84,7 +104,7 @@ internal sealed class ReaderRecordings
     {
         lock (_lock)
         {
-            if (_commands is null || _ended || _isAsking || _all.Length == 0 || _metadata[RecordingMetadata.BoneDimensionsName] is not null)
+            if (_commands is null || _ended || _isAsking || !_all.OfType<StreamRecorder>().Any() || _metadata[RecordingMetadata.BoneDimensionsName] is not null)
                 return;
 
             _isAsking = true;
@@ -102,12 +122,12 @@ internal sealed class ReaderRecordings
             _ = _client?.DisposeAsync().AsTask();
         }
 
-        StreamRecorder[] all = _all;
-        foreach (StreamRecorder recorder in all)
-            recorder.Stop();
+        IFileOutput[] all = _all;
+        foreach (IFileOutput output in all)
+            output.Stop();
 
         if (all.Length > 0)
-            await Task.WhenAny(Task.WhenAll(all.Select(static recorder => recorder.Ended)), Task.Delay(Patience)).ConfigureAwait(false);
+            await Task.WhenAny(Task.WhenAll(all.Select(static output => output.Ended)), Task.Delay(Patience)).ConfigureAwait(false);
     }
 
     private void Learn(string key, string value)
@@ -118,7 +138,7 @@ internal sealed class ReaderRecordings
                 return;
 
             _metadata = metadata;
-            foreach (StreamRecorder recorder in _all)
+            foreach (StreamRecorder recorder in _all.OfType<StreamRecorder>())
                 recorder.SetMetadata(key, value);
         }
     }
@@ -141,10 +161,12 @@ internal sealed class ReaderRecordings
         }
     }
 
-    private void OnEnded(StreamRecorder recorder)
+    public void OnEnded(IFileOutput output)
     {
-        if (!IsObserved())
-            Forget(recorder);
+        if (IsObserved())
+            Report();
+        else
+            Forget(output);
     }
 
     private static string DescribeProgram()

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using NeuronMocap.Commands;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
@@ -21,6 +22,9 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     private readonly ReaderMetrics _metrics;
     private readonly ReaderRecordings _recordings;
     private readonly Func<bool>? _isPatient;
+
+    // Of a reader with two connections, whose threads take turns from here on: everything behind has one producer. Null for one connection.
+    private readonly object? _gate;
     private readonly StreamCounters _counters;
     private readonly PacketDispatcher _dispatcher;
     private readonly object _lock = new();
@@ -28,6 +32,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     private readonly List<FrameStream> _streams = [];
     private readonly Dictionary<string, long> _droppedByClosedQueues = new(StringComparer.Ordinal);
     private long _callbackFailures;
+    private long _undelivered;
     private bool _ended;
     private volatile bool _stopped;
 
@@ -41,8 +46,10 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         DataCommands.TrySend trySend,
         ReaderRecordings recordings,
         Action<Exception> callbackFailed,
-        Func<bool>? isPatient = null)
+        Func<bool>? isPatient = null,
+        object? gate = null)
     {
+        _gate = gate;
         _recordings = recordings;
         _format = format;
         _recognizer = recognizer;
@@ -65,7 +72,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
 
     public StreamTap? Tap => _recordings.Tap;
 
-    public IReadOnlyList<StreamRecorder> Recorders => _recordings.All;
+    public IReadOnlyList<IFileOutput> Outputs => _recordings.All;
 
     public FrameCallbacks Callbacks { get; }
 
@@ -77,9 +84,14 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     public void OnPacket(in ReceivedPacket packet)
     {
         if (_stopped)
+        {
+            CountUndelivered(packet);
             return;
+        }
 
-        DeliveringThread = Environment.CurrentManagedThreadId;
+        if (_gate is null)
+            DeliveringThread = Environment.CurrentManagedThreadId;
+
         bool isNews = packet.IsFrame && _recognizer.OnFrame(packet);
         _activity.BeginDelivery(packet);
         try
@@ -87,42 +99,94 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
             if (isNews)
                 _activity.Redescribe(packet.Timestamp);
 
-            _dispatcher.Dispatch(packet);
-            if (packet.Kind == PacketKind.Command)
-                Commands.OnPacket(packet);
+            if (_gate is null)
+                Dispatch(packet);
+            else
+                DeliverInTurn(packet);
         }
         finally
         {
             _activity.EndDelivery();
-            DeliveringThread = 0;
+            if (_gate is null)
+                DeliveringThread = 0;
         }
     }
 
-    public void OnText(ReadOnlySpan<byte> bytes)
+    // Of either of two connections.
+    public void DeliverInTurn(in ReceivedPacket packet)
     {
-        if (!_stopped)
-            _counters.CountText(bytes.Length);
+        lock (_gate!)
+        {
+            if (_stopped)
+            {
+                CountUndelivered(packet);
+                return;
+            }
+
+            DeliveringThread = Environment.CurrentManagedThreadId;
+            try
+            {
+                Dispatch(packet);
+            }
+            finally
+            {
+                DeliveringThread = 0;
+            }
+        }
     }
+
+    public void OnText(ReadOnlySpan<byte> bytes) => CountText(bytes.Length);
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
     {
         if (_stopped)
             return;
 
-        _counters.CountSkipped(bytes.Length, reason);
+        CountSkipped(bytes.Length, reason);
         _activity.OnSkipped(bytes, reason);
+    }
+
+    // Of either connection.
+    public void CountText(int bytes)
+    {
+        if (_stopped)
+            return;
+
+        if (_gate is null)
+        {
+            _counters.CountText(bytes);
+            return;
+        }
+
+        lock (_gate)
+            _counters.CountText(bytes);
+    }
+
+    // Of either connection.
+    public void CountSkipped(int bytes, SkipReason reason)
+    {
+        if (_gate is null)
+        {
+            _counters.CountSkipped(bytes, reason);
+            return;
+        }
+
+        lock (_gate)
+            _counters.CountSkipped(bytes, reason);
     }
 
     public void OnLinkOpened()
     {
         _recognizer.Reset();
-        _counters.Resume();
+        Resume(isCalculation: false);
         Commands.OnLinkOpened();
     }
 
+    public void OnCalculationLinkOpened() => Resume(isCalculation: true);
+
     public void OnLinkClosed() => Commands.OnLinkClosed();
 
-    // From here on nothing is delivered, even where the receive thread still holds bytes.
+    // From here on nothing is delivered, even where the receive thread still holds bytes; frames are counted.
     public void Stop() => _stopped = true;
 
     // No more packets will come.
@@ -183,6 +247,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
             {
                 Dropped = dropped,
                 RefusedDatagrams = _senders.RefusedDatagrams,
+                Undelivered = Interlocked.Read(ref _undelivered),
                 CallbackFailures = Volatile.Read(ref _callbackFailures),
             };
         }
@@ -206,11 +271,33 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         }
     }
 
-    public void Forget(StreamRecorder recorder) => _recordings.Forget(recorder);
+    public void Forget(IFileOutput output) => _recordings.Forget(output);
 
     public long GetSkipped(SkipReason reason) => _counters.GetSkipped(reason);
 
     public void CountCallbackFailure() => Interlocked.Increment(ref _callbackFailures);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Dispatch(in ReceivedPacket packet)
+    {
+        _dispatcher.Dispatch(packet);
+        if (packet.Kind == PacketKind.Command)
+            Commands.OnPacket(packet);
+    }
+
+    // Of either connection, without turns.
+    private void CountUndelivered(in ReceivedPacket packet)
+    {
+        if (packet.IsFrame)
+            Interlocked.Increment(ref _undelivered);
+    }
+
+    // Nobody else counts while a connection is opened, but a second one does.
+    private void Resume(bool isCalculation)
+    {
+        lock (_gate ?? _lock)
+            _counters.Resume(isCalculation);
+    }
 
     private void Open(FrameQueue queue, IPacketConsumer consumer)
     {

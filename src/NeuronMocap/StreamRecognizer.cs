@@ -92,7 +92,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
         {
             return (
                 ConnectionReason.RotationOrderMismatch,
-                $" But {teller} says {told}: one of them is wrong. Leave RotationOrder out of the options to use {told}.");
+                $" But {teller} says {told}: one of them is wrong. Leave RotationOrder out to use {told}.");
         }
 
         if (format.OptionVariant is { } variant && findings.Variant is { } learnt && learnt != variant)
@@ -100,7 +100,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
             return (
                 ConnectionReason.SkeletonVariantMismatch,
                 $" The options say bones with {variant}, which is used, but {format.Teller} says {learnt}: one of them is wrong. Leave "
-                + $"SkeletonVariant out of the options to use {learnt}.");
+                + $"SkeletonVariant out to use {learnt}.");
         }
 
         return findings.Failure is { } failure

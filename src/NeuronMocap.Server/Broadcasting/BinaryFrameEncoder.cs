@@ -10,7 +10,7 @@ internal class BinaryFrameEncoder(FramePlan plan) : FrameEncoder(plan)
         Version = Plan.Version,
         HasDisplacement = Plan.Layout.HasDisplacement,
         HasReference = Plan.Layout.HasReference,
-        AvatarIndex = (uint)avatar,
+        AvatarIndex = avatar,
         AvatarName = Plan.Names[avatar],
         FrameIndex = (uint)frame,
 
@@ -25,7 +25,7 @@ internal class BinaryFrameEncoder(FramePlan plan) : FrameEncoder(plan)
     {
         var header = new CalculationHeader
         {
-            AvatarIndex = (uint)avatar,
+            AvatarIndex = avatar,
             AvatarName = Plan.Names[avatar],
             FrameIndex = (uint)frame,
         };

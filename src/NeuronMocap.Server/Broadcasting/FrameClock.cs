@@ -25,8 +25,8 @@ internal sealed class FrameClock
         _start = start;
     }
 
-    // Milliseconds to wait before the frame may be sent, rounded up; 0 when it is due.
-    public int GetDelay(long frame, long now)
+    // Milliseconds to wait before the frame may be sent, rounded up; 0 when it is due. What belongs between two frames has a number between theirs.
+    public int GetDelay(double frame, long now)
     {
         long early = _start + (long)(frame * _ticksPerFrame) - now;
         if (early < -_tolerance)

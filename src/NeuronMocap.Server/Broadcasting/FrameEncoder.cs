@@ -22,8 +22,12 @@ internal abstract class FrameEncoder(FramePlan plan)
         int written = 0;
         for (int avatar = 0; avatar < plan.AvatarCount; avatar++)
         {
-            plan.Sources[avatar].WriteValues(frame, plan.Layout, plan.Order, _motion);
-            written += WriteMotion(frame, avatar, _motion, destination[written..]);
+            if (plan.HasMotion)
+            {
+                plan.Sources[avatar].WriteValues(frame, plan.Layout, plan.Order, _motion);
+                written += WriteMotion(frame, avatar, _motion, destination[written..]);
+            }
+
             if (plan.HasCalculation)
                 written += WriteCalculation(frame, avatar, destination[written..]);
         }

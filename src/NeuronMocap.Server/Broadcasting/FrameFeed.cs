@@ -1,6 +1,6 @@
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>Where the bytes of one recipient come from: whole frames in order, with the recipient's own position.</summary>
+/// <summary>Where the bytes of one recipient come from: whole packets in order, with the recipient's own position.</summary>
 internal abstract class FrameFeed
 {
     /// <summary>Whether frames appear as time goes by, so that what is there must be sent without waiting for more.</summary>
@@ -12,10 +12,10 @@ internal abstract class FrameFeed
     /// <summary>Whether there will be no more: the last frame was given, or the broadcast was stopped.</summary>
     public virtual bool IsOver => IsAtEnd;
 
-    /// <summary>Frames that the recipient was too slow for. Safe to read on any thread.</summary>
-    public abstract long MissedFrames { get; }
+    /// <summary>Packets that the recipient was too slow for. Safe to read on any thread.</summary>
+    public abstract long MissedPackets { get; }
 
-    /// <summary>Waits for frames and writes as many as fit.</summary>
+    /// <summary>Waits for packets and writes as many as fit.</summary>
     /// <param name="destination">Room for at least one frame.</param>
     /// <returns>What was written; nothing after <see cref="Wake"/>, and when there will be no more.</returns>
     public abstract FrameBatch Read(Span<byte> destination);

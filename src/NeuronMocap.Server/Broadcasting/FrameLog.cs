@@ -3,13 +3,17 @@ namespace NeuronMocap.Server.Broadcasting;
 /// <summary>
 /// The newest frames of a paced broadcast, encoded once and read by every client at its own position. This one ring is the bounded queue
 /// of all clients: whoever falls behind by more than its length goes on at the oldest frame that is left and is told how many it missed.
-/// The writer never waits for a reader, only for the lock, which a reader holds while it copies.
+/// The writer never waits for a reader, only for the lock, which a reader holds while it copies. A frame may appear packet by packet; a reader's first
+/// packet is always the first of a frame.
 /// </summary>
-internal sealed class FrameLog(int length)
+/// <param name="length">How many frames are kept, the one that is appearing among them.</param>
+/// <param name="packetsPerFrame">Packets of every frame.</param>
+internal sealed class FrameLog(int length, int packetsPerFrame = 1)
 {
     private readonly object _gate = new();
     private readonly Slot[] _slots = new Slot[length];
     private long _end;
+    private bool _isAppearing;
     private bool _isComplete;
     private bool _isAborted;
 
@@ -17,17 +21,29 @@ internal sealed class FrameLog(int length)
     public FrameCursor CreateCursor()
     {
         lock (_gate)
-            return new FrameCursor { Position = _end };
+            return FrameCursor.At(_end);
     }
 
     /// <summary>Adds a frame; the oldest gives way when the ring is full.</summary>
     /// <param name="frame">Exactly one frame; copied.</param>
-    public void Publish(ReadOnlySpan<byte> frame)
+    public void Publish(ReadOnlySpan<byte> frame) => Publish(frame, packetsPerFrame);
+
+    /// <summary>Adds the next packets of a frame; with the last of them the frame is complete, and the next call begins another.</summary>
+    /// <param name="bytes">The packets; copied.</param>
+    /// <param name="packets">How many they are.</param>
+    public void Publish(ReadOnlySpan<byte> bytes, int packets)
     {
         lock (_gate)
         {
-            _slots[_end % _slots.Length].Write(frame);
-            _end++;
+            ref Slot slot = ref _slots[_end % _slots.Length];
+            if (!_isAppearing)
+                slot.Clear();
+
+            slot.Append(bytes, packets);
+            _isAppearing = slot.Packets < packetsPerFrame;
+            if (!_isAppearing)
+                _end++;
+
             Monitor.PulseAll(_gate);
         }
     }
@@ -63,8 +79,8 @@ internal sealed class FrameLog(int length)
         }
     }
 
-    /// <summary>Waits for frames and copies as many as are there and fit.</summary>
-    /// <param name="cursor">The reader's place; moved past the frames copied and missed.</param>
+    /// <summary>Waits for packets and copies as many as are there and fit.</summary>
+    /// <param name="cursor">The reader's place; moved past what was copied and missed.</param>
     /// <param name="destination">Room for at least one frame.</param>
     /// <param name="maxFrames">Not more than these.</param>
     /// <returns>What was copied; nothing after <see cref="Wake"/>, after the end and after <see cref="Abort"/>.</returns>
@@ -72,26 +88,33 @@ internal sealed class FrameLog(int length)
     {
         lock (_gate)
         {
-            while (cursor.Position == _end && !_isComplete && !_isAborted && !cursor.IsWoken)
+            while (!HasMore(cursor) && !_isComplete && !_isAborted && !cursor.IsWoken)
                 Monitor.Wait(_gate);
 
             cursor.IsWoken = false;
             long missed = CountOverwritten(cursor);
-            cursor.Missed += missed;
-            cursor.Position += missed;
-            int written = 0;
-            long first = cursor.Position;
-            while (!_isAborted && cursor.Position < _end && cursor.Position - first < maxFrames)
+            if (missed > 0)
+                cursor.Skip(Oldest, missed);
+
+            int first = cursor.Packets;
+            int bytes = 0;
+            int packets = 0;
+            for (int frame = 0; frame < maxFrames && !_isAborted && HasMore(cursor); frame++)
             {
-                ReadOnlySpan<byte> frame = _slots[cursor.Position % _slots.Length].Frame;
-                if (!frame.TryCopyTo(destination[written..]))
+                Slot slot = _slots[cursor.Position % _slots.Length];
+                ReadOnlySpan<byte> rest = slot.Bytes[cursor.Bytes..];
+                if (!rest.TryCopyTo(destination[bytes..]))
                     break;
 
-                written += frame.Length;
-                cursor.Position++;
+                bytes += rest.Length;
+                packets += slot.Packets - cursor.Packets;
+                if (cursor.Position < _end)
+                    cursor.MoveTo(cursor.Position + 1);
+                else
+                    cursor.MoveWithin(slot.Bytes.Length, slot.Packets);
             }
 
-            return new FrameBatch(written, (int)(cursor.Position - first));
+            return new FrameBatch(bytes, packets, first);
         }
     }
 
@@ -112,7 +135,7 @@ internal sealed class FrameLog(int length)
     }
 
     /// <summary>
-    /// How many frames a reader has lost so far. One that is stuck in a write does not read: what it has lost meanwhile is counted here.
+    /// How many packets a reader has lost so far. One that is stuck in a write does not read: what it has lost meanwhile is counted here.
     /// </summary>
     /// <param name="cursor">The reader's place.</param>
     public long GetMissed(FrameCursor cursor)
@@ -121,25 +144,38 @@ internal sealed class FrameLog(int length)
             return cursor.Missed + CountOverwritten(cursor);
     }
 
-    private long CountOverwritten(FrameCursor cursor) => Math.Max(0, _end - _slots.Length - cursor.Position);
+    // The first frame that is left.
+    private long Oldest => _end + (_isAppearing ? 1 : 0) - _slots.Length;
+
+    private bool HasMore(FrameCursor cursor) =>
+        cursor.Position < _end || (_isAppearing && cursor.Packets < _slots[_end % _slots.Length].Packets);
+
+    private long CountOverwritten(FrameCursor cursor) =>
+        cursor.Position < Oldest ? ((Oldest - cursor.Position) * packetsPerFrame) - cursor.Packets : 0;
 
     private struct Slot
     {
         private byte[]? _bytes;
         private int _length;
 
-        public readonly ReadOnlySpan<byte> Frame => _bytes.AsSpan(0, _length);
+        public readonly ReadOnlySpan<byte> Bytes => _bytes.AsSpan(0, _length);
+
+        public int Packets { get; private set; }
+
+        public void Clear() => (_length, Packets) = (0, 0);
 
         // Text frames change their length a little: an eighth more, and the memory is taken once.
-        public void Write(ReadOnlySpan<byte> frame)
+        public void Append(ReadOnlySpan<byte> bytes, int packets)
         {
+            int length = _length + bytes.Length;
             if (_bytes is null)
-                _bytes = new byte[frame.Length];
-            else if (_bytes.Length < frame.Length)
-                _bytes = new byte[frame.Length + (frame.Length / 8)];
+                _bytes = new byte[length];
+            else if (_bytes.Length < length)
+                Array.Resize(ref _bytes, length + (length / 8));
 
-            frame.CopyTo(_bytes);
-            _length = frame.Length;
+            bytes.CopyTo(_bytes.AsSpan(_length));
+            _length = length;
+            Packets += packets;
         }
     }
 }

@@ -1,40 +1,105 @@
 using System.Diagnostics;
+using NeuronMocap.Playback;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>Encodes the frames of sources, at an even rate.</summary>
-/// <param name="plan">What to encode.</param>
+/// <summary>Encodes the frames of sources, at an even rate, and spreads the packets of each over its time where there is time.</summary>
+/// <param name="streams">What to encode, and where to publish it. All of it is about the same frames.</param>
 /// <param name="rate">Frames per second.</param>
-/// <param name="log">Where to publish.</param>
 /// <param name="ended">As the base has it.</param>
-internal sealed class FramePacer(FramePlan plan, double rate, FrameLog log, Action<Exception?> ended) : Pacer(ended)
+/// <param name="report">As the base has it.</param>
+/// <param name="time">The time; null for the real one.</param>
+internal sealed class FramePacer(
+    IReadOnlyList<(FramePlan Plan, FrameLog Log)> streams, double rate, Action<Exception?> ended, FaultReport report, PacerTime? time = null)
+    : Pacer(ended, report)
 {
+    private static readonly long MinSpacing = PacketSpread.MinSpacing * Stopwatch.Frequency / 1000;
+
+    private readonly PacerTime _time = time ?? PacerTime.Real;
+    private long _published;
+
     protected override void PublishAll()
     {
-        var clock = new FrameClock(rate, Stopwatch.GetTimestamp());
-        FrameEncoder encoder = plan.CreateEncoder();
-        byte[] bytes = new byte[plan.MaxFrameSize];
-        for (long frame = 0; frame < plan.FrameCount; frame++)
+        int packets = streams.Max(static stream => stream.Plan.PacketsPerFrame);
+        var spread = new PacketSpread(rate, packets);
+        int steps = spread.IsPacketwise ? packets : 1;
+        using TimerResolution? resolution = steps > 1 ? TimerResolution.Raise() : null;
+        var clock = new FrameClock(rate, _time.Now);
+        PacedStream[] paced = [.. streams.Select(static stream => new PacedStream(stream.Plan, stream.Log))];
+        _published = _time.Now - MinSpacing;
+        long count = streams[0].Plan.FrameCount;
+        for (long frame = 0; frame < count; frame++)
         {
             // Encoded before its time comes, so that the work delays nothing.
-            int length = encoder.Encode(frame, bytes);
-            if (!WaitFor(frame, clock))
-                return;
+            foreach (PacedStream stream in paced)
+                stream.Encode(frame);
 
-            log.Publish(bytes.AsSpan(0, length));
+            for (int step = 0; step < steps; step++)
+            {
+                if (!WaitFor(spread.GetTime(frame, step), clock, spreadUntil: steps > 1 ? frame + 1 : frame))
+                    return;
+
+                foreach (PacedStream stream in paced)
+                    stream.Publish(steps > 1);
+            }
         }
     }
 
-    // False when the broadcast is stopped first.
-    private bool WaitFor(long frame, FrameClock clock)
+    // False when the broadcast is stopped first. Packets that are late do not follow each other at once, until a frame is due by whose time they have to be sent:
+    // so the spreading never costs a frame its time.
+    private bool WaitFor(double due, FrameClock clock, long spreadUntil)
     {
         lock (Gate)
         {
             int delay;
-            while (!IsStopping && (delay = clock.GetDelay(frame, Stopwatch.GetTimestamp())) > 0)
-                Monitor.Wait(Gate, delay);
+            while (!IsStopping && (delay = GetDelay(due, clock, spreadUntil)) > 0)
+                _time.Wait(Gate, delay);
 
+            _published = _time.Now;
             return !IsStopping;
+        }
+    }
+
+    private int GetDelay(double due, FrameClock clock, long spreadUntil)
+    {
+        long now = _time.Now;
+        int delay = clock.GetDelay(due, now);
+        return clock.GetDelay(spreadUntil, now) > 0 ? Math.Max(delay, GetRest(now)) : delay;
+    }
+
+    private int GetRest(long now) => (int)Math.Ceiling(Math.Max(0, _published + MinSpacing - now) * 1000.0 / Stopwatch.Frequency);
+
+    private sealed class PacedStream(FramePlan plan, FrameLog log)
+    {
+        private readonly FrameEncoder _encoder = plan.CreateEncoder();
+        private readonly byte[] _bytes = new byte[plan.MaxFrameSize];
+        private int _length;
+        private int _offset;
+        private int _place;
+
+        public void Encode(long frame)
+        {
+            _length = _encoder.Encode(frame, _bytes);
+            _offset = 0;
+            _place = 0;
+        }
+
+        // The next packet, if there is one more, or the frame.
+        public void Publish(bool isPacket)
+        {
+            ReadOnlySpan<byte> rest = _bytes.AsSpan(_offset, _length - _offset);
+            if (rest.IsEmpty)
+                return;
+
+            if (!isPacket)
+            {
+                log.Publish(rest);
+                return;
+            }
+
+            int size = plan.MeasurePacket(rest, plan.IsMotion(_place++));
+            log.Publish(rest[..size], packets: 1);
+            _offset += size;
         }
     }
 }

@@ -5,15 +5,17 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Server.Broadcasting;
 
 /// <summary>
-/// What every frame of a broadcast consists of: for each avatar in turn a motion packet and, when asked for, a calculation packet. A line of
-/// text counts as a packet. Immutable; all threads share it.
+/// What every frame of a stream consists of: for each avatar in turn a motion packet, a calculation packet, or both. A line of text counts as a
+/// packet. Immutable; all threads share it.
 /// </summary>
 internal sealed class FramePlan : BroadcastContent
 {
     private readonly BroadcastFormat _format;
 
-    public FramePlan(BroadcasterOptions options, IReadOnlyList<AvatarName> names, double rate)
+    public FramePlan(BroadcasterOptions options, IReadOnlyList<AvatarName> names, double rate, bool hasMotion, bool hasCalculation)
     {
+        HasMotion = hasMotion;
+        HasCalculation = hasCalculation;
         _format = options.Format;
         Sources = options.Sources;
         Names = names;
@@ -27,9 +29,7 @@ internal sealed class FramePlan : BroadcastContent
         TextDecimals = options.TextDecimals;
         TextQuirks = options.TextQuirks;
         FrameCount = Math.Min(options.FrameLimit ?? long.MaxValue, options.Sources.Min(source => source.FrameCount ?? long.MaxValue));
-        MaxMotionSize = _format == BroadcastFormat.Text
-            ? TextFrameEncoder.MaxMotionSize(this)
-            : ProtocolConstants.HeaderSize + (Layout.ValueCount * sizeof(float));
+        MaxMotionSize = HasMotion ? MeasureMotion() : 0;
         MaxCalculationSize = HasCalculation ? MeasureCalculation() : 0;
     }
 
@@ -61,17 +61,19 @@ internal sealed class FramePlan : BroadcastContent
     // Frames from 0; long.MaxValue when the broadcast never ends.
     public long FrameCount { get; }
 
-    // What a packet has at most, and, unless it is text, always.
+    // What a packet has at most, and, unless it is text, always; 0 without motion packets.
     public int MaxMotionSize { get; }
 
     // 0 without calculation packets.
     public int MaxCalculationSize { get; }
 
-    public override bool HasCalculation => Calculation is not null || StudioCalculation is not null;
+    public override bool HasMotion { get; }
+
+    public override bool HasCalculation { get; }
 
     public override int AvatarCount => Sources.Count;
 
-    public override int PacketsPerFrame => AvatarCount * (HasCalculation ? 2 : 1);
+    public override int PacketsPerFrame => AvatarCount * (HasMotion && HasCalculation ? 2 : 1);
 
     public override int MaxFrameSize => AvatarCount * (MaxMotionSize + MaxCalculationSize);
 
@@ -91,6 +93,10 @@ internal sealed class FramePlan : BroadcastContent
 
         return isMotion ? MaxMotionSize : MaxCalculationSize;
     }
+
+    private int MeasureMotion() => _format == BroadcastFormat.Text
+        ? TextFrameEncoder.MaxMotionSize(this)
+        : ProtocolConstants.HeaderSize + (Layout.ValueCount * sizeof(float));
 
     private int MeasureCalculation() => _format switch
     {

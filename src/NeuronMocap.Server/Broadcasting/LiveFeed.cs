@@ -11,7 +11,7 @@ internal sealed class LiveFeed(FrameLog log, bool isSingle = false) : FrameFeed
 
     public override bool IsOver => log.IsOver(_cursor);
 
-    public override long MissedFrames => log.GetMissed(_cursor);
+    public override long MissedPackets => log.GetMissed(_cursor);
 
     public override FrameBatch Read(Span<byte> destination) => log.Read(_cursor, destination, isSingle ? 1 : int.MaxValue);
 

@@ -7,10 +7,11 @@ internal abstract class Pacer
 
     /// <summary>Makes a pacer.</summary>
     /// <param name="ended">Called once on the pacer's thread, after the last frame, after a stop, or with what a source threw.</param>
-    protected Pacer(Action<Exception?> ended)
+    /// <param name="report">Told what the end itself throws.</param>
+    protected Pacer(Action<Exception?> ended, FaultReport report)
     {
         _ended = ended;
-        Worker = new Worker("NeuronMocap pacer", Run);
+        Worker = new Worker("NeuronMocap pacer", Run, report);
     }
 
     public Worker Worker { get; }

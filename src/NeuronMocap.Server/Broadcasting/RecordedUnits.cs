@@ -23,6 +23,9 @@ internal sealed class RecordedUnits : IDisposable
 
     public TimeSpan Duration => _source.Duration;
 
+    /// <summary>Whether the unit that was read last is a calculation packet.</summary>
+    public bool IsCalculation { get; private set; }
+
     /// <summary>The most bytes that a unit has.</summary>
     public static int LongestUnit(int maxValues) => UnitCollector.MostNoise
         + ProtocolConstants.HeaderSize + Math.Max(maxValues * sizeof(float), ProtocolConstants.MaxCommandPayload) + UnitCollector.MostNoise;
@@ -33,14 +36,15 @@ internal sealed class RecordedUnits : IDisposable
     /// <returns>False at the end.</returns>
     public bool TryRead(out ReadOnlySpan<byte> unit, out TimeSpan time)
     {
-        while (!_collector.TryTake(out unit, out time))
+        bool isCalculation;
+        while (!_collector.TryTake(out unit, out time, out isCalculation))
         {
             if (_isOver)
                 return false;
 
             Arrival arrival = _source.Read();
             _isOver = arrival.Kind == ArrivalKind.End;
-            bool ends = _isOver || (arrival.Kind is ArrivalKind.Opened or ArrivalKind.Bytes && !_parser.Continues(arrival));
+            bool ends = _isOver || _parser.Ends(arrival);
             _collector.Time = arrival.Time;
             if (ends)
                 _parser.Close();
@@ -51,6 +55,7 @@ internal sealed class RecordedUnits : IDisposable
             _collector.EndPiece(ends);
         }
 
+        IsCalculation = isCalculation;
         return true;
     }
 

@@ -2,7 +2,9 @@ using NeuronMocap.Playback;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>A recording as it was received. What counts as a frame is a unit: a packet or a line, or bytes that are neither.</summary>
+/// <summary>
+/// A recording as it was received, or a part of it. What counts as a frame is a unit: a packet or a line, or bytes that are neither, which go with the motion.
+/// </summary>
 internal sealed class RecordingContent : BroadcastContent
 {
     private readonly string _path;
@@ -10,8 +12,13 @@ internal sealed class RecordingContent : BroadcastContent
     private readonly PlaybackOptions _options;
 
     /// <summary>Opens the recording once, to see whether it can be played.</summary>
-    public RecordingContent(BroadcasterOptions options)
+    /// <param name="options">Which recording.</param>
+    /// <param name="hasMotion">Whether what is not calculation belongs to it.</param>
+    /// <param name="hasCalculation">Whether calculation packets do.</param>
+    public RecordingContent(BroadcasterOptions options, bool hasMotion, bool hasCalculation)
     {
+        HasMotion = hasMotion;
+        TakesCalculation = hasCalculation;
         _path = options.Recording!;
         _isLooped = options.LoopRecording;
         _options = new PlaybackOptions { FrameRate = options.Rate is { } rate && !double.IsPositiveInfinity(rate) ? rate : null };
@@ -23,16 +30,23 @@ internal sealed class RecordingContent : BroadcastContent
 
     public override int PacketsPerFrame => 1;
 
-    public override bool HasCalculation => false;
+    public override bool HasMotion { get; }
+
+    // Where both are in it, nothing tells them apart.
+    public override bool HasCalculation => !HasMotion;
+
+    public bool TakesCalculation { get; }
 
     public override int MaxFrameSize { get; }
 
     // A single frame is what there is.
     public override int MeasurePacket(ReadOnlySpan<byte> frames, bool isMotion) => frames.Length;
 
-    public override FrameFeed CreateFeed(bool isSingle) => new RecordingFeed(OpenUnits(), MaxFrameSize, _isLooped, isSingle);
+    public override FrameFeed CreateFeed(bool isSingle) => new RecordingFeed(this, _isLooped, isSingle);
 
     public RecordedUnits OpenUnits() => new(Open());
+
+    public bool Takes(RecordedUnits units) => units.IsCalculation ? TakesCalculation : HasMotion;
 
     private ArrivalSource Open()
     {

@@ -3,13 +3,14 @@ using NeuronMocap.Playback;
 namespace NeuronMocap.Server.Broadcasting;
 
 /// <summary>Publishes the units of a recording when they arrived.</summary>
-/// <param name="content">The recording.</param>
+/// <param name="streams">The recording, or its parts, and where to publish them.</param>
 /// <param name="options">Speed and loop.</param>
-/// <param name="log">Where to publish.</param>
 /// <param name="ended">As the base has it.</param>
+/// <param name="report">As the base has it.</param>
 /// <param name="time">The time; null for the real one.</param>
 internal sealed class RecordingPacer(
-    RecordingContent content, BroadcasterOptions options, FrameLog log, Action<Exception?> ended, PlaybackTime? time = null) : Pacer(ended)
+    IReadOnlyList<(RecordingContent Content, FrameLog Log)> streams, BroadcasterOptions options, Action<Exception?> ended, FaultReport report, PlaybackTime? time = null)
+    : Pacer(ended, report)
 {
     private readonly PlaybackTime _time = time ?? PlaybackTime.Real;
     private readonly PlaybackClock _clock = new();
@@ -17,7 +18,7 @@ internal sealed class RecordingPacer(
     protected override void PublishAll()
     {
         using TimerResolution resolution = TimerResolution.Raise();
-        using RecordedUnits units = content.OpenUnits();
+        using RecordedUnits units = streams[0].Content.OpenUnits();
         _clock.SetSpeed(options.RecordingSpeed, _time.Now);
         _clock.Run(_time.Now);
         while (PublishPass(units) && options.LoopRecording && WaitFor(units.Duration))
@@ -35,7 +36,11 @@ internal sealed class RecordingPacer(
             if (!WaitFor(due))
                 return false;
 
-            log.Publish(unit);
+            foreach ((RecordingContent content, FrameLog log) in streams)
+            {
+                if (content.Takes(units))
+                    log.Publish(unit);
+            }
         }
 
         return true;

@@ -39,7 +39,7 @@ internal sealed class StudioFrameEncoder(FramePlan plan) : BinaryFrameEncoder(pl
         Plan.StudioCalculation!(Plan.Sources[avatar], frame, _payload);
         var header = new StudioCalculationHeader
         {
-            AvatarIndex = (uint)avatar,
+            AvatarIndex = avatar,
             AvatarName = Plan.Names[avatar],
             FrameIndex = (uint)frame,
         };

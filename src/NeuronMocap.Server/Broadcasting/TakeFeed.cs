@@ -13,7 +13,7 @@ internal sealed class TakeFeed(FramePlan plan) : FrameFeed
 
     public override bool IsAtEnd => _position == plan.FrameCount;
 
-    public override long MissedFrames => 0;
+    public override long MissedPackets => 0;
 
     public override FrameBatch Read(Span<byte> destination)
     {
@@ -26,6 +26,6 @@ internal sealed class TakeFeed(FramePlan plan) : FrameFeed
             _position++;
         }
 
-        return new FrameBatch(written, frames);
+        return new FrameBatch(written, frames * plan.PacketsPerFrame);
     }
 }

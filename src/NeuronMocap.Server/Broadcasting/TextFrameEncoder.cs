@@ -16,7 +16,7 @@ internal sealed class TextFrameEncoder(FramePlan plan) : FrameEncoder(plan)
     protected override int WriteMotion(long frame, int avatar, ReadOnlySpan<float> values, Span<byte> destination)
     {
         int start = BeginLine(destination);
-        int end = start + TextEncoder.WriteMotion(destination[start..], (uint)avatar, Plan.Names[avatar], values, Plan.TextDecimals);
+        int end = start + TextEncoder.WriteMotion(destination[start..], avatar, Plan.Names[avatar], values, Plan.TextDecimals);
         if (_lineFeedOnly)
             destination[--end - 1] = (byte)'\n';
 

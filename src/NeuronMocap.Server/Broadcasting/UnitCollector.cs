@@ -8,7 +8,7 @@ internal sealed class UnitCollector : IPacketReceiver
     // Bytes that are no packet do not wait for one when there are so many.
     public const int MostNoise = 16 * 1024;
 
-    private readonly List<(int End, TimeSpan Time)> _units = [];
+    private readonly List<(int End, TimeSpan Time, bool IsCalculation)> _units = [];
     private byte[] _bytes = new byte[64 * 1024];
     private int _length;
     private int _textStart;
@@ -43,7 +43,7 @@ internal sealed class UnitCollector : IPacketReceiver
             Append(packet.Bytes);
         }
 
-        Cut();
+        Cut(packet.Kind is PacketKind.Calculation or PacketKind.StudioCalculation);
     }
 
     public void OnText(ReadOnlySpan<byte> bytes)
@@ -76,18 +76,19 @@ internal sealed class UnitCollector : IPacketReceiver
     }
 
     // Valid until the next piece.
-    public bool TryTake(out ReadOnlySpan<byte> unit, out TimeSpan time)
+    public bool TryTake(out ReadOnlySpan<byte> unit, out TimeSpan time, out bool isCalculation)
     {
         if (_next == _units.Count)
         {
             KeepRest();
             unit = default;
             time = default;
+            isCalculation = false;
             return false;
         }
 
         int start = _next == 0 ? 0 : _units[_next - 1].End;
-        (int end, time) = _units[_next++];
+        (int end, time, isCalculation) = _units[_next++];
         unit = _bytes.AsSpan(start, end - start);
         return true;
     }
@@ -101,12 +102,12 @@ internal sealed class UnitCollector : IPacketReceiver
         _isText = false;
         bool isBehindLine = _textStart == Start && _units.Count > 0 && _length - _textStart <= MostNoise;
         if (isBehindLine)
-            _units[^1] = (_length, _units[^1].Time);
+            _units[^1] = _units[^1] with { End = _length };
         else
             Cut();
     }
 
-    private void Cut() => _units.Add((_length, Time));
+    private void Cut(bool isCalculation = false) => _units.Add((_length, Time, isCalculation));
 
     private void KeepRest()
     {

@@ -18,9 +18,10 @@ internal sealed class ClientListener : IDisposable
 
     /// <summary>Takes the port.</summary>
     /// <param name="endPoint">Address and port; port 0 for any free one.</param>
-    /// <param name="accepted">Called on the listener's thread; it owns the socket.</param>
+    /// <param name="accepted">Called on the listener's thread; it owns the socket, unless it throws.</param>
+    /// <param name="report">Told what that throws. The listener goes on.</param>
     /// <exception cref="SocketException">The address or the port cannot be had.</exception>
-    public ClientListener(IPEndPoint endPoint, Action<Socket> accepted)
+    public ClientListener(IPEndPoint endPoint, Action<Socket> accepted, FaultReport report)
     {
         _accepted = accepted;
         _socket = new Socket(endPoint.AddressFamily, SocketType.Stream, ProtocolType.Tcp);
@@ -38,7 +39,7 @@ internal sealed class ClientListener : IDisposable
             throw;
         }
 
-        Worker = new Worker("NeuronMocap listener", Run);
+        Worker = new Worker("NeuronMocap listener", Run, report);
     }
 
     public IPEndPoint LocalEndPoint { get; }
@@ -57,7 +58,9 @@ internal sealed class ClientListener : IDisposable
         {
             try
             {
-                _accepted(_socket.Accept());
+                Socket client = _socket.Accept();
+                if (!Worker.Attempt(() => _accepted(client)))
+                    client.Dispose();
             }
             catch (ObjectDisposedException)
             {

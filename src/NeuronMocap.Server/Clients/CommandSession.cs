@@ -18,25 +18,38 @@ internal sealed class CommandSession : IDisposable
     private readonly Socket _socket;
     private readonly CommandAnswers _answers;
     private readonly CommandReplyQuirks _quirks;
+    private readonly IdleClock _idle;
     private readonly ManualResetEventSlim _stop;
     private readonly Action<CommandSession> _ended;
     private readonly CommandPacketReader _reader = new(MaxParameters);
+    private bool _isAsking;
 
-    // Stop is the server's, and ends a delay. Ended is called once, on the session's thread.
-    public CommandSession(Socket socket, CommandAnswers answers, CommandReplyQuirks quirks, ManualResetEventSlim stop, Action<CommandSession> ended)
+    // Stop is the server's, and ends a delay. Ended is called once, on the session's thread. A source that throws ends the session.
+    public CommandSession(
+        Socket socket,
+        CommandAnswers answers,
+        CommandServerOptions options,
+        Func<long> getTimestamp,
+        ManualResetEventSlim stop,
+        Action<CommandSession> ended,
+        FaultReport report)
     {
         _socket = socket;
         _answers = answers;
-        _quirks = quirks;
+        _quirks = options.Quirks;
+        _idle = new IdleClock(options.IdleTimeout, getTimestamp);
         _stop = stop;
         _ended = ended;
         socket.NoDelay = true;
         socket.SendTimeout = SendTimeout;
         TcpKeepAlive.Enable(socket);
-        Worker = new Worker("NeuronMocap commands", Run);
+        Worker = new Worker("NeuronMocap commands", Run, report);
     }
 
     public Worker Worker { get; }
+
+    // Any thread.
+    public IdleClock Idle => _idle;
 
     public void Dispose() => _socket.Dispose();
 
@@ -46,13 +59,15 @@ internal sealed class CommandSession : IDisposable
         {
             Serve();
         }
-        catch (Exception exception) when (SocketErrors.IsExpected(exception) || exception is OutOfMemoryException)
+        catch (Exception exception) when (!_isAsking && (SocketErrors.IsExpected(exception) || exception is OutOfMemoryException))
         {
             // The client went away or the server closed the socket: the ordinary ends of a connection. Or there was no memory for it.
         }
-
-        Close();
-        _ended(this);
+        finally
+        {
+            Close();
+            _ended(this);
+        }
     }
 
     // Closing alone over unread bytes resets the connection and takes an answer with it that the client has not read.
@@ -78,6 +93,11 @@ internal sealed class CommandSession : IDisposable
             ReadOnlySpan<byte> parameters;
             while (!_reader.TryRead(out request, out parameters))
             {
+                // What is no request gives no more time.
+                if (_idle.GetRest() is not { } rest)
+                    return;
+
+                _socket.ReceiveTimeout = rest;
                 ArraySegment<byte> room = _reader.GetRoom();
                 int count = _socket.Receive(room.Array!, room.Offset, room.Count, SocketFlags.None);
                 if (count == 0)
@@ -87,15 +107,21 @@ internal sealed class CommandSession : IDisposable
             }
 
             // After a size that cannot be, nobody knows where the next request begins.
+            _idle.Stop();
             if (!_reader.IsAllowed(request) || !Answer(request, parameters))
                 return;
+
+            _idle.Restart();
         }
     }
 
     // False when the connection is to be closed.
     private bool Answer(in CommandChannelHeader request, ReadOnlySpan<byte> parameters)
     {
-        byte[] reply = Encode(_quirks.ReplyId ?? request.CommandId, _answers.GetPayload(request.CommandId, parameters));
+        _isAsking = true;
+        byte[] payload = _answers.GetPayload(request.CommandId, parameters);
+        _isAsking = false;
+        byte[] reply = Encode(_quirks.ReplyId ?? request.CommandId, payload);
         if (_quirks.CloseInstead || (_quirks.Delay > TimeSpan.Zero && _stop.Wait(_quirks.Delay)))
             return false;
 

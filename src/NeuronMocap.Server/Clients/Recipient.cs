@@ -16,22 +16,25 @@ internal abstract class Recipient : IDisposable
     private readonly Action<Recipient, Exception?> _ended;
     private Exception? _sourceError;
     private long _framesSent;
+    private long _calculationFramesSent;
     private long _packetsLost;
     private long _bytesSent;
     private long _repliesSent;
 
     // Ended is called once, on the recipient's thread, with what a source threw if one did.
-    protected Recipient(Socket socket, EndPoint? remoteEndPoint, BroadcastContent plan, FrameFeed feed, Action<Recipient, Exception?> ended)
+    protected Recipient(Socket socket, EndPoint? remoteEndPoint, BroadcastStream stream, FrameFeed feed, Action<Recipient, Exception?> ended, FaultReport report)
     {
         Socket = socket;
         RemoteEndPoint = remoteEndPoint;
-        Plan = plan;
+        Stream = stream;
         Feed = feed;
         _ended = ended;
-        Worker = new Worker("NeuronMocap recipient", Run);
+        Worker = new Worker("NeuronMocap recipient", Run, report);
     }
 
     public EndPoint? RemoteEndPoint { get; }
+
+    public BroadcastStream Stream { get; }
 
     public Worker Worker { get; }
 
@@ -41,7 +44,8 @@ internal abstract class Recipient : IDisposable
     // Safe on any thread.
     public RecipientCounters Counters => new(
         Interlocked.Read(ref _framesSent),
-        Interlocked.Read(ref _packetsLost) + (Feed.MissedFrames * Plan.PacketsPerFrame),
+        Interlocked.Read(ref _calculationFramesSent),
+        Interlocked.Read(ref _packetsLost) + Feed.MissedPackets,
         Interlocked.Read(ref _bytesSent),
         Interlocked.Read(ref _repliesSent),
         Commands?.Ignored ?? 0,
@@ -52,7 +56,7 @@ internal abstract class Recipient : IDisposable
 
     protected Socket Socket { get; }
 
-    protected BroadcastContent Plan { get; }
+    protected BroadcastContent Plan => Stream.Content;
 
     protected FrameFeed Feed { get; }
 
@@ -60,6 +64,13 @@ internal abstract class Recipient : IDisposable
     protected int ReadSize => Math.Max(BufferSize, Plan.MaxFrameSize);
 
     public virtual void Dispose() => Socket.Dispose();
+
+    // For one whose thread was never started, and so does not let go of the feed.
+    public void Discard()
+    {
+        Dispose();
+        Feed.Close();
+    }
 
     // Sends until the feed ends or the network refuses; true when all was sent.
     protected abstract bool SendAll();
@@ -94,7 +105,12 @@ internal abstract class Recipient : IDisposable
 
     protected void CountBytes(int bytes) => Interlocked.Add(ref _bytesSent, bytes);
 
-    protected void SetFrames(long frames) => Interlocked.Exchange(ref _framesSent, frames);
+    // Packets handed to the network so far.
+    protected void SetFrames(long motion, long calculation)
+    {
+        Interlocked.Exchange(ref _framesSent, motion);
+        Interlocked.Exchange(ref _calculationFramesSent, calculation);
+    }
 
     protected void CountReplies(int replies) => Interlocked.Add(ref _repliesSent, replies);
 

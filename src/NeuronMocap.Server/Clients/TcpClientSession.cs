@@ -7,8 +7,8 @@ namespace NeuronMocap.Server.Clients;
 
 /// <summary>
 /// A client's connection. Clients need not send anything (protocol.md section 4.1). The commands that they may send are answered between whole
-/// frames (section 7). Whatever they send is read, because a socket that is closed over unread bytes resets the connection and takes the
-/// client's last frames with it.
+/// packets (section 7), in the middle of a frame too where its packets are sent one by one. Whatever they send is read, because a socket that is
+/// closed over unread bytes resets the connection and takes the client's last frames with it.
 /// </summary>
 internal sealed class TcpClientSession : Recipient
 {
@@ -24,28 +24,32 @@ internal sealed class TcpClientSession : Recipient
     // Between two looks at what a client asks. A flood of requests wakes nobody more often, and waits in the client's own connection.
     private const int ListeningPause = 10;
 
+    // Milliseconds.
+    private const int PacketPause = 1;
+
     private readonly int? _fragment;
+    private readonly bool _isPacketwise;
     private readonly TimeSpan _closeTimeout;
     private readonly DataCommandReplies? _replies;
     private readonly Queue<Mark> _marks = new();
     private byte[] _buffer;
     private long _sent;
-    private long _framesSent;
+    private long _motionSent;
+    private long _calculationSent;
     private Task _listened = Task.CompletedTask;
     private volatile bool _isFinishing;
 
-    // Without replies, commands are not answered.
     public TcpClientSession(
         Socket socket,
-        BroadcastContent plan,
+        BroadcastStream stream,
         FrameFeed feed,
         BroadcasterOptions options,
-        DataCommandReplies? replies,
-        Action<Recipient, Exception?> ended)
-        : base(socket, socket.RemoteEndPoint, plan, feed, ended)
+        Action<Recipient, Exception?> ended,
+        FaultReport report)
+        : base(socket, socket.RemoteEndPoint, stream, feed, ended, report)
     {
-        _replies = replies;
-        Commands = replies is null ? null : new DataCommandQueue(replies);
+        _replies = stream.Replies;
+        Commands = _replies is null ? null : new DataCommandQueue(_replies);
         socket.NoDelay = true;
         socket.SendBufferSize = SendBufferSize;
 
@@ -54,6 +58,7 @@ internal sealed class TcpClientSession : Recipient
         // While nothing is sent, only a probe can find out that the client is gone.
         TcpKeepAlive.Enable(socket);
         _fragment = options.Fragment;
+        _isPacketwise = stream.IsPacketwise && _fragment is null;
         _closeTimeout = options.CloseTimeout;
         _buffer = new byte[ReadSize + (_fragment ?? 0)];
     }
@@ -90,9 +95,10 @@ internal sealed class TcpClientSession : Recipient
             FrameBatch batch = ReadFeed(_buffer.AsSpan(kept, ReadSize));
             isOver = batch.Bytes == 0 && Feed.IsOver;
             int filled = AppendReplies(kept + batch.Bytes, out int replies);
-            _marks.Enqueue(new Mark(_sent + filled, batch.Frames, replies));
+            int motion = Plan.CountMotion(batch);
+            _marks.Enqueue(new Mark(_sent + filled, motion, Plan.HasCalculation ? batch.Packets - motion : 0, replies));
             kept = isOver || Feed.IsLive || _fragment is null ? 0 : filled % _fragment.Value;
-            if (!Write(filled - kept))
+            if (!Write(filled - kept, batch))
                 return false;
 
             _buffer.AsSpan(filled - kept, kept).CopyTo(_buffer);
@@ -110,13 +116,17 @@ internal sealed class TcpClientSession : Recipient
         _listened.Wait(_closeTimeout);
     }
 
-    private bool Write(int count)
+    private bool Write(int count, in FrameBatch batch)
     {
         int offset = 0;
+        int end = 0;
+        int packets = 0;
         while (offset < count)
         {
-            int piece = Math.Min(count - offset, _fragment ?? MaxWrite);
-            int sent = Socket.Send(_buffer, offset, piece, SocketFlags.None, out SocketError error);
+            if (offset == end)
+                end = offset + (_isPacketwise && packets < batch.Packets ? NextPacket(offset, batch, packets++) : Math.Min(count - offset, _fragment ?? MaxWrite));
+
+            int sent = Socket.Send(_buffer, offset, end - offset, SocketFlags.None, out SocketError error);
             if (error is SocketError.TimedOut or SocketError.WouldBlock)
                 DropUnsent();
             if (error != SocketError.Success)
@@ -131,19 +141,29 @@ internal sealed class TcpClientSession : Recipient
         return true;
     }
 
+    // A reader that is only a little behind still gets packets one by one: two that are written at once arrive at once.
+    private int NextPacket(int offset, in FrameBatch batch, int index)
+    {
+        if (index > 0 && batch.Packets <= Plan.PacketsPerFrame)
+            Thread.Sleep(PacketPause);
+
+        return Plan.MeasurePacket(_buffer.AsSpan(offset, batch.Bytes - offset), Plan.IsMotion(batch.First + index));
+    }
+
     private void CountWritten()
     {
         while (_marks.TryPeek(out Mark mark) && mark.End <= _sent)
         {
             _marks.Dequeue();
-            _framesSent += (long)mark.Frames * Plan.AvatarCount;
+            _motionSent += mark.Motion;
+            _calculationSent += mark.Calculation;
             CountReplies(mark.Replies);
         }
 
-        SetFrames(_framesSent);
+        SetFrames(_motionSent, _calculationSent);
     }
 
-    // Frames are whole, so here ends a packet. Returns where the bytes end.
+    // What was read is whole packets, so here ends one. Returns where the bytes end.
     private int AppendReplies(int filled, out int count)
     {
         count = 0;
@@ -207,5 +227,5 @@ internal sealed class TcpClientSession : Recipient
     }
 
     // What was put into the stream up to a place, since the mark before.
-    private readonly record struct Mark(long End, int Frames, int Replies);
+    private readonly record struct Mark(long End, int Motion, int Calculation, int Replies);
 }

@@ -16,10 +16,17 @@ internal sealed class UdpSender : Recipient
     private readonly int _fragment;
     private readonly byte[] _buffer;
     private long _motionPackets;
+    private long _calculationPackets;
 
     public UdpSender(
-        Socket socket, IPEndPoint destination, BroadcastContent plan, FrameFeed feed, int? fragment, Action<Recipient, Exception?> ended)
-        : base(socket, destination, plan, feed, ended)
+        Socket socket,
+        IPEndPoint destination,
+        BroadcastStream stream,
+        FrameFeed feed,
+        int? fragment,
+        Action<Recipient, Exception?> ended,
+        FaultReport report)
+        : base(socket, destination, stream, feed, ended, report)
     {
         _fragment = Math.Min(fragment ?? MaxDatagram, MaxDatagram);
         _buffer = new byte[ReadSize];
@@ -46,16 +53,12 @@ internal sealed class UdpSender : Recipient
 
     protected override bool SendAll()
     {
-        int read;
-        while ((read = ReadFeed(_buffer).Bytes) > 0)
+        FrameBatch batch;
+        while ((batch = ReadFeed(_buffer)).Bytes > 0)
         {
             int offset = 0;
-            while (offset < read)
-            {
-                offset = SendPacket(offset, read, isMotion: true);
-                if (Plan.HasCalculation)
-                    offset = SendPacket(offset, read, isMotion: false);
-            }
+            for (int i = 0; i < batch.Packets; i++)
+                offset = SendPacket(offset, batch.Bytes, Plan.IsMotion(batch.First + i));
         }
 
         return Feed.IsAtEnd;
@@ -79,7 +82,11 @@ internal sealed class UdpSender : Recipient
         }
 
         if (isMotion)
-            SetFrames(++_motionPackets);
+            _motionPackets++;
+        else
+            _calculationPackets++;
+
+        SetFrames(_motionPackets, _calculationPackets);
 
         return end;
     }

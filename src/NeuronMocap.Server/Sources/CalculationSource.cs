@@ -15,6 +15,7 @@ public sealed class CalculationSource : MotionSource
     /// <summary>Makes a source of a file.</summary>
     /// <param name="document">The file.</param>
     /// <param name="axes">The file's axes; null is the same as <see cref="CalculationAxes.Export"/>.</param>
+    /// <exception cref="CalculationFormatException">The file has the ends of the bones instead of their centres.</exception>
     public CalculationSource(CalculationDocument document, CalculationAxes? axes = null)
     {
         ArgumentNullException.ThrowIfNull(document);

@@ -12,6 +12,8 @@ namespace NeuronMocap.Server.Sources;
 internal sealed class RecordedTimeline
 {
     private const double LongestFilledGap = 1; // s
+    // No suit is faster: an index that jumps without time having passed tells of no missing frames, however many it skips.
+    private const double HighestRate = 1000; // Hz
     private const double RateTolerance = 0.01;
     private const double DefaultRate = 120; // Hz: that of a suit with fewer than 18 sensors (manual section 1.3)
     private const int LargestReduction = 60;
@@ -28,8 +30,9 @@ internal sealed class RecordedTimeline
         _layout = layout;
         _order = order;
         _reduction = FindReduction(received);
-        MeasuredRate = evenRate is null ? Measure(received) : null;
-        FrameRate = evenRate ?? (MeasuredRate is { } rate ? ChooseRate(rate) : DefaultRate);
+        FrameRateEstimate? estimate = evenRate is null ? Measure(received) : null;
+        MeasuredRate = estimate?.MeasuredRate;
+        FrameRate = evenRate ?? estimate?.FrameRate ?? DefaultRate;
         foreach (RecordedTakeRow row in received)
             Add(row);
     }
@@ -59,7 +62,7 @@ internal sealed class RecordedTimeline
     {
         if (_rows.Count > 0 && StepBetween(_rows[^1], row) is var step && step != 1)
         {
-            bool isFilled = step is { } frames && frames <= LongestFilledGap * FrameRate;
+            bool isFilled = step is { } frames && frames <= LongestFilledGap * Math.Min(FrameRate, HighestRate);
             if (isFilled)
                 Fill(_rows[^1], row, (int)step!);
 
@@ -129,20 +132,26 @@ internal sealed class RecordedTimeline
     }
 
     // Over all stretches in which the index tells how many frames passed.
-    private double? Measure(IReadOnlyList<RecordedTakeRow> rows)
+    private FrameRateEstimate Measure(IReadOnlyList<RecordedTakeRow> rows)
     {
-        long frames = 0;
-        TimeSpan time = TimeSpan.Zero;
-        for (int i = 1; i < rows.Count; i++)
+        var estimate = new FrameRateEstimate();
+        long frame = 0;
+        for (int i = 0; i < rows.Count; i++)
         {
-            if (StepBetween(rows[i - 1], rows[i]) is not { } step || rows[i].Time < rows[i - 1].Time || rows[i - 1].Connection != rows[i].Connection)
-                continue;
-
-            frames += step;
-            time += rows[i].Time - rows[i - 1].Time;
+            if (i > 0
+                && StepBetween(rows[i - 1], rows[i]) is { } step
+                && rows[i].Time >= rows[i - 1].Time
+                && rows[i - 1].Connection == rows[i].Connection)
+            {
+                estimate.Add(frame += step, rows[i].Time);
+            }
+            else
+            {
+                estimate.Restart(frame, rows[i].Time);
+            }
         }
 
-        return time > TimeSpan.Zero ? frames / time.TotalSeconds : null;
+        return estimate;
     }
 
     public static double ChooseRate(double measured)

@@ -48,7 +48,8 @@ public sealed class RecordingSource : MotionSource
 
     /// <summary>
     /// The measured rate (<see cref="MeasuredRate"/>), or the usual one (24, 25, 30, 48, 50, 60, 72, 75, 80, 90, 96, 100, 120, 144, 150, 180, 200, 240,
-    /// 300 or 360 Hz) within one per cent of it; 120 where arrival times do not tell. Of raw bytes, <see cref="PlaybackOptions.FrameRate"/>, or the rate
+    /// 300 or 360 Hz) within one per cent of it; 120 where arrival times do not tell. Where they stand on an even grid, as of a recording that was made of a
+    /// file, the rate of the grid, whatever it is: <see cref="FrameRateEstimate"/>. Of raw bytes, <see cref="PlaybackOptions.FrameRate"/>, or the rate
     /// of their timecodes, or 120.
     /// </summary>
     public override double FrameRate => _timeline.FrameRate;

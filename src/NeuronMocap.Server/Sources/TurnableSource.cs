@@ -3,13 +3,26 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;
 
-// A performance that can be told to face front, what a server's zero-out does. It stays a pure function of the frame number: a turn holds from the
-// first frame on that nobody has asked for yet, and so never changes one that was sent.
+// A performance that can be told to face front, as the broadcaster's zero-out does. It stays a pure function of the frame number: a turn holds from the
+// first frame on that nobody has asked for yet, and so never changes one that was sent. The oldest of very many turns is forgotten: who is further behind
+// than all of them gets the oldest that is left.
 internal sealed class TurnableSource(MotionSource source) : MotionSource
 {
+    // Whoever asks again and again, at every frame, gets no more memory for it.
+    public const int MaxTurns = 1024;
+
     private readonly object _gate = new();
     private readonly List<(long From, MotionSource Source, BoneTransform Turn)> _turns = [(0, source, BoneTransform.Identity)];
     private long _newest = -1;
+
+    public int TurnCount
+    {
+        get
+        {
+            lock (_gate)
+                return _turns.Count;
+        }
+    }
 
     public override double FrameRate => source.FrameRate;
 
@@ -19,23 +32,30 @@ internal sealed class TurnableSource(MotionSource source) : MotionSource
 
     public override SkeletonVariant Variant => source.Variant;
 
-    // Nothing happens when there is no frame left that could be turned.
-    public void FaceFront(long frameCount)
+    // Nothing happens when there is no frame left that could be turned. False when the pose is not finite: it has no front, and what is computed from it
+    // would stay with the performance for good.
+    public bool FaceFront(long frameCount)
     {
         Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
         lock (_gate)
         {
             long from = _newest + 1;
             if (from >= Math.Min(frameCount, FrameCount ?? long.MaxValue))
-                return;
+                return true;
 
             (long last, MotionSource current, BoneTransform turn) = _turns[^1];
             current.GetPose(from, pose);
             BoneTransform next = TurnToFront(pose[(int)Bone.Hips]).Apply(turn);
+            if (!IsFinite(pose[(int)Bone.Hips]) || !IsFinite(next))
+                return false;
+
             if (last == from)
                 _turns.RemoveAt(_turns.Count - 1);
+            else if (_turns.Count == MaxTurns)
+                _turns.RemoveAt(0);
 
             _turns.Add((from, new TurnedSource(source, next), next));
+            return true;
         }
     }
 
@@ -60,6 +80,9 @@ internal sealed class TurnableSource(MotionSource source) : MotionSource
             return _turns[i].Source;
         }
     }
+
+    private static bool IsFinite(in BoneTransform transform) =>
+        float.IsFinite(transform.Position.LengthSquared()) && float.IsFinite(transform.Rotation.LengthSquared());
 
     // About the vertical through the hips, which stay where they are.
     private static BoneTransform TurnToFront(BoneTransform hips)

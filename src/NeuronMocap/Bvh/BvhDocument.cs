@@ -1,3 +1,5 @@
+using NeuronMocap.Files;
+
 namespace NeuronMocap.Bvh;
 
 /// <summary>
@@ -82,6 +84,12 @@ public sealed class BvhDocument
     /// <summary>Number of repairs, those included that <see cref="Repairs"/> does not list.</summary>
     public int RepairCount { get; private init; }
 
+    /// <summary>Number of rows and lines that were left out, for they have too few values or no numbers. Rows that the file announces and lacks do not count.</summary>
+    public int LeftOutRowCount { get; private init; }
+
+    /// <summary>Number of frames that the file announces, see <see cref="BvhReader.AnnouncedFrameCount"/>; null when it does not.</summary>
+    public long? AnnouncedFrameCount { get; private init; }
+
     /// <summary>Reads a file. Takes the memory of the values, and no more where the file says how many there are; <see cref="BvhReader"/> takes none.</summary>
     /// <param name="path">Where it is.</param>
     /// <param name="options">How to read it; null for the defaults.</param>
@@ -130,7 +138,7 @@ public sealed class BvhDocument
     /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
     public void Save(string path)
     {
-        using FileStream stream = BvhFile.Create(path);
+        using FileStream stream = WritableFile.Create(path);
         Save(stream);
     }
 
@@ -172,6 +180,8 @@ public sealed class BvhDocument
             TextFormat = parser.GetTextFormat(text.LineEnd),
             Repairs = parser.Repairs.Listed,
             RepairCount = parser.Repairs.Count,
+            LeftOutRowCount = parser.Repairs.LeftOutCount,
+            AnnouncedFrameCount = parser.AnnouncedFrames,
         };
     }
 }

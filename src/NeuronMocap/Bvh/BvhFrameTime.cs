@@ -58,8 +58,8 @@ public readonly record struct BvhFrameTime
             throw new ArgumentOutOfRangeException(nameof(frameRate), frameRate, "A rate is 1/3600 to a million frames per second.");
 
         decimal rate = (decimal)frameRate;
-        BvhFrameTime inverse = Simplest(rate - (rate * RateTolerance), rate + (rate * RateTolerance));
-        return new BvhFrameTime(inverse.Denominator, inverse.Numerator);
+        (long numerator, long denominator) = SimplestFraction(rate - (rate * RateTolerance), rate + (rate * RateTolerance));
+        return new BvhFrameTime(denominator, numerator);
     }
 
     /// <summary>
@@ -78,14 +78,8 @@ public readonly record struct BvhFrameTime
     /// </summary>
     public override string ToString() => BvhFrameTimeText.Create(this);
 
-    // The fraction of the smallest denominator between two positive numbers, both included, by their continued fractions.
-    internal static BvhFrameTime Simplest(decimal lowest, decimal highest)
-    {
-        (long numerator, long denominator) = SimplestFraction(lowest, highest);
-        return new BvhFrameTime(numerator, denominator);
-    }
-
-    private static (long Numerator, long Denominator) SimplestFraction(decimal lowest, decimal highest)
+    // The fraction of the smallest denominator between two positive numbers, both included, by their continued fractions. Any numbers: times or rates.
+    internal static (long Numerator, long Denominator) SimplestFraction(decimal lowest, decimal highest)
     {
         decimal whole = decimal.Floor(lowest);
         if (whole == lowest)

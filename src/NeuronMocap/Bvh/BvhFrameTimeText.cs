@@ -32,7 +32,7 @@ internal static class BvhFrameTimeText
     internal static ReadOnlySpan<short> UsualRates =>
         [24, 25, 30, 48, 50, 60, 72, 75, 80, 90, 96, 100, 120, 144, 150, 180, 200, 240, 300, 360];
 
-    private static ReadOnlySpan<short> TelevisionRates => [24, 30, 48, 60, 120, 240];
+    internal static ReadOnlySpan<short> TelevisionRates => [24, 30, 48, 60, 120, 240];
 
     /// <summary>Reads a word of a file.</summary>
     /// <param name="word">The word.</param>
@@ -97,8 +97,9 @@ internal static class BvhFrameTimeText
             denominator *= 10;
 
         decimal half = 0.5m / denominator;
-        return decimals < ManyDecimals
-            ? new BvhFrameTime((long)(seconds * denominator), denominator)
-            : BvhFrameTime.Simplest(seconds - half, seconds + half);
+        (long numerator, long divisor) = decimals < ManyDecimals
+            ? ((long)(seconds * denominator), denominator)
+            : BvhFrameTime.SimplestFraction(seconds - half, seconds + half);
+        return new BvhFrameTime(numerator, divisor);
     }
 }

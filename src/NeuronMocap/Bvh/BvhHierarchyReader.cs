@@ -18,8 +18,8 @@ internal ref struct BvhHierarchyReader
     private int _depth;
     private int _channelCount;
     private BvhPlace _place;
-    private int _openLine;
     private byte _blank;
+    private bool _isFirstOnLine;
 
     private BvhHierarchyReader(BvhText text, BvhRepairLog repairs, BvhTextFormatBuilder format)
     {
@@ -85,6 +85,7 @@ internal ref struct BvhHierarchyReader
         ReadOnlySpan<byte> word = _text.PeekWord();
         _place = _text.Place;
         _blank = _text.LastBlank;
+        _isFirstOnLine = _text.IsFirstOnLine;
         bool isRoot = AreEqual(word, "ROOT"u8);
         if (isRoot || AreEqual(word, "JOINT"u8))
             OpenJoint(isRoot);
@@ -162,7 +163,6 @@ internal ref struct BvhHierarchyReader
 
     private void ReadOpeningBrace()
     {
-        _openLine = _text.Place.Line;
         if (!_text.TryReadWord("{"u8))
             _repairs.Add(_place, $"There is no {{ after {(_inEndSite ? "End Site" : Describe(_open!))}", $"it is read as if there were");
     }
@@ -190,7 +190,7 @@ internal ref struct BvhHierarchyReader
 
     private void ReadOffset()
     {
-        if (_format.Indentation is null && _depth == 1 && _place.Line > _openLine && _place.Column - 1 <= BvhTextFormat.LongestBlanks)
+        if (_format.Indentation is null && _depth == 1 && _isFirstOnLine && _place.Column - 1 <= BvhTextFormat.LongestBlanks)
             _format.Indentation = new string((char)_blank, _place.Column - 1);
 
         var offset = new Vector3(ReadCoordinate(), ReadCoordinate(), ReadCoordinate());

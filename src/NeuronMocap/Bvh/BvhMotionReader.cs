@@ -19,6 +19,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
     private bool _isEnded;
     private bool _isFirstRow = true;
     private bool _isInLongLine;
+    private bool _isFrameTimeTold;
 
     private BvhPlace _block;
     private long _blockRows;
@@ -88,7 +89,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         }
 
         EndBlock();
-        if (DeclaredFrameTime == 0)
+        if (DeclaredFrameTime == 0 && !_isFrameTimeTold)
             repairs.Add(_start, $"There is no usable frame time", $"120 Hz is assumed");
 
         _isEnded = true;
@@ -163,10 +164,16 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         ReadOnlySpan<byte> word = text.PeekLineWord();
         if (!BvhFrameTimeText.TryParse(word, out double declared, out BvhFrameTime time))
         {
-            repairs.Add(text.Place, $"{word} is not a frame time", $"it is ignored");
+            if (_isFrameTimeTold)
+                repairs.Add(text.Place, $"{word} is not a frame time", $"it is ignored");
+            else
+                repairs.Add(text.Place, $"{word} is not a frame time", $"120 Hz is assumed unless another one follows");
+
+            _isFrameTimeTold = true;
         }
         else if (DeclaredFrameTime == 0)
         {
+            _isFrameTimeTold = true;
             DeclaredFrameTime = declared;
             FrameTime = time;
             format.FrameTimeText = System.Text.Encoding.ASCII.GetString(word);
@@ -184,7 +191,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         BvhPlace start = text.Place;
         if (channelCount == 0)
         {
-            repairs.Add(start, $"The joints have no channels", $"the line is left out");
+            repairs.AddLeftOut(start, $"The joints have no channels", $"the line is left out");
             text.SkipLine();
             return false;
         }
@@ -237,7 +244,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
 
         _isInLongLine = false;
         if (count > 0)
-            repairs.Add(start, $"A row has {count} values instead of {channelCount}", $"it is left out");
+            repairs.AddLeftOut(start, $"A row has {count} values instead of {channelCount}", $"it is left out");
         if (!text.IsAtLineEnd())
             TellNoNumber(ref text);
 
@@ -269,7 +276,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
 
     private void TellNoNumber(ref BvhText text)
     {
-        repairs.Add(text.Place, $"{text.PeekLineWord()} is not a number", $"the line is left out");
+        repairs.AddLeftOut(text.Place, $"{text.PeekLineWord()} is not a number", $"the line is left out");
         text.SkipLine();
     }
 }

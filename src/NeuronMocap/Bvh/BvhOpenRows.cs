@@ -96,7 +96,7 @@ internal sealed class BvhOpenRows(int channelCount, BvhRepairLog repairs)
     public void LeaveOut()
     {
         if (IsAnyOpen)
-            repairs.Add(_openPlace, $"A row has {_end} values instead of {channelCount}", $"it is left out");
+            repairs.AddLeftOut(_openPlace, $"A row has {_end} values instead of {channelCount}", $"it is left out");
 
         Clear();
     }
@@ -105,7 +105,7 @@ internal sealed class BvhOpenRows(int channelCount, BvhRepairLog repairs)
     {
         int older = _line;
         if (older > 0)
-            repairs.Add(_openPlace, $"A row has {older} values instead of {channelCount}", $"it is left out");
+            repairs.AddLeftOut(_openPlace, $"A row has {older} values instead of {channelCount}", $"it is left out");
 
         _values.AsSpan(older, _end - older).CopyTo(_values);
         _end -= older;

@@ -11,6 +11,9 @@ internal sealed class BvhRepairLog(bool isStrict)
 
     public int Count { get; private set; }
 
+    /// <summary>Rows and lines that were left out.</summary>
+    public int LeftOutCount { get; private set; }
+
     private bool IsFull => _listed.Count == BvhDocument.MaxListedRepairs;
 
     /// <summary>Tells of a repair.</summary>
@@ -28,6 +31,16 @@ internal sealed class BvhRepairLog(bool isStrict)
         Count += Count < int.MaxValue ? 1 : 0;
         if (!IsFull)
             _listed.Add(new BvhRepair(place.Line, place.Column, $"{fault.ToString()}; {remedy.ToString()}."));
+    }
+
+    /// <summary>Tells of a row or line that is left out; otherwise as <see cref="Add"/>.</summary>
+    public void AddLeftOut(
+        BvhPlace place,
+        [InterpolatedStringHandlerArgument("")] Description fault,
+        [InterpolatedStringHandlerArgument("")] Description remedy)
+    {
+        LeftOutCount += LeftOutCount < int.MaxValue ? 1 : 0;
+        Add(place, fault, remedy);
     }
 
     // Puts a description together only where there is room for one more: a file of nothing but faults would else cost hundreds of bytes

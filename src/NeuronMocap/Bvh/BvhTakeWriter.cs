@@ -1,3 +1,4 @@
+using NeuronMocap.Files;
 using NeuronMocap.Frames;
 using NeuronMocap.Skeleton;
 
@@ -13,10 +14,15 @@ public sealed class BvhTakeWriter : IDisposable
     private readonly Stream _stream;
     private readonly BvhTakeOptions _options;
     private readonly FrameSequence _sequence;
+
+    // Numbers of the rows that stand in for others, as far as the stream may not have taken them.
+    private readonly Queue<int> _recentRepeats = [];
+    private int _repeated;
     private BvhWriter? _writer;
     private ChannelLayout _layout;
     private SkeletonFormat _format;
     private float[] _row = [];
+    private int _origin;
     private bool _isDisposed;
 
     /// <summary>Opens a file. Nothing is written before the first frame.</summary>
@@ -25,7 +31,7 @@ public sealed class BvhTakeWriter : IDisposable
     /// <exception cref="IOException">The file cannot be written.</exception>
     /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
     public BvhTakeWriter(string path, BvhTakeOptions? options = null)
-        : this(BvhFile.Create(path), options)
+        : this(WritableFile.Create(path), options)
     {
     }
 
@@ -43,11 +49,11 @@ public sealed class BvhTakeWriter : IDisposable
             throw new ArgumentException("The frame time is measured and known at the end only; a stream that cannot seek needs it at the beginning.", nameof(stream));
     }
 
-    /// <summary>Number of rows that were written, repeated ones included.</summary>
+    /// <summary>Number of rows that were written, repeated ones included; once the stream has failed, of those that it holds.</summary>
     public int FrameCount => _writer?.FrameCount ?? 0;
 
     /// <summary>Number of rows that stand in for frames that were lost.</summary>
-    public int RepeatedFrames { get; private set; }
+    public int RepeatedFrames => _repeated - _recentRepeats.Count(row => row > FrameCount);
 
     /// <summary>Number of frames that were left out because later ones had come before them, as datagrams may.</summary>
     public int LateFrames { get; private set; }
@@ -73,6 +79,10 @@ public sealed class BvhTakeWriter : IDisposable
             throw new InvalidOperationException("The frame does not fit into this file: it needs another one.");
 
         _writer ??= Begin(frame);
+        if (frame.Origin != _origin)
+            _sequence.Restart();
+
+        _origin = frame.Origin;
         int rows = _sequence.Next(frame.FrameIndex, frame.Timestamp);
         if (rows == 0)
         {
@@ -80,8 +90,8 @@ public sealed class BvhTakeWriter : IDisposable
             return;
         }
 
-        for (int i = 1; i < rows; i++, RepeatedFrames++)
-            _writer.WriteFrame(_row);
+        for (int i = 1; i < rows; i++)
+            Repeat(_writer);
 
         frame.Values.CopyTo(_row);
         _writer.WriteFrame(_row);
@@ -114,6 +124,16 @@ public sealed class BvhTakeWriter : IDisposable
 
         TellFrameTime();
         _writer.Dispose();
+    }
+
+    private void Repeat(BvhWriter writer)
+    {
+        writer.WriteFrame(_row);
+        _repeated++;
+        while (_recentRepeats.TryPeek(out int row) && row <= writer.TakenFrames)
+            _recentRepeats.Dequeue();
+
+        _recentRepeats.Enqueue(writer.FrameCount);
     }
 
     private void TellFrameTime()

@@ -15,6 +15,7 @@ internal ref struct BvhText
     private ReadOnlySpan<byte> _window;
     private int _position;
     private Cursor _cursor;
+    private long _firstOnLine;
 
     public BvhText(ReadOnlySpan<byte> text)
     {
@@ -40,6 +41,9 @@ internal ref struct BvhText
     /// <summary>The last byte of the space that was skipped, where there was any.</summary>
     public byte LastBlank { get; private set; }
 
+    /// <summary>Whether only blanks stand before the next word on its line. Known once the space before it is skipped.</summary>
+    public readonly bool IsFirstOnLine => Offset == _firstOnLine;
+
     /// <summary>Bytes that are not read yet; null when the stream does not know its end.</summary>
     public readonly long? Remaining => _window.Length - _position + (_source is null ? 0 : _source.Remaining);
 
@@ -62,11 +66,17 @@ internal ref struct BvhText
     /// <returns>False at the end.</returns>
     public bool SkipSpace()
     {
+        long start = Offset;
         while (_position < _window.Length || Fill())
         {
             byte next = _window[_position];
             if (!IsSpace(next))
+            {
+                if (start <= _cursor.LineStart)
+                    _firstOnLine = Offset;
+
                 return true;
+            }
 
             LastBlank = next;
             if (next is (byte)'\r' or (byte)'\n')

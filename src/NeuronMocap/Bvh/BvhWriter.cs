@@ -1,4 +1,5 @@
 using System.Text;
+using NeuronMocap.Files;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Bvh;
@@ -10,7 +11,8 @@ namespace NeuronMocap.Bvh;
 /// <para>
 /// The number of frames is not known before the end. Where the stream can seek, the fields of the number and of the frame time have a fixed width
 /// and are written again with every <see cref="Flush"/> and at the end, after the rows that they count: a file that is cut off at any moment opens, with all rows
-/// up to the last flush. Where it cannot, the file says <c>Frames: 0</c>, which <see cref="BvhDocument"/> reads as what is there, and other programs may not.
+/// up to the last flush. When the stream takes no more, because the disk is full for example, the file is cut behind the last row that it took whole, and
+/// <see cref="FrameCount"/> is what it holds. Where the stream cannot seek, the file says <c>Frames: 0</c>, which <see cref="BvhDocument"/> reads as what is there, and other programs may not.
 /// </para>
 /// </summary>
 public sealed class BvhWriter : IDisposable
@@ -31,8 +33,17 @@ public sealed class BvhWriter : IDisposable
     private readonly byte[] _field = new byte[FrameTimeWidth];
     private readonly long _countPlace = -1;
     private readonly long _timePlace = -1;
+    private readonly long _start;
     private int _length;
     private int _toldFrames;
+
+    // In the buffer, behind the last whole row or the header; and the same of what the stream has taken, with the number of rows up to there.
+    private int _rowsEnd = -1;
+    private long _takenEnd;
+    private int _takenFrames;
+    // Bytes behind that place that the stream has taken: the beginning of a row.
+    private long _carried;
+    private Exception? _failure;
     private BvhFrameTime _frameTime;
     private bool _isTimeStale;
     private bool _isDisposed;
@@ -81,6 +92,7 @@ public sealed class BvhWriter : IDisposable
         _frameTime = frameTime;
         Hierarchy = hierarchy;
 
+        _start = _takenEnd = stream.CanSeek ? stream.Position : 0;
         bool isPatched = frameCount is null && stream.CanSeek;
         WriteText((_format.HasByteOrderMark ? "\uFEFF" : "") + BvhHierarchyText.Create(hierarchy, _format));
         WriteText($"MOTION{_format.LineEnd}{(_format.HasBlankLineAfterMotion ? _format.LineEnd : "")}Frames: ");
@@ -92,13 +104,17 @@ public sealed class BvhWriter : IDisposable
             _timePlace = stream.Position + _length;
 
         WriteText(Padded(TimeText, isPatched ? FrameTimeWidth : 0) + _format.LineEnd);
+        _rowsEnd = _length;
     }
 
     /// <summary>The joints.</summary>
     public BvhHierarchy Hierarchy { get; }
 
-    /// <summary>Number of rows that were written.</summary>
+    /// <summary>Number of rows that were written; once the stream has failed, of those that it holds.</summary>
     public int FrameCount { get; private set; }
+
+    // Of them those that the stream has taken.
+    internal int TakenFrames => _takenFrames;
 
     /// <summary>Time from one frame to the next. Where the stream can seek it can be changed until the end: live, it is known only then.</summary>
     /// <exception cref="ArgumentException">The time is none.</exception>
@@ -145,6 +161,7 @@ public sealed class BvhWriter : IDisposable
         }
 
         Write(_rowEnd);
+        _rowsEnd = _length;
         FrameCount++;
     }
 
@@ -159,7 +176,7 @@ public sealed class BvhWriter : IDisposable
         Complete();
     }
 
-    /// <summary>Writes what is left, corrects the number of frames, and closes the stream. Again: nothing.</summary>
+    /// <summary>Writes what is left, corrects the number of frames, and closes the stream. Again, or after the stream has failed: only closes it.</summary>
     /// <exception cref="IOException">The stream cannot be written; it is closed all the same.</exception>
     public void Dispose()
     {
@@ -169,7 +186,10 @@ public sealed class BvhWriter : IDisposable
         _isDisposed = true;
         try
         {
-            Complete();
+            if (_failure is null)
+                Complete();
+            else
+                Repair();
         }
         finally
         {
@@ -182,7 +202,7 @@ public sealed class BvhWriter : IDisposable
     private static FileStream Create(string path, BvhHierarchy hierarchy, BvhFrameTime frameTime)
     {
         Check(hierarchy, frameTime);
-        return BvhFile.Create(path);
+        return WritableFile.Create(path);
     }
 
     private static void Check(BvhHierarchy hierarchy, BvhFrameTime frameTime)
@@ -254,7 +274,51 @@ public sealed class BvhWriter : IDisposable
 
     private void Drain()
     {
-        _stream.Write(_buffer, 0, _length);
+        if (_failure is not null)
+            throw new IOException(_failure.Message, _failure);
+
+        try
+        {
+            _stream.Write(_buffer, 0, _length);
+        }
+        catch (Exception exception)
+        {
+            _failure = exception;
+            FrameCount = _takenFrames;
+            Repair();
+            throw;
+        }
+
+        if (_rowsEnd >= 0)
+        {
+            _takenEnd += _rowsEnd + _carried;
+            _takenFrames = FrameCount;
+            _carried = 0;
+        }
+
+        _carried += _length - Math.Max(_rowsEnd, 0);
+        _rowsEnd = -1;
         _length = 0;
+    }
+
+    // Ends the file behind the last whole row: a full disk still lets it become shorter, and bytes be replaced. The failure itself is what the caller
+    // hears of.
+    private void Repair()
+    {
+        if (!_stream.CanSeek)
+            return;
+
+        try
+        {
+            _stream.SetLength(_takenEnd);
+            _stream.Position = _takenEnd;
+            if (_countPlace >= 0 && _takenEnd > _start)
+                Correct();
+
+            _stream.Flush();
+        }
+        catch (Exception exception) when (exception is IOException or NotSupportedException or ObjectDisposedException)
+        {
+        }
     }
 }

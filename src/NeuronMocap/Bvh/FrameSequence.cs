@@ -16,7 +16,7 @@ internal sealed class FrameSequence(BvhGaps gaps)
     // A longer silence between two frames without an index is a pause of the server.
     private static readonly long LongestInterval = Stopwatch.Frequency;
 
-    // The first frames of a connection often come in one piece, and say nothing about the time between them.
+    // The first frames of a connection, and of a server that starts, often come in one piece, and say nothing about the time between them.
     private static readonly long Settling = Stopwatch.Frequency / 4;
     private static readonly long LongEnough = Stopwatch.Frequency;
 
@@ -26,8 +26,15 @@ internal sealed class FrameSequence(BvhGaps gaps)
     private long _timestamp;
     private long _elapsed;
     private long _intervals;
-    private (long Elapsed, long Intervals)? _settled;
     private bool _hasBegun;
+
+    // Of the connection that stands; and the sums of all, each without its first frames.
+    private long _run;
+    private long _settledElapsed;
+    private long _settledIntervals;
+
+    /// <summary>What comes next counts anew, and its time has no relation to what came before.</summary>
+    public void Restart() => _hasBegun = false;
 
     /// <summary>Takes the next frame.</summary>
     /// <returns>The number of rows: none for a frame that comes late, one, or more where others were lost before it.</returns>
@@ -59,10 +66,9 @@ internal sealed class FrameSequence(BvhGaps gaps)
         if (_intervals == 0 || _elapsed <= 0)
             return BvhFrameTime.Default;
 
-        bool isLong = _settled is { } start && _elapsed - start.Elapsed >= LongEnough;
-        (long Elapsed, long Intervals) before = isLong ? _settled!.Value : default;
-        double elapsed = (double)(_elapsed - before.Elapsed) / Stopwatch.Frequency;
-        double rate = (_intervals - before.Intervals) / elapsed;
+        (long ticks, long intervals) = _settledElapsed >= LongEnough ? (_settledElapsed, _settledIntervals) : (_elapsed, _intervals);
+        double elapsed = (double)ticks / Stopwatch.Frequency;
+        double rate = intervals / elapsed;
 
         // Clocks of suits are off by less than a hundredth; the first and the last frame each come by up to 30 ms early or late.
         double tolerance = 0.015 + (0.06 / elapsed);
@@ -83,19 +89,33 @@ internal sealed class FrameSequence(BvhGaps gaps)
     // What came before has no relation in time to what comes now.
     private int Begin(uint? index, long timestamp)
     {
-        (_index, _timestamp, _hasBegun, _lateRun) = (index, timestamp, true, 0);
+        _run = 0;
+        Keep(index, timestamp);
         return 1;
     }
 
     private int Continue(uint? index, long timestamp, int missing, bool isGap)
     {
         bool isCounted = !isGap && (missing == 0 || gaps == BvhGaps.Repeat);
-        _elapsed += isCounted ? timestamp - _timestamp : 0;
-        _intervals += isCounted ? missing + 1 : 0;
-        if (_settled is null && _elapsed >= Settling)
-            _settled = (_elapsed, _intervals);
+        if (isCounted)
+            Count(timestamp - _timestamp, missing + 1);
 
-        Begin(index, timestamp);
+        Keep(index, timestamp);
         return gaps == BvhGaps.Repeat ? missing + 1 : 1;
     }
+
+    private void Count(long elapsed, int intervals)
+    {
+        _elapsed += elapsed;
+        _intervals += intervals;
+        if (_run >= Settling)
+        {
+            _settledElapsed += elapsed;
+            _settledIntervals += intervals;
+        }
+
+        _run += elapsed;
+    }
+
+    private void Keep(uint? index, long timestamp) => (_index, _timestamp, _hasBegun, _lateRun) = (index, timestamp, true, 0);
 }

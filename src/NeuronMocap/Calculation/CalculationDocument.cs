@@ -1,3 +1,5 @@
+using System.Numerics;
+using NeuronMocap.Files;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
@@ -36,12 +38,15 @@ public sealed class CalculationDocument
             throw new CalculationFormatException("The file ends within its only row.", 1, 1);
 
         FrameRate = reader.FrameRate;
+        DeclaredFrameRate = reader.DeclaredFrameRate;
+        InitialDirection = reader.InitialDirection;
         TextFormat = reader.TextFormat;
         Repairs = reader.Repairs;
         RepairCount = reader.RepairCount;
+        LeftOutRowCount = reader.LeftOutRowCount;
         _header = new CalculationHeader
         {
-            AvatarIndex = (uint)reader.Options.AvatarIndex,
+            AvatarIndex = reader.Options.AvatarIndex,
             AvatarName = new AvatarName(reader.Options.AvatarName),
         };
     }
@@ -52,8 +57,16 @@ public sealed class CalculationDocument
     /// <summary>Values in each row: 946 for 59 bones, or 338 for 21.</summary>
     public int ValueCount { get; }
 
-    /// <summary>Frames per second, as the options say: no export does.</summary>
+    /// <summary>Frames per second: the options' rate, or <see cref="DeclaredFrameRate"/>, or 120.</summary>
     public double FrameRate { get; }
+
+    /// <summary>Frames per second as the file's header says; null where it does not. Axis Neuron's exports do not, this library's do.</summary>
+    public double? DeclaredFrameRate { get; }
+
+    /// <summary>
+    /// The direction that the actor faces at the start, in the file's axes: the line <c>Zd:</c> of the header. Null where there is none.
+    /// </summary>
+    public Vector3? InitialDirection { get; }
 
     /// <summary>How the text of the file looks.</summary>
     public CalculationTextFormat TextFormat { get; }
@@ -63,6 +76,9 @@ public sealed class CalculationDocument
 
     /// <summary>Number of repairs, those included that <see cref="Repairs"/> does not list.</summary>
     public int RepairCount { get; }
+
+    /// <summary>Number of lines that are no row and were left out.</summary>
+    public int LeftOutRowCount { get; }
 
     /// <summary>Reads a file. It needs 4 bytes for each of its values; <see cref="CalculationFileReader"/> reads one of any length.</summary>
     /// <param name="path">Where it is.</param>
@@ -139,7 +155,7 @@ public sealed class CalculationDocument
     /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
     public void Save(string path, CalculationTextFormat? format = null)
     {
-        using var file = new FileStream(path, FileMode.Create, FileAccess.Write, FileShare.Read, bufferSize: 1);
+        using var file = WritableFile.Create(path);
         Save(file, format);
     }
 

@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Text;
 using NeuronMocap.Frames;
 
@@ -43,6 +44,8 @@ public sealed class CalculationFileReader : IDisposable
         byte[] header = ReadHeader();
         CalculationRow row = CalculationRow.Read(_lines.Text, _values);
         ValueCount = row.Count;
+        DeclaredFrameRate = CalculationHeaderText.ReadFrameRate(header);
+        InitialDirection = CalculationHeaderText.ReadDirection(header);
         _leastDecimals = CalculationRow.FindLeastDecimals(_lines.Text);
         TextFormat = DescribeText(header, row);
         _rowEnd = Encoding.ASCII.GetBytes(TextFormat.RowEnd);
@@ -51,8 +54,16 @@ public sealed class CalculationFileReader : IDisposable
     /// <summary>Values in each row: 946 for 59 bones, or 338 for 21.</summary>
     public int ValueCount { get; }
 
-    /// <summary>Frames per second, as the options say: no export does.</summary>
-    public double FrameRate => Options.FrameRate;
+    /// <summary>Frames per second: the options' rate, or <see cref="DeclaredFrameRate"/>, or 120.</summary>
+    public double FrameRate => Options.FrameRate ?? DeclaredFrameRate ?? CalculationReadOptions.DefaultFrameRate;
+
+    /// <summary>Frames per second as the file's header says; null where it does not. Axis Neuron's exports do not, this library's do.</summary>
+    public double? DeclaredFrameRate { get; }
+
+    /// <summary>
+    /// The direction that the actor faces at the start, in the file's axes: the line <c>Zd:</c> of the header. Null where there is none.
+    /// </summary>
+    public Vector3? InitialDirection { get; }
 
     /// <summary>How the text looks; the end of the last row is known when that was read.</summary>
     public CalculationTextFormat TextFormat { get; private set; }
@@ -71,6 +82,9 @@ public sealed class CalculationFileReader : IDisposable
 
     /// <summary>Number of repairs so far, those included that <see cref="Repairs"/> does not list.</summary>
     public int RepairCount => _repairs.Count;
+
+    /// <summary>Number of lines so far that are no row and were left out.</summary>
+    public int LeftOutRowCount => _repairs.LeftOutCount;
 
     internal CalculationReadOptions Options { get; }
 
@@ -181,7 +195,7 @@ public sealed class CalculationFileReader : IDisposable
 
         if (IsCutInNumber(row))
         {
-            _repairs.Add(_lines.Number, row.Column, "The file ends within a number", "the row is left out");
+            _repairs.Add(_lines.Number, row.Column, "The file ends within a number", "the row is left out", isLeftOut: true);
             return false;
         }
 
@@ -203,11 +217,11 @@ public sealed class CalculationFileReader : IDisposable
     private void AddWrongRow(in CalculationRow row, string expected)
     {
         if (!row.WrongWord.IsEmpty)
-            _repairs.Add(_lines.Number, row.Column, $"{Quote(row.WrongWord)} is not a number", "the line is left out");
+            _repairs.Add(_lines.Number, row.Column, $"{Quote(row.WrongWord)} is not a number", "the line is left out", isLeftOut: true);
         else if (!_lines.HasEnd)
-            _repairs.Add(_lines.Number, row.Column, $"The file ends after {row.Count} values of a row", "the row is left out");
+            _repairs.Add(_lines.Number, row.Column, $"The file ends after {row.Count} values of a row", "the row is left out", isLeftOut: true);
         else
-            _repairs.Add(_lines.Number, 1, $"A row has {row.Count} values instead of {expected}", "it is left out");
+            _repairs.Add(_lines.Number, 1, $"A row has {row.Count} values instead of {expected}", "it is left out", isLeftOut: true);
     }
 
     private void NoteEnd(ReadOnlySpan<byte> end)

@@ -1,4 +1,5 @@
 using System.Text;
+using NeuronMocap.Files;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 
@@ -131,7 +132,7 @@ public sealed class CalculationFileWriter : IDisposable
     private static FileStream CreateFile(string path, int valueCount)
     {
         Check(valueCount);
-        return new FileStream(path, FileMode.Create, FileAccess.Write, FileShare.Read, bufferSize: 1);
+        return WritableFile.Create(path);
     }
 
     private static void Check(int valueCount)

@@ -20,15 +20,18 @@ public sealed class CalculationReadOptions
     /// </summary>
     public IProgress<long>? Progress { get; init; }
 
-    /// <summary>Frames per second, which no export says: a positive number. Default: 120, which all known recordings have.</summary>
+    /// <summary>
+    /// Frames per second, a positive number. Default: null, which takes the rate of the file's header, a line <c>Frame Rate:</c>
+    /// (<see cref="CalculationTextFormat.WithFrameRate"/>), or 120 where there is none. Exports of Axis Neuron have none; all known recordings have 120.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The number is not positive, or infinite.</exception>
-    public double FrameRate
+    public double? FrameRate
     {
         get;
-        init => field = value > 0 && double.IsFinite(value)
+        init => field = value is null || (value > 0 && double.IsFinite(value.Value))
             ? value
             : throw new ArgumentOutOfRangeException(nameof(value), value, "The frame rate is a positive number.");
-    } = DefaultFrameRate;
+    }
 
     /// <summary>Name that the frames get; what does not fit into 32 bytes of UTF-8 is cut off. Default: Char00, as Axis Neuron calls its first avatar.</summary>
     public string AvatarName { get; init; } = "Char00";

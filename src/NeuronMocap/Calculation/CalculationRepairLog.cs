@@ -9,15 +9,19 @@ internal sealed class CalculationRepairLog(bool isStrict)
 
     public int Count { get; private set; }
 
+    /// <summary>Rows and lines that were left out.</summary>
+    public int LeftOutCount { get; private set; }
+
     private bool IsFull => _listed.Count == CalculationDocument.MaxListedRepairs;
 
     /// <summary>Tells of a repair: what was found, a sentence without its full stop, and what was made of it, as its second half.</summary>
-    public void Add(int line, int column, string found, string made)
+    public void Add(int line, int column, string found, string made, bool isLeftOut = false)
     {
         if (isStrict)
             throw new CalculationFormatException($"{found}.", line, column);
 
         Count += Count < int.MaxValue ? 1 : 0;
+        LeftOutCount += isLeftOut && LeftOutCount < int.MaxValue ? 1 : 0;
         if (!IsFull)
             _listed.Add(new CalculationRepair(line, column, $"{found}; {made}."));
     }

@@ -18,6 +18,9 @@ public sealed class CalculationSkeleton
     // More frames of a take say the same again.
     private const int MostFrames = 2000;
 
+    private const string EndsOfBones = "This calculation export has the ends of the bones instead of their centres: its thighs begin at the hips, without a "
+        + "hip's width. No poses are made of it, for hips and sensors cannot be found. Its rows can be read and copied all the same.";
+
     private readonly BodyMeasurement _measurement;
     private readonly Vector3[] _offsets;
     private readonly CalculationAxes _axes;
@@ -26,6 +29,9 @@ public sealed class CalculationSkeleton
     {
         int step = ((take.FrameCount - 1) / MostFrames) + 1;
         _axes = axes;
+        if (BonePlaces.AreEnds(take, axes, step))
+            throw new CalculationFormatException(EndsOfBones);
+
         _measurement = BodyMeasurement.Of(take, axes, step);
         _offsets = _measurement.CreateOffsets();
         Vector3[] ends = _measurement.CreateEndSites();
@@ -35,6 +41,7 @@ public sealed class CalculationSkeleton
 
         Body = SkeletonBody.FromPose(rest, _measurement.Variant, ends);
         GroundHeight = MeasureGround(take, step);
+        Doubts = BodyPlausibility.Find(_offsets);
     }
 
     /// <summary>The actor's sizes.</summary>
@@ -46,10 +53,17 @@ public sealed class CalculationSkeleton
     /// </summary>
     public float GroundHeight { get; }
 
+    /// <summary>
+    /// Lengths that nobody has, such as legs that are tens of centimetres apart, in sentences: the take's values mean something else than this library takes
+    /// them for, or a sensor failed. Empty where nothing is odd.
+    /// </summary>
+    public IReadOnlyList<string> Doubts { get; }
+
     /// <summary>Finds the skeleton behind a take.</summary>
     /// <param name="take">The take. Bones that do not move in it get places as in the default body.</param>
     /// <param name="axes">The take's axes; null is the same as <see cref="CalculationAxes.Export"/>.</param>
     /// <returns>The skeleton, which does not refer to the take any more.</returns>
+    /// <exception cref="CalculationFormatException">The take has the ends of the bones instead of their centres.</exception>
     public static CalculationSkeleton Measure(CalculationDocument take, CalculationAxes? axes = null)
     {
         ArgumentNullException.ThrowIfNull(take);

@@ -60,6 +60,21 @@ public sealed record CalculationTextFormat
             : throw new ArgumentException("The last row ends with white space or nothing.", nameof(value));
     }
 
+    /// <summary>
+    /// The same layout with a header that says the frame rate, in a line <c>Frame Rate:</c> below what stands there already. An export has no place for the
+    /// rate; a program that does not know the line takes the file for one of 120 Hz, or for one with a header.
+    /// </summary>
+    /// <param name="frameRate">Frames per second, a positive number.</param>
+    /// <returns>The layout.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The number is not positive, or infinite.</exception>
+    public CalculationTextFormat WithFrameRate(double frameRate)
+    {
+        if (!(frameRate > 0) || double.IsInfinity(frameRate))
+            throw new ArgumentOutOfRangeException(nameof(frameRate), frameRate, "The frame rate is a positive number.");
+
+        return this with { Header = CalculationHeaderText.WithFrameRate(Header.Span, frameRate) };
+    }
+
     private static bool IsSpace(string text) =>
         text.Length <= LongestSpace && text.AsSpan().Trim(" \t\v\f\r\n").IsEmpty;
 

@@ -16,7 +16,7 @@ internal static class CommandAdvice
             CommandFailure.Refused, $"{link.Target} refused the connection: nothing listens there. {WhichPort}", cause),
         ConnectionReason.TimedOut => new(
             CommandFailure.NotConnected,
-            $"{link.Target} did not answer within {Seconds(link.ConnectTimeout)}. Check Host, that both computers are on the same network, and that "
+            $"{link.Target} did not answer within {Seconds(link.ConnectTimeout)}. Check the address, that both computers are on the same network, and that "
             + "no firewall blocks the port.",
             cause),
         ConnectionReason.AccessDenied or ConnectionReason.Unreachable => new(
@@ -35,7 +35,7 @@ internal static class CommandAdvice
             (_, > 0) => $"{skipped} bytes came, but no reply, within",
             _ => "No reply came within",
         };
-        string check = skipped > 0 ? WhichPort : WhichPort + " For a slow server, raise the time-out (NeuronCommandOptions.Timeout).";
+        string check = skipped > 0 ? WhichPort : WhichPort + " For a slow server, raise NeuronCommandOptions.Timeout.";
         return new(CommandFailure.TimedOut, $"{target}: {what} {Seconds(options.Timeout)}. {check}");
     }
 

@@ -56,7 +56,10 @@ internal sealed class CommandReplies(string target)
 
         try
         {
-            return (Encoding.UTF8.GetString(utf8), BvhDocument.Parse(utf8));
+            BvhDocument document = BvhDocument.Parse(utf8);
+            return document.ChannelCount > 0
+                ? (Encoding.UTF8.GetString(utf8), document)
+                : throw CommandAdvice.InvalidReply(target, "the BVH header has no channels.");
         }
         catch (BvhFormatException exception)
         {

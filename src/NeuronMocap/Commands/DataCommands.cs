@@ -8,11 +8,14 @@ namespace NeuronMocap.Commands;
 /// the vendor's b11 and b12 libraries answer them; newer ones have a connection of their own for commands.
 /// <para>
 /// Requests are sent when asked for; replies come whenever the server likes, between frames. Take them as they come with
-/// <see cref="Received"/>, or await one value with the methods that fetch. All members may be called from any thread.
+/// <see cref="Received"/>, or await one value with <see cref="GetAvatarCountAsync"/> and its like. All members may be called from any thread.
 /// </para>
 /// </summary>
 public sealed class DataCommands
 {
+    private static readonly TimeSpan ShortestTimeout = TimeSpan.FromMilliseconds(1);
+    private static readonly TimeSpan LongestTimeout = TimeSpan.FromHours(1);
+
     private readonly TrySend _trySend;
     private readonly HandlerList<DataCommandReply> _handlers;
     private readonly ReplyWaiters _waiters = new();
@@ -20,6 +23,7 @@ public sealed class DataCommands
     private readonly SortedSet<DataCommandId> _registered = [];
     private readonly Turns _sizes = new();
     private readonly Turns _texts = new();
+    private TimeSpan _timeout = TimeSpan.FromSeconds(3);
 
     internal DataCommands(TrySend trySend, Action<Exception> failed)
     {
@@ -27,8 +31,15 @@ public sealed class DataCommands
         _handlers = new HandlerList<DataCommandReply>(failed);
     }
 
-    /// <summary>How long the methods that fetch wait for a reply, counted from the sending: 3 s unless set.</summary>
-    public TimeSpan Timeout { get; set; } = TimeSpan.FromSeconds(3);
+    /// <summary>How long <see cref="GetAvatarCountAsync"/> and its like wait for a reply, counted from the sending. 3 s unless set; 1 ms to an hour.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is out of range.</exception>
+    public TimeSpan Timeout
+    {
+        get => _timeout;
+        set => _timeout = value >= ShortestTimeout && value <= LongestTimeout
+            ? value
+            : throw new ArgumentOutOfRangeException(nameof(value), value, "Timeout is 1 ms to an hour.");
+    }
 
     // False where no connection stands that commands can travel on, or where it takes no more bytes for a second.
     internal delegate bool TrySend(ReadOnlySpan<byte> bytes);
@@ -82,46 +93,46 @@ public sealed class DataCommands
     }
 
     /// <summary>
-    /// Fetches names and lengths of an avatar's bones. Replies do not say whose they are: so one is asked for after the other, and after one that did
-    /// not come in time the next fetch asks for the number of avatars first, behind whose reply no late one can come. Only a change that the server
+    /// Asks for names and lengths of an avatar's bones. Replies do not say whose they are: so one is asked for after the other, and after one that did
+    /// not come in time the next call asks for the number of avatars first, behind whose reply no late one can come. Only a change that the server
     /// sends by itself, after <see cref="TryRegister"/>, may be taken for the reply.
     /// </summary>
     /// <param name="avatar">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The bones in the order of the server.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
-    public async Task<IReadOnlyList<BoneSize>> FetchBoneSizesAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
+    public async Task<IReadOnlyList<BoneSize>> GetBoneSizesAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
         (await FetchInTurnAsync(_sizes, DataCommandId.BoneSize, avatar, cancellationToken).ConfigureAwait(false)).BoneSizes!;
 
-    /// <summary>Fetches an avatar's hierarchy; whose it is, see <see cref="FetchBoneSizesAsync"/>.</summary>
+    /// <summary>Asks for an avatar's hierarchy; whose it is, see <see cref="GetBoneSizesAsync"/>.</summary>
     /// <param name="avatar">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The text of a BVH file's hierarchy, as the server sent it.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
-    public async Task<string> FetchBvhTextAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
+    public async Task<string> GetBvhTextAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
         (await FetchInTurnAsync(_texts, DataCommandId.BvhText, avatar, cancellationToken).ConfigureAwait(false)).BvhText!;
 
-    /// <summary>Fetches the number of avatars on the server.</summary>
+    /// <summary>Asks for the number of avatars on the server.</summary>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The number as the server sent it.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
-    public async Task<int> FetchAvatarCountAsync(CancellationToken cancellationToken = default) =>
+    public async Task<int> GetAvatarCountAsync(CancellationToken cancellationToken = default) =>
         (await FetchAsync(DataCommandId.AvatarCount, avatar: 0, cancellationToken).ConfigureAwait(false)).AvatarCount!.Value;
 
-    /// <summary>Fetches an avatar's frequency. A reply for another avatar is passed over.</summary>
+    /// <summary>Asks for an avatar's frequency. A reply for another avatar is passed over.</summary>
     /// <param name="avatar">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>Frames per second.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
-    public async Task<int> FetchFrequencyAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
+    public async Task<int> GetFrequencyAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
         (await FetchAsync(DataCommandId.DataFrequency, avatar, cancellationToken).ConfigureAwait(false)).Frequency!.Value;
 
-    /// <summary>Fetches which sensors an avatar wears. A reply for another avatar is passed over.</summary>
+    /// <summary>Asks for which sensors an avatar wears. A reply for another avatar is passed over.</summary>
     /// <param name="avatar">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The mode; servers may send numbers that the enumeration lacks.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
-    public async Task<SensorCombination> FetchCombinationModeAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
+    public async Task<SensorCombination> GetCombinationModeAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
         (await FetchAsync(DataCommandId.CombinationMode, avatar, cancellationToken).ConfigureAwait(false)).CombinationMode!.Value;
 
     // Receive thread.

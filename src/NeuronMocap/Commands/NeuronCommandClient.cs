@@ -80,7 +80,10 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
     public Task ConnectAsync(CancellationToken cancellationToken = default) =>
         Enqueue(new CommandRequest<bool>(id: null, avatar: null, static _ => true), cancellationToken);
 
-    /// <summary>Turns an avatar to face front, from the next frames on (manual section 2.3.10).</summary>
+    /// <summary>
+    /// Asks the server to zero out an avatar (manual section 2.3.10). What that changes, the direction, the position or both, is not documented. The
+    /// simulator turns the avatar to face front, where it stands.
+    /// </summary>
     /// <param name="avatarIndex">Index of the avatar, from 0, as its frames carry it.</param>
     /// <param name="cancellationToken">Ends the call.</param>
     /// <returns>Ends when the server says that it did.</returns>
@@ -91,7 +94,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
             CommandChannelId.ZeroOut, Checked(avatarIndex), payload => _replies.ReadZeroOut(payload, avatarIndex)),
         cancellationToken);
 
-    /// <summary>Turns all avatars to face front, from the next frames on (manual section 2.3.11).</summary>
+    /// <summary>Asks the server to zero out all avatars (manual section 2.3.11), as <see cref="ZeroOutAsync"/> does for one.</summary>
     /// <param name="cancellationToken">Ends the call.</param>
     /// <returns>Ends when the server says that it did.</returns>
     /// <exception cref="NeuronCommandException">There is no answer, or the server refused.</exception>

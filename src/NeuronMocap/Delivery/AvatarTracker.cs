@@ -13,7 +13,7 @@ internal readonly record struct LossTotals(long Lost, long Gaps, long Restarts)
 // Counts one kind of frame of one avatar. The receive thread writes, anyone reads: each figure is whole by itself. It carries on the losses of
 // those that it took the place of, so that the sum over all trackers stays right while one replaces another.
 internal sealed class AvatarTracker(
-    PacketKind kind, int source, uint avatar, IDurationRecorder? intervals = null, LossTotals forgotten = default)
+    PacketKind kind, int origin, uint avatar, IDurationRecorder? intervals = null, LossTotals forgotten = default)
 {
     // Weight of a new interval in the running mean: about half a second at 120 Hz.
     private const double Weight = 1.0 / 64;
@@ -30,7 +30,10 @@ internal sealed class AvatarTracker(
 
     public PacketKind Kind => kind;
 
-    public int Source => source;
+    public int Source => PacketOrigin.SourceOf(Origin);
+
+    // Receive loop only.
+    public int Origin { get; private set; } = origin;
 
     public uint Avatar => avatar;
 
@@ -48,7 +51,7 @@ internal sealed class AvatarTracker(
     public AvatarStatistics Snapshot => new()
     {
         Kind = kind,
-        Source = source,
+        Source = Source,
         AvatarIndex = (int)avatar,
         AvatarName = Volatile.Read(ref _text),
         Frames = Volatile.Read(ref _frames),
@@ -64,6 +67,14 @@ internal sealed class AvatarTracker(
 
     // What happened between two connections is neither a gap nor an interval.
     public void Resume() => _resumed = true;
+
+    // Another sender goes on as this source, and counts anew.
+    public void Continue(int newOrigin)
+    {
+        Origin = newOrigin;
+        _resumed = true;
+        _index.Restart();
+    }
 
     public void OnFrame(in AvatarName name, uint? index, long timestamp)
     {

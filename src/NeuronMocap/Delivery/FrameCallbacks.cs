@@ -7,9 +7,9 @@ namespace NeuronMocap.Delivery;
 // A handler that does makes the connection wait too, and loses nothing.
 internal sealed class FrameCallbacks(FrameFormat format, Action<Exception> failed) : IPacketConsumer
 {
-    private readonly MotionFrame _motion = new(format);
-    private readonly CalculationFrame _calculation = new();
-    private readonly StudioCalculationFrame _studio = new();
+    private readonly LentFrames<MotionFrame> _motion = new(() => new MotionFrame(format), LentFrames<MotionFrame>.OfHandlers);
+    private readonly LentFrames<CalculationFrame> _calculation = new(static () => new CalculationFrame(), LentFrames<CalculationFrame>.OfHandlers);
+    private readonly LentFrames<StudioCalculationFrame> _studio = new(static () => new StudioCalculationFrame(), LentFrames<StudioCalculationFrame>.OfHandlers);
 
     public HandlerList<MotionFrame> Motion { get; } = new(failed);
 
@@ -33,13 +33,14 @@ internal sealed class FrameCallbacks(FrameFormat format, Action<Exception> faile
         }
     }
 
-    private static void Call<TFrame>(HandlerList<TFrame> handlers, TFrame frame, in ReceivedPacket packet)
+    private static void Call<TFrame>(HandlerList<TFrame> handlers, LentFrames<TFrame> frames, in ReceivedPacket packet)
         where TFrame : AvatarFrame
     {
         if (handlers.IsEmpty)
             return;
 
-        frame.Borrow(packet);
+        TFrame frame = frames.Lend(packet);
         handlers.Invoke(frame);
+        frame.Expire();
     }
 }

@@ -6,7 +6,7 @@ namespace NeuronMocap.Delivery;
 
 /// <summary>
 /// Every frame, in order, for one thread of the application: the receive thread puts frames in without ever waiting, and the application
-/// takes them out when it calls <see cref="Pump"/>, in its main loop for example.
+/// takes them out when it calls <c>Pump</c>, in its main loop for example.
 /// <para>
 /// The queue is bounded. When the application is late and the queue is full, the frames that arrive are dropped and counted in
 /// <see cref="Dropped"/>; those that wait are kept. A queue loses only its own frames: other queues and the connection go on.
@@ -25,9 +25,9 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     private const int SlotSize = 1536;
 
     private readonly PacketRing _ring;
-    private readonly MotionFrame _motion;
-    private readonly CalculationFrame _calculation = new();
-    private readonly StudioCalculationFrame _studio = new();
+    private readonly LentFrames<MotionFrame> _motion;
+    private readonly LentFrames<CalculationFrame> _calculation = new(static () => new CalculationFrame(), LentFrames<CalculationFrame>.OfHandlers);
+    private readonly LentFrames<StudioCalculationFrame> _studio = new(static () => new StudioCalculationFrame(), LentFrames<StudioCalculationFrame>.OfHandlers);
     private readonly Action<FrameQueue> _closed;
     private readonly IDurationRecorder? _handOver;
     private readonly Func<bool>? _isPatient;
@@ -48,7 +48,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
             throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "A queue holds 1 to 1,048,576 frames.");
 
         _ring = new PacketRing(capacity, SlotSize);
-        _motion = new MotionFrame(format);
+        _motion = new LentFrames<MotionFrame>(() => new MotionFrame(format), LentFrames<MotionFrame>.OfHandlers);
         _closed = closed;
         _handOver = handOver;
         _isPatient = isPatient;
@@ -77,42 +77,34 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     /// <param name="maxFrames">Return after this many frames, so that a backlog cannot hold up the caller.</param>
     /// <returns>Number of frames taken out.</returns>
     /// <exception cref="InvalidOperationException">Another thread is pumping this queue, or a handler pumps it.</exception>
-    /// <remarks>An exception of a handler comes out of this call; the frame it was called with counts as taken.</remarks>
+    /// <remarks>
+    /// An exception of a handler comes out of this call; the frame it was called with counts as taken. A lambda that captures a variable or <c>this</c> is a new
+    /// object in every call, which C# allocates. Keep the delegate in a field, or use the overload that takes a state.
+    /// </remarks>
     public int Pump(
         Action<MotionFrame>? onMotion,
         Action<CalculationFrame>? onCalculation = null,
         Action<StudioCalculationFrame>? onStudioCalculation = null,
-        int maxFrames = int.MaxValue)
-    {
-        if (Interlocked.Exchange(ref _pumping, 1) != 0)
-            throw new InvalidOperationException("One thread at a time may pump a queue, and its handlers may not. Open a queue for each thread.");
+        int maxFrames = int.MaxValue) => Pump(new FrameHandlers(onMotion, onCalculation, onStudioCalculation), maxFrames);
 
-        try
-        {
-            int taken = 0;
-            while (taken < maxFrames && !_disposed && _ring.TryPeek(out ReceivedPacket packet))
-            {
-                taken++;
-                if (_handOver is { IsEnabled: true })
-                    _handOver.Record(packet.Kind, Stopwatch.GetTimestamp() - packet.Timestamp);
-
-                try
-                {
-                    Handle(packet, onMotion, onCalculation, onStudioCalculation);
-                }
-                finally
-                {
-                    _ring.Release();
-                }
-            }
-
-            return taken;
-        }
-        finally
-        {
-            Volatile.Write(ref _pumping, 0);
-        }
-    }
+    /// <summary>
+    /// Runs a handler for every waiting frame, and gives it a state. With lambdas that are <c>static</c>, and so capture nothing, the call allocates nothing.
+    /// </summary>
+    /// <typeparam name="TState">Type of the state.</typeparam>
+    /// <param name="state">What the handlers need: an object of yours, or a tuple of several.</param>
+    /// <param name="onMotion">Called with the state and each motion frame; null to pass them over. The frame is valid during the call.</param>
+    /// <param name="onCalculation">Called with the state and each calculation frame; null to pass them over. The frame is valid during the call.</param>
+    /// <param name="onStudioCalculation">Called with the state and each of Axis Studio's calculation frames; null to pass them over. The frame is valid during the call.</param>
+    /// <param name="maxFrames">Return after this many frames, so that a backlog cannot hold up the caller.</param>
+    /// <returns>Number of frames taken out.</returns>
+    /// <exception cref="InvalidOperationException">Another thread is pumping this queue, or a handler pumps it.</exception>
+    /// <remarks>An exception of a handler comes out of this call; the frame it was called with counts as taken.</remarks>
+    public int Pump<TState>(
+        TState state,
+        Action<TState, MotionFrame>? onMotion,
+        Action<TState, CalculationFrame>? onCalculation = null,
+        Action<TState, StudioCalculationFrame>? onStudioCalculation = null,
+        int maxFrames = int.MaxValue) => Pump(new FrameHandlers<TState>(state, onMotion, onCalculation, onStudioCalculation), maxFrames);
 
     /// <summary>Takes the queue off its reader; frames that wait are given up. Any thread, any number of times.</summary>
     public void Dispose()
@@ -144,26 +136,61 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
         return false;
     }
 
-    private void Handle(
-        in ReceivedPacket packet,
-        Action<MotionFrame>? onMotion,
-        Action<CalculationFrame>? onCalculation,
-        Action<StudioCalculationFrame>? onStudioCalculation)
+    private int Pump<THandlers>(THandlers handlers, int maxFrames)
+        where THandlers : struct, IFrameHandlers
+    {
+        if (Interlocked.Exchange(ref _pumping, 1) != 0)
+            throw new InvalidOperationException("One thread at a time may pump a queue, and its handlers may not. Open a queue for each thread.");
+
+        try
+        {
+            int taken = 0;
+            while (taken < maxFrames && !_disposed && _ring.TryPeek(out ReceivedPacket packet))
+            {
+                taken++;
+                if (_handOver is { IsEnabled: true })
+                    _handOver.Record(packet.Kind, Stopwatch.GetTimestamp() - packet.Timestamp);
+
+                AvatarFrame? lent = null;
+                try
+                {
+                    Handle(packet, handlers, ref lent);
+                }
+                finally
+                {
+                    lent?.Expire();
+                    _ring.Release();
+                }
+            }
+
+            return taken;
+        }
+        finally
+        {
+            Volatile.Write(ref _pumping, 0);
+        }
+    }
+
+    private void Handle<THandlers>(in ReceivedPacket packet, THandlers handlers, ref AvatarFrame? lent)
+        where THandlers : struct, IFrameHandlers
     {
         if (packet.Kind == PacketKind.Motion)
         {
-            _motion.Borrow(packet);
-            onMotion?.Invoke(_motion);
+            MotionFrame frame = _motion.Lend(packet);
+            lent = frame;
+            handlers.OnMotion(frame);
         }
         else if (packet.Kind == PacketKind.Calculation)
         {
-            _calculation.Borrow(packet);
-            onCalculation?.Invoke(_calculation);
+            CalculationFrame frame = _calculation.Lend(packet);
+            lent = frame;
+            handlers.OnCalculation(frame);
         }
         else
         {
-            _studio.Borrow(packet);
-            onStudioCalculation?.Invoke(_studio);
+            StudioCalculationFrame frame = _studio.Lend(packet);
+            lent = frame;
+            handlers.OnStudioCalculation(frame);
         }
     }
 }

@@ -162,6 +162,13 @@ internal sealed class IndexTracker
         Restart(index);
     }
 
+    // It is known from elsewhere that the counting begins anew.
+    public void Restart()
+    {
+        Volatile.Write(ref _restarts, _restarts + 1);
+        StartAt(null);
+    }
+
     private void Restart(uint index)
     {
         Volatile.Write(ref _restarts, _restarts + 1);

@@ -37,7 +37,7 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
     /// <param name="avatar">Number of the avatar, from 0.</param>
     /// <param name="frame">
     /// The avatar's newest frame, also when it was taken before; null as long as there was none. Valid, for one thread, until this method
-    /// next returns true for the same avatar.
+    /// next returns true for the same avatar; its members then throw. <c>Clone</c> makes one to keep.
     /// </param>
     /// <returns>True when the frame is new since the last call.</returns>
     public bool TryTakeMotion(int avatar, [NotNullWhen(true)] out MotionFrame? frame) => TryTake(_motion, avatar, out frame);
@@ -67,15 +67,15 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
     void IPacketConsumer.OnPacket(in ReceivedPacket packet)
     {
         if (packet.Kind == PacketKind.Motion)
-            Publish(_motion, MotionHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static format => new MotionFrame(format));
+            Publish(_motion, MotionHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static format => new LentFrames<MotionFrame>(() => new MotionFrame(format), LentFrames<MotionFrame>.OfTakers));
         else if (packet.Kind == PacketKind.Calculation)
-            Publish(_calculation, CalculationHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static _ => new CalculationFrame());
+            Publish(_calculation, CalculationHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static _ => new LentFrames<CalculationFrame>(static () => new CalculationFrame(), LentFrames<CalculationFrame>.OfTakers));
         else
-            Publish(_studio, StudioCalculationHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static _ => new StudioCalculationFrame());
+            Publish(_studio, StudioCalculationHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static _ => new LentFrames<StudioCalculationFrame>(static () => new StudioCalculationFrame(), LentFrames<StudioCalculationFrame>.OfTakers));
     }
 
     private static void Publish<TFrame>(
-        Slot<TFrame>?[] slots, uint avatar, in ReceivedPacket packet, FrameFormat format, Func<FrameFormat, TFrame> create)
+        Slot<TFrame>?[] slots, uint avatar, in ReceivedPacket packet, FrameFormat format, Func<FrameFormat, LentFrames<TFrame>> create)
         where TFrame : AvatarFrame
     {
         if (avatar >= MaxAvatars)
@@ -98,21 +98,28 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
     {
         Slot<TFrame>? slot = (uint)avatar < MaxAvatars ? Volatile.Read(ref slots[avatar]) : null;
         frame = slot?.Frame;
-        if (slot is null || frame is null || !slot.Newest.TryTake(out ReceivedPacket packet))
+        if (slot is null || !slot.Newest.TryTake(out ReceivedPacket packet))
             return false;
 
         if (_handOver is { IsEnabled: true })
             _handOver.Record(packet.Kind, Stopwatch.GetTimestamp() - packet.Timestamp);
 
-        frame.Borrow(packet);
+        frame = slot.Show(packet);
         return true;
     }
 
-    private sealed class Slot<TFrame>(TFrame frame, int packetSize)
+    private sealed class Slot<TFrame>(LentFrames<TFrame> frames, int packetSize)
+        where TFrame : AvatarFrame
     {
         // The consumer's; it borrows the slot that the consumer holds.
-        public TFrame Frame => frame;
+        public TFrame? Frame { get; private set; }
 
         public NewestPacket Newest { get; } = new(packetSize);
+
+        public TFrame Show(in ReceivedPacket packet)
+        {
+            Frame?.Expire();
+            return Frame = frames.Lend(packet);
+        }
     }
 }

@@ -89,7 +89,7 @@ internal sealed class PacketRing
         entry.Kind = packet.Kind;
         entry.Length = packet.Length;
         entry.Timestamp = packet.Timestamp;
-        entry.Source = packet.Source;
+        entry.Origin = packet.Origin;
         if (packet.Length <= _slotSize)
         {
             packet.Bytes.CopyTo(_bytes.AsSpan(slot * _slotSize, _slotSize));
@@ -106,8 +106,8 @@ internal sealed class PacketRing
     {
         ref Entry entry = ref _entries[slot];
         return entry.Length <= _slotSize
-            ? new ReceivedPacket(entry.Kind, _bytes, slot * _slotSize, entry.Length, entry.Timestamp, entry.Source)
-            : new ReceivedPacket(entry.Kind, entry.Large!, 0, entry.Length, entry.Timestamp, entry.Source);
+            ? new ReceivedPacket(entry.Kind, _bytes, slot * _slotSize, entry.Length, entry.Timestamp, entry.Origin)
+            : new ReceivedPacket(entry.Kind, entry.Large!, 0, entry.Length, entry.Timestamp, entry.Origin);
     }
 
     // What a slot holds. A packet that is larger than a slot lies in memory of its own, which stays for the next one.
@@ -115,7 +115,7 @@ internal sealed class PacketRing
     {
         public PacketKind Kind;
         public int Length;
-        public int Source;
+        public int Origin;
         public long Timestamp;
         public byte[]? Large;
     }

@@ -9,9 +9,9 @@ internal struct PacketSlot(int capacity)
     private int _length;
     private PacketKind _kind;
     private long _timestamp;
-    private int _source;
+    private int _origin;
 
-    public readonly ReceivedPacket Packet => new(_kind, _bytes, 0, _length, _timestamp, _source);
+    public readonly ReceivedPacket Packet => new(_kind, _bytes, 0, _length, _timestamp, _origin);
 
     public void Store(in ReceivedPacket packet)
     {
@@ -22,6 +22,6 @@ internal struct PacketSlot(int capacity)
         _length = packet.Length;
         _kind = packet.Kind;
         _timestamp = packet.Timestamp;
-        _source = packet.Source;
+        _origin = packet.Origin;
     }
 }

@@ -47,11 +47,20 @@ public readonly record struct ReaderStatistics
     /// <summary>Frames that arrived and found a queue full: the sum over all queues, closed ones included.</summary>
     public long Dropped { get; init; }
 
+    /// <summary>
+    /// Frames that had arrived when the reader was stopped, and were not delivered any more. Over UDP, datagrams of a server that restarted less than a second
+    /// before are among them. Other figures do not count them; a recording holds them.
+    /// </summary>
+    public long Undelivered { get; init; }
+
     /// <summary>Exceptions that handlers threw on the receive thread or while a status was told.</summary>
     public long CallbackFailures { get; init; }
 
     /// <summary>How often a connection stood again after the first one had ended; for UDP, how often the port was bound again.</summary>
     public long Reconnects { get; init; }
+
+    /// <summary>As <see cref="Reconnects"/>, of the connection to CalculationPort; 0 where there is none.</summary>
+    public long CalculationReconnects { get; init; }
 
     /// <summary>Datagrams of senders that AllowedSenders does not list. They were dropped unread and count nowhere else.</summary>
     public long RefusedDatagrams { get; init; }

@@ -11,11 +11,16 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     // and counted in total only.
     public const int MaxTrackers = 1024;
 
+    // So many every sender gets, whatever others make up; there are no more senders at a time than UdpSenders keeps.
+    public const int TrackersOfSource = 16;
+    private const int MostTrackers = 2 * MaxTrackers;
+
     // Longer than a suit that sends is ever silent: whoever sends now cannot be pushed out by any flood.
     public static readonly long StaleAfter = 5 * Stopwatch.Frequency;
 
-    private readonly long[] _skippedByReason = new long[(int)SkipReason.AmbiguousName + 1];
+    private readonly long[] _skippedByReason = new long[(int)SkipReason.MissingAvatar + 1];
     private readonly Dictionary<(PacketKind Kind, int Source, uint Avatar), AvatarTracker> _trackers = [];
+    private readonly Dictionary<int, int> _countOfSource = [];
     private volatile AvatarTracker[] _published = [];
     private AvatarTracker? _last;
     private long _noneStaleBefore;
@@ -29,6 +34,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     private long _oversizedPackets;
     private long _unknownVersions;
     private long _connections;
+    private long _calculationConnections;
     private long _firstFrame;
     private long _lastFrame;
 
@@ -37,12 +43,20 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     // Bytes of the skipped ones.
     public long GetSkipped(SkipReason reason) => Volatile.Read(ref _skippedByReason[(int)reason]);
 
-    // A new connection stands.
-    public void Resume()
+    // A new connection stands. That of a calculation port brings no motion; since there was one, the first connection is that of the motion.
+    public void Resume(bool isCalculation = false)
     {
-        Volatile.Write(ref _connections, _connections + 1);
+        if (isCalculation)
+            Volatile.Write(ref _calculationConnections, _calculationConnections + 1);
+        else
+            Volatile.Write(ref _connections, _connections + 1);
+
         foreach (AvatarTracker tracker in _published)
-            tracker.Resume();
+        {
+            bool isItsOwn = tracker.Kind == PacketKind.Motion ? !isCalculation : isCalculation || _calculationConnections == 0;
+            if (isItsOwn)
+                tracker.Resume();
+        }
     }
 
     public void CountMotion(in ReceivedPacket packet)
@@ -113,6 +127,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
             OversizedPackets = Volatile.Read(ref _oversizedPackets),
             UnknownVersionPackets = Volatile.Read(ref _unknownVersions),
             Reconnects = Math.Max(0, Volatile.Read(ref _connections) - 1),
+            CalculationReconnects = Math.Max(0, Volatile.Read(ref _calculationConnections) - 1),
             FirstFrameTimestamp = Volatile.Read(ref _firstFrame),
             LastFrameTimestamp = Volatile.Read(ref _lastFrame),
             Lost = total.Lost,
@@ -127,7 +142,9 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
         if (!packet.IsText)
             Volatile.Write(ref _bytes, _bytes + packet.Length);
 
-        Volatile.Write(ref _lastFrame, packet.Timestamp);
+        // Datagrams that waited to be told apart are delivered with the time of their arrival, up to a second late.
+        if (packet.Timestamp > _lastFrame)
+            Volatile.Write(ref _lastFrame, packet.Timestamp);
         if (_firstFrame == 0)
             Volatile.Write(ref _firstFrame, packet.Timestamp);
     }
@@ -136,7 +153,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private AvatarTracker? Find(in ReceivedPacket packet, uint avatar)
     {
-        if (_last?.Next is { } next && next.Avatar == avatar && next.Kind == packet.Kind && next.Source == packet.Source)
+        if (_last?.Next is { } next && next.Avatar == avatar && next.Kind == packet.Kind && next.Origin == packet.Origin)
             return _last = next;
 
         if (!_trackers.TryGetValue((packet.Kind, packet.Source, avatar), out AvatarTracker? tracker))
@@ -144,6 +161,10 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
             tracker = Add(packet, avatar);
             if (tracker is null)
                 return null;
+        }
+        else if (tracker.Origin != packet.Origin)
+        {
+            tracker.Continue(packet.Origin);
         }
 
         if (_last is not null)
@@ -155,29 +176,32 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     private AvatarTracker? Add(in ReceivedPacket packet, uint avatar)
     {
         AvatarTracker tracker;
-        if (_published.Length < MaxTrackers)
-        {
-            tracker = new AvatarTracker(packet.Kind, packet.Source, avatar, intervals);
-            _published = [.. _published, tracker];
-        }
-        else if (FindStale(packet.Timestamp) is { } place)
+        int ofSource = _countOfSource.GetValueOrDefault(packet.Source);
+        int? stalePlace = _published.Length < MaxTrackers ? null : FindStale(packet.Timestamp);
+        if (stalePlace is { } place)
         {
             AvatarTracker stale = _published[place];
-            tracker = new AvatarTracker(packet.Kind, packet.Source, avatar, intervals, stale.Totals);
+            tracker = new AvatarTracker(packet.Kind, packet.Origin, avatar, intervals, stale.Totals);
             Forget(stale);
             Volatile.Write(ref _published[place], tracker);
+        }
+        else if (_published.Length < MaxTrackers || (ofSource < TrackersOfSource && _published.Length < MostTrackers))
+        {
+            tracker = new AvatarTracker(packet.Kind, packet.Origin, avatar, intervals);
+            _published = [.. _published, tracker];
         }
         else
         {
             return null;
         }
 
+        _countOfSource[packet.Source] = _countOfSource.GetValueOrDefault(packet.Source) + 1;
         _trackers.Add((packet.Kind, packet.Source, avatar), tracker);
         return tracker;
     }
 
-    // The oldest one's place. Timestamps only grow: before the oldest can be stale there is nothing to look for, so that a flood costs a look
-    // at all of them only as often as one of them is replaced.
+    // The oldest one's place. Before the oldest can be stale there is nothing to look for, so that a flood costs a look at all of them only as often
+    // as one of them is replaced. Timestamps grow, but for datagrams that waited for up to a second: by so much a stale one may be found late.
     private int? FindStale(long now)
     {
         if (now < _noneStaleBefore)
@@ -199,6 +223,9 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     private void Forget(AvatarTracker stale)
     {
         _trackers.Remove((stale.Kind, stale.Source, stale.Avatar));
+        if (--_countOfSource[stale.Source] == 0)
+            _countOfSource.Remove(stale.Source);
+
         foreach (AvatarTracker tracker in _published)
         {
             if (tracker.Next == stale)

@@ -22,9 +22,12 @@ public sealed class DiagnosisOptions
     /// </summary>
     public bool LookElsewhere { get; set; } = true;
 
+    // Axis Studio's "Advanced BVH", which is not read, but shows that the server runs.
+    private const int AdvancedBvhPort = 7007;
+
     // Where the stream is usually found: protocol.md section 4.3, and 7012, which several receivers have as their default. Tests have ports
     // of their own.
-    internal int[] UsualTcpPorts { get; set; } = [7001, 7002, 7003, 7004, 7005, 7006, 8012];
+    internal int[] UsualTcpPorts { get; set; } = [7001, 7002, 7003, 7004, 7005, 7006, AdvancedBvhPort, 8012];
 
     internal int[] UsualUdpPorts { get; set; } = [7001, 7002, 7003, 7004, 7012];
 

@@ -30,6 +30,9 @@ public enum DiagnosisVerdict
     /// <summary>Frames arrive, but all are the same: the pose or the frame index does not change.</summary>
     StandsStill,
 
+    /// <summary>Frames arrive, but the port of calculation data, CalculationPort, brings none.</summary>
+    CalculationUnavailable,
+
     /// <summary>The host name has no address, or the name server gave no answer.</summary>
     HostNotFound = 100,
 
@@ -104,4 +107,7 @@ public enum DiagnosisVerdict
 
     /// <summary>Another error of the network; the summary carries the system's words.</summary>
     NetworkError,
+
+    /// <summary>Axis Studio's "Advanced BVH" arrives, another stream than its BVH broadcasting, which this library does not read.</summary>
+    AdvancedBvh,
 }

@@ -6,8 +6,9 @@ namespace NeuronMocap.Diagnostics;
 // What another port had.
 internal sealed record Probe(StreamPlace Place, ConnectionReason Reason, StreamSample Sample, string Sender = "");
 
-// Found: the port with the stream that the reader wants, else with another one. HostAnswers: whether any of the host's ports did.
-internal readonly record struct Search(Probe? Found, bool HostAnswers);
+// Found: the port with the stream that the reader wants, else with another one. HostAnswers: whether any of the host's ports did. AdvancedBvh: the
+// port with a stream that is not read.
+internal readonly record struct Search(Probe? Found, bool HostAnswers, Probe? AdvancedBvh);
 
 // Where the stream might be instead: the usual data ports of the host, and of this computer for UDP. All at once, and only those.
 internal static class Elsewhere
@@ -35,7 +36,8 @@ internal static class Elsewhere
         return new Search(
             ordered.FirstOrDefault(probe => probe.Sample.Has(task.Wanted)) ?? ordered.FirstOrDefault(static probe => probe.Sample.Avatars.Any()),
             probes.Any(static probe =>
-                probe.Place.Transport == TransportKind.Tcp && probe.Reason is ConnectionReason.None or ConnectionReason.Refused));
+                probe.Place.Transport == TransportKind.Tcp && probe.Reason is ConnectionReason.None or ConnectionReason.Refused),
+            ordered.FirstOrDefault(static probe => probe.Sample.Guess().Format == ForeignFormat.AdvancedBvh));
     }
 
     // The port of the reader first, which may carry the stream over the other transport; it is left out where it was looked at already.

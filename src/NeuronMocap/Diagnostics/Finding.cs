@@ -18,6 +18,20 @@ internal readonly record struct StreamPlace(TransportKind Transport, string Host
 // What an examination came to. Place: where frames of the wanted kind can be received now, if anywhere.
 internal sealed record Conclusion(IReadOnlyList<Finding> Findings, StreamSample? Sample = null, StreamPlace? Place = null)
 {
+    // What came over a port of its own.
+    public StreamSample? CalculationSample { get; init; }
+
+    public IEnumerable<StreamSample> Samples
+    {
+        get
+        {
+            if (Sample is not null)
+                yield return Sample;
+            if (CalculationSample is not null)
+                yield return CalculationSample;
+        }
+    }
+
     public Conclusion(DiagnosisVerdict verdict, string text, string? advice)
         : this([new Finding(verdict, text, advice)])
     {

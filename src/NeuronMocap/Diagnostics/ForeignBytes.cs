@@ -9,12 +9,12 @@ internal static class ForeignBytes
         "Check the port against the one in the server's broadcasting settings; it is usually 7001.";
 
     private const string TooManyAdvice =
-        "No Perception Neuron server sends so many; check the port. If it is right, raise MaxValues of the reader's options.";
+        "No Perception Neuron server sends so many; check the port. If it is right, raise MaxValues.";
 
     public static Conclusion Judge(StepLog log, StreamSample sample, StreamPlace place)
     {
         FormatGuess guess = sample.Guess();
-        string quoted = guess.Format is ForeignFormat.OtherProgram or ForeignFormat.Text or ForeignFormat.AmbiguousName or ForeignFormat.Unknown && sample.Quote() is { } quote
+        string quoted = guess.Format is ForeignFormat.OtherProgram or ForeignFormat.Text or ForeignFormat.AmbiguousName or ForeignFormat.MissingAvatar or ForeignFormat.Unknown && sample.Quote() is { } quote
             ? $" (\"{quote}\")"
             : string.Empty;
         (DiagnosisVerdict verdict, string? advice) = guess.Format switch
@@ -23,7 +23,8 @@ internal static class ForeignBytes
             ForeignFormat.TooManyValues => (DiagnosisVerdict.TooManyValues, TooManyAdvice),
             ForeignFormat.Incomplete => (DiagnosisVerdict.IncompletePackets, IncompleteAdvice(place)),
             ForeignFormat.Text => (DiagnosisVerdict.MalformedText, $"{ServerSettings.Skeleton} Or change to binary. {ServerSettings.Binary}"),
-            ForeignFormat.AmbiguousName => (DiagnosisVerdict.MalformedText, guess.Advice),
+            ForeignFormat.AmbiguousName or ForeignFormat.MissingAvatar => (DiagnosisVerdict.MalformedText, guess.Advice),
+            ForeignFormat.AdvancedBvh => (DiagnosisVerdict.AdvancedBvh, guess.Advice),
             ForeignFormat.CommandReply => (DiagnosisVerdict.CommandPort, guess.Advice),
             ForeignFormat.OtherProgram => (DiagnosisVerdict.OtherProgram, OtherProgramAdvice),
             _ => (DiagnosisVerdict.UnknownFormat, $"{OtherProgramAdvice} {ServerSettings.Binary}"),
@@ -35,7 +36,7 @@ internal static class ForeignBytes
     private static string StepOf(ForeignFormat format) => format switch
     {
         ForeignFormat.UnknownVersion => "version",
-        ForeignFormat.TooManyValues or ForeignFormat.Incomplete or ForeignFormat.Text or ForeignFormat.AmbiguousName => "format",
+        ForeignFormat.TooManyValues or ForeignFormat.Incomplete or ForeignFormat.Text or ForeignFormat.AmbiguousName or ForeignFormat.MissingAvatar => "format",
         _ => "token",
     };
 

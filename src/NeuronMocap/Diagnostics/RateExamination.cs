@@ -42,7 +42,8 @@ internal static class RateExamination
             DiagnosisVerdict.LosingFrames,
             $"{lost} of {all} frames did not arrive.",
             isUdp
-                ? "UDP loses what a busy network or computer cannot take: use a cable instead of Wi-Fi, or choose TCP here and on the server."
+                ? "UDP loses what a busy network or computer cannot take: use a cable instead of Wi-Fi, raise the system's limit where the step \"buffer\" "
+                    + "warns, or choose TCP here and on the server."
                 : "TCP itself loses nothing: the server leaves frames out. Close other programs on its computer, and use a cable instead of Wi-Fi "
                     + "between suit and computer."));
     }

@@ -25,14 +25,19 @@ internal static class ServerSettings
 
     public const string DataPort = "Connect to the port of the BVH data, which stands in the server's broadcasting settings (usually 7001).";
 
-    public static string BroadcastTcp(int port, bool isRemote) =>
-        $"In Axis Neuron open File > Settings > Broadcasting, choose TCP, and tick Enable under BVH, with port {port}. In Axis Studio open "
-        + $"Settings > BVH Broadcasting, switch it on, and set Protocol to TCP and the port of Local Address to {port}"
-        + (isRemote ? "; Local Address itself must be that computer's address in the network, not 127.0.0.1." : ".");
+    public static string BroadcastTcp(PacketKind wanted, int port, bool isRemote) => wanted is PacketKind.Calculation or PacketKind.StudioCalculation
+        ? $"In Axis Neuron open File > Settings > Broadcasting, choose TCP, and tick Enable under Calculation, with port {port}. In Axis Studio switch "
+            + $"the broadcasting of calculation data on in the settings, with TCP and port {port}"
+            + (isRemote ? " and that computer's address in the network, not 127.0.0.1." : ".")
+        : $"In Axis Neuron open File > Settings > Broadcasting, choose TCP, and tick Enable under BVH, with port {port}. In Axis Studio open "
+            + $"Settings > BVH Broadcasting, switch it on, and set Protocol to TCP and the port of Local Address to {port}"
+            + (isRemote ? "; Local Address itself must be that computer's address in the network, not 127.0.0.1." : ".");
 
-    public static string BroadcastUdp(string destination) =>
-        $"In Axis Neuron open File > Settings > Broadcasting, choose UDP, and tick Enable under BVH, with {destination} as the client. In Axis "
-        + $"Studio open Settings > BVH Broadcasting, switch it on, set Protocol to UDP and Destination Address to {destination}.";
+    public static string BroadcastUdp(PacketKind wanted, string destination) => wanted is PacketKind.Calculation or PacketKind.StudioCalculation
+        ? $"In Axis Neuron open File > Settings > Broadcasting, choose UDP, and tick Enable under Calculation, with {destination} as the client. In Axis "
+            + $"Studio switch the broadcasting of calculation data on in the settings, with UDP and {destination} as the destination."
+        : $"In Axis Neuron open File > Settings > Broadcasting, choose UDP, and tick Enable under BVH, with {destination} as the client. In Axis "
+            + $"Studio open Settings > BVH Broadcasting, switch it on, set Protocol to UDP and Destination Address to {destination}.";
 
     public static string Enable(PacketKind kind) => kind switch
     {

@@ -11,6 +11,9 @@ internal sealed class StepLog(IProgress<DiagnosisStep>? progress)
 
     public IReadOnlyList<DiagnosisStep> Steps => _steps;
 
+    // For the steps of another part of the same diagnosis, under names of their own.
+    public StepLog With(string prefix) => new(new Relay(this, prefix));
+
     public void Ok(string name, string detail) => Add(name, StepOutcome.Ok, detail);
 
     public void Warning(string name, string detail) => Add(name, StepOutcome.Warning, detail);
@@ -24,5 +27,10 @@ internal sealed class StepLog(IProgress<DiagnosisStep>? progress)
         _told = now;
         _steps.Add(step);
         progress?.Report(step);
+    }
+
+    private sealed class Relay(StepLog log, string prefix) : IProgress<DiagnosisStep>
+    {
+        public void Report(DiagnosisStep value) => log.Add(prefix + value.Name, value.Outcome, value.Detail);
     }
 }

@@ -57,7 +57,11 @@ internal static class StreamExamination
             _ => DiagnosisVerdict.StudioCalculationOnly,
         };
         string text = $"Frames arrive on {place}, but they are {StreamText.KindsOf(sample)}; no {StreamText.NameOf(task.Wanted)} among them.";
-        return new Conclusion([new Finding(verdict, text, ServerSettings.Enable(task.Wanted))], sample);
+        string advice = ServerSettings.Enable(task.Wanted);
+        if (task.Wanted == PacketKind.Motion)
+            advice += $" To receive these calculation data beside the motion, set CalculationPort to {place.Port}.";
+
+        return new Conclusion([new Finding(verdict, text, advice)], sample);
     }
 
     private static Conclusion JudgeEmpty(StepLog log, StreamSample sample, StreamPlace place)
@@ -128,7 +132,7 @@ internal static class StreamExamination
         {
             findings.Add(new Finding(
                 DiagnosisVerdict.SeveralSenders,
-                $"{senders} programs send frames to this port; the reader keeps them apart by their Source.",
+                $"{senders} programs send frames to this port; the reader keeps them apart.",
                 "If only one is meant, switch the broadcasting of the others off, or give them another destination port."));
         }
 

@@ -53,7 +53,7 @@ internal static class TcpFaults
             return new Conclusion(
                 DiagnosisVerdict.LocalAddressUnavailable,
                 $"The local address {local} does not belong to this computer, or is of another kind (IPv4, IPv6) than the server's.",
-                "Set LocalAddress to one that does, or to none.");
+                "Set LocalAddress to one that does, or leave it out.");
         }
 
         if (reason is not (ConnectionReason.Unreachable or ConnectionReason.AddressUnavailable))
@@ -91,7 +91,7 @@ internal static class TcpFaults
                 verdict,
                 $"{task.Link.Target} refuses the connection: nothing listens on that port. Axis Neuron or Axis Studio does not run there, or its "
                 + "broadcasting is off, set to UDP, or on another port.",
-                $"{ServerSettings.BroadcastTcp(task.Link.Port, !IPAddress.IsLoopback(address))}{OtherComputer(address)}"),
+                $"{ServerSettings.BroadcastTcp(task.Wanted, task.Link.Port, !IPAddress.IsLoopback(address))}{OtherComputer(address)}"),
             DiagnosisVerdict.NoAnswer => NoAnswer(task, address, search.HostAnswers),
             DiagnosisVerdict.Unreachable => new Finding(
                 verdict,
@@ -99,7 +99,7 @@ internal static class TcpFaults
                 "Check the address, that the computer is switched on, and that both computers are in the same network."),
             _ => new Finding(verdict, failure.Message),
         };
-        return Conclude(task, plain, search.Found);
+        return Conclude(task, plain, search);
     }
 
     public static async Task<Conclusion> ClosedAsync(DiagnosisTask task, IPAddress address)
@@ -111,8 +111,8 @@ internal static class TcpFaults
             $"{task.Link.Target} accepts the connection and closes it without sending anything. A forwarded port (a container, a VPN, a tunnel) "
             + "behind which nothing listens does so, a server that allows no further client, or another program.",
             "Close other programs that receive the stream, check the port, and connect to the server itself. "
-            + $"{ServerSettings.BroadcastTcp(task.Link.Port, !IPAddress.IsLoopback(address))}");
-        return Conclude(task, plain, search.Found);
+            + $"{ServerSettings.BroadcastTcp(task.Wanted, task.Link.Port, !IPAddress.IsLoopback(address))}");
+        return Conclude(task, plain, search);
     }
 
     public static async Task<Conclusion> SilentAsync(DiagnosisTask task, IPAddress address, TimeSpan silence)
@@ -129,8 +129,8 @@ internal static class TcpFaults
             DiagnosisVerdict.Silent,
             $"{task.Link.Target} accepts the connection, but sends nothing: most likely no suit is connected and calibrated and no take is played.",
             $"{ServerSettings.Play} Where the avatar does move in the server's window, its BVH broadcasting is off for this port. "
-            + ServerSettings.BroadcastTcp(task.Link.Port, isRemote: false));
-        return Conclude(task, plain, search.Found);
+            + ServerSettings.BroadcastTcp(task.Wanted, task.Link.Port, isRemote: false));
+        return Conclude(task, plain, search);
     }
 
     // Something else comes from the port; frames may come from another one.
@@ -183,14 +183,14 @@ internal static class TcpFaults
             DiagnosisVerdict.NoAnswer,
             $"{task.Link.Target} does not answer. {where}",
             "On that computer, allow Axis Neuron or Axis Studio in Windows Defender Firewall (private networks), and check that it broadcasts. "
-            + ServerSettings.BroadcastTcp(task.Link.Port, !IPAddress.IsLoopback(address)));
+            + ServerSettings.BroadcastTcp(task.Wanted, task.Link.Port, !IPAddress.IsLoopback(address)));
     }
 
     // A stream that was found in another place explains more than the silence in this one.
-    private static Conclusion Conclude(DiagnosisTask task, Finding plain, Probe? found)
+    private static Conclusion Conclude(DiagnosisTask task, Finding plain, in Search search)
     {
-        if (found is null)
-            return new Conclusion([plain]);
+        if (search.Found is not { } found)
+            return new Conclusion([search.AdvancedBvh is { } other ? AddAdvancedBvh(plain, other) : plain]);
         if (!found.Sample.Has(task.Wanted))
         {
             return new Conclusion([plain with
@@ -209,8 +209,14 @@ internal static class TcpFaults
                 DiagnosisVerdict.SentOverUdp,
                 $"{instead}, from {found.Sender}: the server is set to UDP.",
                 $"Receive over UDP on port {found.Place.Port} here, or choose TCP on the server. "
-                + ServerSettings.BroadcastTcp(task.Link.Port, isRemote: false));
+                + ServerSettings.BroadcastTcp(task.Wanted, task.Link.Port, isRemote: false));
         return new Conclusion([better], Place: found.Place);
+    }
+
+    private static Finding AddAdvancedBvh(Finding plain, Probe probe)
+    {
+        FormatGuess guess = probe.Sample.Guess();
+        return plain with { Text = $"{plain.Text} The server does run: {probe.Place} has {guess.Text}.", Advice = guess.Advice };
     }
 
     private static string OtherComputer(IPAddress address) => IPAddress.IsLoopback(address)

@@ -23,6 +23,7 @@ internal sealed class UdpExamination(DiagnosisTask task, IReadOnlyList<IPAddress
             return NotBound(reason);
 
         task.Log.Ok("port", $"UDP port {listener.Port} is free and open");
+        ReceiveBufferStep.Add(task.Log, listener.ReceiveBufferSize);
         Task receiving = listener.ReceiveAsync();
         TimeSpan silence = task.Share(task.Pace.Silence);
         await task.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
@@ -54,7 +55,7 @@ internal sealed class UdpExamination(DiagnosisTask task, IReadOnlyList<IPAddress
         return new Conclusion(
             DiagnosisVerdict.SenderNotAllowed,
             $"Datagrams arrive on {place}, but only from {senders}, which AllowedSenders does not list.",
-            "If that is the computer that runs Axis Neuron, add it to AllowedSenders; empty, the list lets everyone send.");
+            "If that is the computer that runs Axis Neuron, give AllowedSenders its address, or leave it out to let everyone send.");
     }
 
     private Conclusion NotBound(ConnectionReason reason)
@@ -71,7 +72,7 @@ internal sealed class UdpExamination(DiagnosisTask task, IReadOnlyList<IPAddress
                 DiagnosisVerdict.LocalAddressUnavailable,
                 $"{_link.LocalAddress} is no address of this computer",
                 $"The local address {_link.LocalAddress} does not belong to this computer.",
-                "Set LocalAddress to one that does, or to none to receive on all."),
+                "Set LocalAddress to one that does, or leave it out to receive on all."),
             ConnectionReason.AccessDenied => (
                 DiagnosisVerdict.AccessDenied,
                 "the system does not allow it",
@@ -101,7 +102,7 @@ internal sealed class UdpExamination(DiagnosisTask task, IReadOnlyList<IPAddress
             DiagnosisVerdict.Silent,
             $"Nothing arrives on UDP port {port} of this computer. The server sends to another address or port, over TCP, or nothing "
             + "at all; or a firewall keeps it out, this computer's or one that drops datagrams of more than one network packet.",
-            $"{ServerSettings.BroadcastUdp(destination)} A server on this computer sends to 127.0.0.1:{port}. Allow this program in this computer's "
+            $"{ServerSettings.BroadcastUdp(task.Wanted, destination)} A server on this computer sends to 127.0.0.1:{port}. Allow this program in this computer's "
             + $"firewall. {ServerSettings.Play}");
     }
 

@@ -22,12 +22,16 @@ internal sealed class UdpListener(LinkOptions options, SenderFilter filter, Stre
     // Once open.
     public int Port { get; private set; }
 
+    // Once open; null where the system does not say.
+    public int? ReceiveBufferSize { get; private set; }
+
     public ConnectionReason Open()
     {
         try
         {
             _socket = UdpSocket.Open(options);
             Port = ((IPEndPoint)_socket.LocalEndPoint!).Port;
+            ReceiveBufferSize = UdpSocket.ReadBuffer(_socket);
             return ConnectionReason.None;
         }
         catch (SocketException exception)

@@ -7,19 +7,26 @@ namespace NeuronMocap.Frames;
 /// <summary>
 /// One avatar at one instant, as it came off the wire: what motion and calculation frames have in common.
 /// <para>
-/// A frame that a callback, a queue or a newest-frame slot hands out is only lent: its memory is used again for later frames, so it is valid
-/// as long as the member that gave it says, on that thread. <c>Clone</c> makes one to keep.
+/// A frame that a handler, a <see cref="Delivery.LatestFrames"/> or a <see cref="Playback.RecordedFrameReader"/> gets is only lent. It is valid until the
+/// handler returns, or until the next frame is taken. <c>Clone</c> makes a copy that stays valid.
+/// </para>
+/// <para>
+/// Every member of a frame that is no longer valid throws an <see cref="InvalidOperationException"/>. The objects are used again in turn, so that
+/// nothing is allocated: a handler gets the same object again 31 frames later, and <see cref="Delivery.LatestFrames"/> gives it 7 frames of
+/// the avatar later. An object that was read too late once is not used again. The spans of a frame are not checked: they must not be used for longer than
+/// the frame. A thread that reads a frame while another thread lets it expire may get an exception or parts of the next frame.
 /// </para>
 /// </summary>
 public abstract class AvatarFrame
 {
     private protected FrameData _data;
+    private long _timestamp;
 
     private protected AvatarFrame()
     {
     }
 
-    /// <summary>Number of the avatar on the server, from 0. The 32 bits of the header as an int: negative from 2³¹ on.</summary>
+    /// <summary>Number of the avatar on the server, from 0. The wire has no sign; numbers from 2³¹ on, which no server uses, are negative here.</summary>
     public abstract int AvatarIndex { get; }
 
     /// <summary>Name of the avatar on the server. Allocates only when a name is new.</summary>
@@ -35,28 +42,37 @@ public abstract class AvatarFrame
     public ReadOnlySpan<float> Values => _data.Values;
 
     /// <summary>When the bytes that completed the frame were received: ticks of <see cref="Stopwatch"/>, a clock that never jumps.</summary>
-    public long Timestamp { get; private protected set; }
+    public long Timestamp => _data.WhileValid(_timestamp);
 
     /// <summary>Time since the frame was received.</summary>
     public TimeSpan Age => TimeSpan.FromSeconds((Stopwatch.GetTimestamp() - Timestamp) / (double)Stopwatch.Frequency);
 
     /// <summary>
-    /// Which sender the frame came from: over UDP, 0 for the first address that sent to the port, 1 for the next one; always 0 over TCP.
-    /// Two senders may use the same <see cref="AvatarIndex"/>.
+    /// Which server the frame came from: over UDP, 0 for the first one that sent, 1 for the next one; always 0 over TCP.
+    /// Two servers may use the same <see cref="AvatarIndex"/>. A server keeps its number when it restarts on another port of the same address.
     /// </summary>
-    public int Source { get; private protected set; }
+    public int Source => _data.WhileValid(PacketOrigin.SourceOf(Origin));
+
+    // The source, and which sender of it: another one may count its frames from anywhere.
+    internal int Origin { get; private protected set; }
 
     // Header and values. Of a line of text, what TextLine made of it.
     internal ReadOnlySpan<byte> Packet => _data.Packet;
+
+    internal bool WasReadLate => _data.WasReadLate;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void Borrow(in ReceivedPacket packet)
     {
         _data.Borrow(packet.Array, packet.Offset, packet.Length);
-        Timestamp = packet.Timestamp;
-        Source = packet.Source;
+        _timestamp = packet.Timestamp;
+        Origin = packet.Origin;
         OnData();
     }
+
+    // When whoever the frame was lent to has had it.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal void Expire() => _data.Expire();
 
     // Header fields are read when asked for: most handlers need few of them.
     private protected virtual void OnData()
@@ -66,8 +82,8 @@ public abstract class AvatarFrame
     private protected void CopyFrom(AvatarFrame other)
     {
         _data.Copy(other._data.Packet);
-        Timestamp = other.Timestamp;
-        Source = other.Source;
+        _timestamp = other._timestamp;
+        Origin = other.Origin;
         OnData();
     }
 }

@@ -30,7 +30,7 @@ public sealed class CalculationFrame : AvatarFrame
     {
         byte[] packet = new byte[(header with { ValueCount = values.Length }).PacketSize];
         PacketEncoder.WriteCalculation(packet, header, values);
-        Borrow(new ReceivedPacket(PacketKind.Calculation, packet, Stopwatch.GetTimestamp(), source: 0));
+        Borrow(new ReceivedPacket(PacketKind.Calculation, packet, Stopwatch.GetTimestamp(), origin: 0));
     }
 
     internal CalculationFrame()
@@ -92,12 +92,12 @@ public sealed class CalculationFrame : AvatarFrame
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
     public Vector3 GetVelocity(Bone bone) => ReadVector(bone, 3);
 
-    /// <summary>Rotation of a bone's sensor in the world.</summary>
+    /// <summary>Rotation of a bone's sensor in the world. It is not the bone's: sensors sit on a bone at any angle.</summary>
     /// <param name="bone">A bone.</param>
     /// <returns>The quaternion as received; the stream's order is w x y z.</returns>
     /// <exception cref="InvalidOperationException">The frame does not carry the bone.</exception>
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
-    public Quaternion GetRotation(Bone bone)
+    public Quaternion GetSensorRotation(Bone bone)
     {
         ReadOnlySpan<float> values = Values.Slice(IndexOf(bone) + 6, 4);
         return new Quaternion(values[1], values[2], values[3], values[0]);
@@ -105,14 +105,16 @@ public sealed class CalculationFrame : AvatarFrame
 
     /// <summary>Acceleration measured by a bone's sensor.</summary>
     /// <param name="bone">A bone.</param>
-    /// <returns>In the sensor's own axes; the manual does not give the unit.</returns>
+    /// <returns>
+    /// Multiples of gravity, in the sensor's own axes: 1 g downwards at rest. The manual does not give the unit; Axis Neuron's exports show it.
+    /// </returns>
     /// <exception cref="InvalidOperationException">The frame does not carry the bone.</exception>
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
     public Vector3 GetAcceleration(Bone bone) => ReadVector(bone, 10);
 
     /// <summary>Angular velocity measured by a bone's sensor.</summary>
     /// <param name="bone">A bone.</param>
-    /// <returns>In the sensor's own axes; the manual does not give the unit.</returns>
+    /// <returns>Radians per second, in the sensor's own axes. The manual does not give the unit; Axis Neuron's exports show it.</returns>
     /// <exception cref="InvalidOperationException">The frame does not carry the bone.</exception>
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
     public Vector3 GetAngularVelocity(Bone bone) => ReadVector(bone, 13);

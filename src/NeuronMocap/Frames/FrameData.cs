@@ -6,25 +6,43 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Frames;
 
 // The wire image of one packet behind a frame: borrowed from the receive path where the processor can read floats in place, else copied.
+// None before the first packet and after Expire: every read then throws, at the price of the check for null that a span of an array makes anyway.
 internal struct FrameData
 {
     // 32-bit ARM faults on a misaligned float; a stream that lost or gained bytes puts packets at any address.
     private static readonly bool ReadsMisaligned =
         RuntimeInformation.ProcessArchitecture is Architecture.X64 or Architecture.X86 or Architecture.Arm64;
 
-    private byte[] _bytes;
+    private byte[]? _bytes;
     private int _offset;
     private int _length;
     private byte[]? _own;
+    private bool _wasReadLate;
 
-    public readonly ReadOnlySpan<byte> Header => _bytes.AsSpan(_offset, ProtocolConstants.HeaderSize);
+    // Whether somebody kept the frame for longer than it was lent. Set on any thread.
+    public readonly bool WasReadLate => _wasReadLate;
 
-    public readonly int ValueCount => (_length - ProtocolConstants.HeaderSize) / sizeof(float);
+    public ReadOnlySpan<byte> Header => Bytes.AsSpan(_offset, ProtocolConstants.HeaderSize);
 
-    public readonly ReadOnlySpan<float> Values => MemoryMarshal.Cast<byte, float>(
-        _bytes.AsSpan(_offset + ProtocolConstants.HeaderSize, _length - ProtocolConstants.HeaderSize));
+    public int ValueCount => (WhileValid(_length) - ProtocolConstants.HeaderSize) / sizeof(float);
 
-    public readonly ReadOnlySpan<byte> Packet => _bytes.AsSpan(_offset, _length);
+    public ReadOnlySpan<float> Values => MemoryMarshal.Cast<byte, float>(
+        Bytes.AsSpan(_offset + ProtocolConstants.HeaderSize, _length - ProtocolConstants.HeaderSize));
+
+    public ReadOnlySpan<byte> Packet => Bytes.AsSpan(_offset, _length);
+
+    private byte[] Bytes
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => _bytes ?? throw ReadLate();
+    }
+
+    // What was taken from the packet when it came is as dead as the packet.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public T WhileValid<T>(T value) => _bytes is null ? throw ReadLate() : value;
+
+    // Before the memory is used again. A thread that reads at this very moment may still get the packet, or parts of the next one.
+    public void Expire() => Volatile.Write(ref _bytes, null);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Borrow(byte[] bytes, int offset, int length)
@@ -54,11 +72,18 @@ internal struct FrameData
         _length = packet.Length;
     }
 
-    public readonly void SwapValues()
+    public void SwapValues()
     {
         Span<int> values = MemoryMarshal.Cast<byte, int>(
-            _bytes.AsSpan(_offset + ProtocolConstants.HeaderSize, _length - ProtocolConstants.HeaderSize));
+            Bytes.AsSpan(_offset + ProtocolConstants.HeaderSize, _length - ProtocolConstants.HeaderSize));
         for (int i = 0; i < values.Length; i++)
             values[i] = BinaryPrimitives.ReverseEndianness(values[i]);
+    }
+
+    private InvalidOperationException ReadLate()
+    {
+        _wasReadLate = true;
+        return new InvalidOperationException(
+            "The frame is no longer valid. A frame is lent until its handler returns or the next frame is taken. To keep it, call Clone() before.");
     }
 }

@@ -17,6 +17,7 @@ public sealed class MotionFrame : AvatarFrame
     private readonly FrameFormat _source;
     private SkeletonFormat _format;
     private ChannelLayout _layout;
+    private bool _hasSkeleton;
 
     /// <summary>Makes a frame that owns its memory: to test code that takes frames, or to feed one from another source.</summary>
     /// <param name="header">The header; its count is replaced by the number of values.</param>
@@ -30,7 +31,7 @@ public sealed class MotionFrame : AvatarFrame
     {
         byte[] packet = new byte[(header with { ValueCount = values.Length }).PacketSize];
         PacketEncoder.WriteMotion(packet, header, values);
-        Borrow(new ReceivedPacket(PacketKind.Motion, packet, Stopwatch.GetTimestamp(), source: 0));
+        Borrow(new ReceivedPacket(PacketKind.Motion, packet, Stopwatch.GetTimestamp(), origin: 0));
     }
 
     internal MotionFrame(FrameFormat format) => _source = format;
@@ -51,7 +52,7 @@ public sealed class MotionFrame : AvatarFrame
     /// How the values are understood: as the reader's options say; where they leave it open, as this frame says (Axis Studio), as the server
     /// answered on its command channel, or YXZ and Appendix A.
     /// </summary>
-    public SkeletonFormat Format => _format;
+    public SkeletonFormat Format => _data.WhileValid(_format);
 
     /// <summary>The timecode that the server stamped the frame with; null where it does not (all but Axis Studio): <see cref="MotionHeader.Timecode"/>.</summary>
     public Timecode? Timecode => Header.Timecode;
@@ -60,7 +61,7 @@ public sealed class MotionFrame : AvatarFrame
     /// Whether the values are those of the 59 bones: 180, 186, 354 or 360 of them. Without, only <see cref="AvatarFrame.Values"/> and the
     /// header are of use, and the members that ask for a bone throw.
     /// </summary>
-    public bool HasSkeleton { get; private set; }
+    public bool HasSkeleton => _data.WhileValid(_hasSkeleton);
 
     /// <summary>Where the values stand; it follows from their number, whatever the header's flags say.</summary>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
@@ -164,7 +165,7 @@ public sealed class MotionFrame : AvatarFrame
 
     private protected override void OnData()
     {
-        HasSkeleton = ChannelLayout.TryFromValueCount(_data.ValueCount, out _layout);
+        _hasSkeleton = ChannelLayout.TryFromValueCount(_data.ValueCount, out _layout);
         _format = _source.Of(_data.Header);
     }
 

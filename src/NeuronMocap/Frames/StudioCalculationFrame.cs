@@ -19,6 +19,8 @@ public sealed class StudioCalculationFrame : AvatarFrame
 
     private const int Flag = 20;
 
+    private bool _hasSkeleton;
+
     /// <summary>Makes a frame that owns its memory: to test code that takes frames, or to feed one from another source.</summary>
     /// <param name="header">The header; its count is replaced by the number of bytes.</param>
     /// <param name="payload">What follows the header on the wire; copied.</param>
@@ -26,7 +28,7 @@ public sealed class StudioCalculationFrame : AvatarFrame
     {
         byte[] packet = new byte[ProtocolConstants.HeaderSize + payload.Length];
         PacketEncoder.WriteStudioCalculation(packet, header, payload);
-        Borrow(new ReceivedPacket(PacketKind.StudioCalculation, packet, Stopwatch.GetTimestamp(), source: 0));
+        Borrow(new ReceivedPacket(PacketKind.StudioCalculation, packet, Stopwatch.GetTimestamp(), origin: 0));
     }
 
     internal StudioCalculationFrame()
@@ -53,7 +55,7 @@ public sealed class StudioCalculationFrame : AvatarFrame
     /// and 4956 bytes. Without, only <see cref="Payload"/>, <see cref="AvatarFrame.Values"/> and the header are of use, and the members that
     /// ask for a bone throw.
     /// </summary>
-    public bool HasSkeleton { get; private set; }
+    public bool HasSkeleton => _data.WhileValid(_hasSkeleton);
 
     /// <summary>Rotation of a bone's sensor.</summary>
     /// <param name="bone">A bone.</param>
@@ -64,21 +66,21 @@ public sealed class StudioCalculationFrame : AvatarFrame
 
     /// <summary>Angular velocity measured by a bone's sensor.</summary>
     /// <param name="bone">A bone.</param>
-    /// <returns>In the sensor's own axes; the unit is not documented.</returns>
+    /// <returns>In the sensor's own axes. The unit is not documented; radians per second, if it is that of <see cref="CalculationFrame.GetAngularVelocity"/>.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
     public Vector3 GetAngularVelocity(Bone bone) => ReadVector(bone, 4);
 
     /// <summary>Acceleration measured by a bone's sensor.</summary>
     /// <param name="bone">A bone.</param>
-    /// <returns>In the sensor's own axes; the unit is not documented.</returns>
+    /// <returns>In the sensor's own axes. The unit is not documented; multiples of gravity, if it is that of <see cref="CalculationFrame.GetAcceleration"/>.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
     public Vector3 GetAcceleration(Bone bone) => ReadVector(bone, 7);
 
     /// <summary>Velocity of a bone's joint in the world.</summary>
     /// <param name="bone">A bone.</param>
-    /// <returns>In the axes that the server is set to; the unit is not documented.</returns>
+    /// <returns>In the axes that the server is set to; the unit is not documented, metres per second is likely.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
     public Vector3 GetVelocity(Bone bone) => ReadVector(bone, 10);
@@ -90,12 +92,12 @@ public sealed class StudioCalculationFrame : AvatarFrame
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
     public Vector3 GetPosition(Bone bone) => ReadVector(bone, 13);
 
-    /// <summary>Rotation of a bone.</summary>
+    /// <summary>Rotation of a bone, in the world as far as is known. The sensor's is <see cref="GetSensorRotation"/>.</summary>
     /// <param name="bone">A bone.</param>
     /// <returns>The quaternion as received; the stream's order is x y z w.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
-    public Quaternion GetRotation(Bone bone) => ReadQuaternion(bone, 16);
+    public Quaternion GetBoneRotation(Bone bone) => ReadQuaternion(bone, 16);
 
     /// <summary>Whether the server has lost the sensor of a bone.</summary>
     /// <param name="bone">A bone.</param>
@@ -116,12 +118,12 @@ public sealed class StudioCalculationFrame : AvatarFrame
     {
         if (Payload.Length != FullByteCount)
         {
-            HasSkeleton = false;
+            _hasSkeleton = false;
             return;
         }
 
         StudioCalculationHeader header = Header;
-        HasSkeleton = header is { Version: { Major: 2, Minor: 0 }, DataMask: StudioCalculationHeader.FullDataMask };
+        _hasSkeleton = header is { Version: { Major: 2, Minor: 0 }, DataMask: StudioCalculationHeader.FullDataMask };
     }
 
     private Vector3 ReadVector(Bone bone, int field)

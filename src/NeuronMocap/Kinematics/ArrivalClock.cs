@@ -53,7 +53,8 @@ internal sealed class ArrivalClock
             step = 1;
         }
 
-        if (step < 0 && -step * Period < LargestError)
+        // Late frames come between others. Where none goes on for so long, or there is no period yet to tell how late they are, the counter went back.
+        if (step < 0 && Period > 0 && -step * Period < LargestError && arrival - _arrival < LargestError)
             return _time + (step * Period);
 
         double error = arrival - (_position + (step * Period));
@@ -83,7 +84,7 @@ internal sealed class ArrivalClock
         double earliest = _time + Interval;
         _bias = 0;
         Start(arrival, index);
-        _count = ShortMemory;
+        _count = Period > 0 ? ShortMemory : 1;
         _time = Math.Max(arrival, earliest);
         return _time;
     }

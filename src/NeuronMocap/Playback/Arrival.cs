@@ -29,6 +29,9 @@ internal readonly record struct Arrival(ArrivalKind Kind, TimeSpan Time)
     // Number of the connection that it belongs to.
     public int Connection { get; init; }
 
+    // Whether that is the one of a calculation port, beside another one.
+    public bool IsCalculation { get; init; }
+
     // Of one that was opened: whether it stood before. Its first bytes may then be the middle of anything.
     public bool WasOpen { get; init; }
 

@@ -51,7 +51,7 @@ internal sealed class FoundPackets(StreamCounters counters) : IPacketReceiver
         }
 
         (ReceivedPacket found, int start) = _packets[_next++];
-        packet = new ReceivedPacket(found.Kind, _bytes, start, found.Length, found.Timestamp, found.Source);
+        packet = new ReceivedPacket(found.Kind, _bytes, start, found.Length, found.Timestamp, found.Origin);
         return true;
     }
 }

@@ -14,7 +14,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     private int _passes = 1;
     private int _pass = 1;
     private bool _isPaused;
-    private bool _isOver;
+    private volatile bool _isOver;
 
     public TimeSpan Position
     {
@@ -95,6 +95,9 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
         _seek = target;
         (_steps, _stepsBack, _isShowing) = (0, 0, false);
     });
+
+    // Any thread: nothing more is played.
+    public bool IsOver => _isOver;
 
     // A link was closed.
     public void Wake() => Change(static () => { });

@@ -8,6 +8,8 @@ internal sealed class PlaybackLink(RecordingPlayer player) : Link
 {
     private volatile bool _isClosed;
 
+    public override ReceiveThread ReceiveThread => ReceiveThread.Dedicated;
+
     public override string Target => player.Target;
 
     public bool IsClosed => _isClosed;

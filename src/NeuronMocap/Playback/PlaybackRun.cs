@@ -19,6 +19,9 @@ internal sealed class PlaybackRun
     private Arrival _arrival;
     private bool _hasArrival;
 
+    // Whether the first connection has stood since the link opened.
+    private bool _hasOpened;
+
     // Bytes of the present arrival that were handed out: steps go frame by frame.
     private int _taken;
 
@@ -33,6 +36,7 @@ internal sealed class PlaybackRun
     // Waits until a connection stands.
     public LinkEnd Open(PlaybackLink link)
     {
+        _hasOpened = false;
         while (!_parser.IsOpen)
         {
             Arrival arrival = Peek();
@@ -41,10 +45,10 @@ internal sealed class PlaybackRun
                 case PlaybackTurn.Stop:
                     return LinkEnd.Requested;
                 case PlaybackTurn.Seek:
-                    GoTo(_control.TakeSeek());
+                    GoTo(_control.TakeSeek(), link);
                     continue;
                 case PlaybackTurn.StepBack:
-                    GoBack(_control.TakeStepsBack());
+                    GoBack(_control.TakeStepsBack(), link);
                     continue;
                 case PlaybackTurn.Step when arrival.Kind == ArrivalKind.End:
                     _control.EndStep();
@@ -59,11 +63,15 @@ internal sealed class PlaybackRun
             else if (arrival.Kind == ArrivalKind.Bytes)
             {
                 _parser.Open(arrival);
+                _hasOpened |= !arrival.IsCalculation;
             }
             else
             {
                 if (arrival.Kind == ArrivalKind.Opened)
+                {
                     _parser.Open(arrival);
+                    _hasOpened |= !arrival.IsCalculation;
+                }
 
                 Advance();
             }
@@ -86,9 +94,9 @@ internal sealed class PlaybackRun
             if (turn is PlaybackTurn.Seek or PlaybackTurn.StepBack)
             {
                 if (turn == PlaybackTurn.Seek)
-                    GoTo(_control.TakeSeek());
+                    GoTo(_control.TakeSeek(), link);
                 else
-                    GoBack(_control.TakeStepsBack());
+                    GoBack(_control.TakeStepsBack(), link);
 
                 if (!_parser.IsOpen)
                     return new LinkEnd(ConnectionReason.ClosedByPeer, "The playback has gone to another place, where no connection stood.");
@@ -121,18 +129,26 @@ internal sealed class PlaybackRun
     {
         if (arrival.Kind == ArrivalKind.End)
         {
-            _parser.Close();
+            _parser.Close(arrival.Time);
             return EndPass() ?? new LinkEnd(ConnectionReason.EndOfRecording, $"The {_player.Target} begins again.");
         }
 
         // Another connection, of which the next link is: this one's end was not recorded.
-        if (arrival.Kind is ArrivalKind.Opened or ArrivalKind.Bytes && !_parser.Continues(arrival))
+        if (_parser.Ends(arrival))
         {
             _parser.Close();
             return Ended(reason: null);
         }
 
-        Follow(arrival, timestamp);
+        // The first one may come to stand after that of calculation data.
+        if (Follow(arrival, timestamp) && !arrival.IsCalculation)
+        {
+            if (_hasOpened)
+                _receiver.Target!.OnLinkOpened();
+
+            _hasOpened = true;
+        }
+
         string? reason = arrival.Reason;
         Advance();
         if (_parser.IsOpen)
@@ -177,15 +193,15 @@ internal sealed class PlaybackRun
         return false;
     }
 
-    private void GoTo(TimeSpan place)
+    private void GoTo(TimeSpan place, PlaybackLink link)
     {
         Rewind(place - LeadIn);
-        ReadSilently(place);
+        ReadSilently(place, link);
         _receiver.Place(place);
     }
 
     // To before the frame that was shown so many frames before the one that was shown last.
-    private void GoBack(int count)
+    private void GoBack(int count, PlaybackLink link)
     {
         (TimeSpan shown, int ofTime) = (_receiver.FrameTime, _receiver.FramesOfTime);
         int further = count + (ofTime > 0 ? 1 : 0) - ofTime;
@@ -193,14 +209,16 @@ internal sealed class PlaybackRun
         {
             bool isStart = Rewind(shown - leadIn);
             long before = _receiver.Frames;
-            ReadSilently(shown);
+            ReadSilently(shown, link);
             long skipped = _receiver.Frames - before - further;
+            if (IsStopped(link))
+                return;
             if (skipped < 0 && !isStart)
                 continue;
 
             Rewind(shown - leadIn);
             _receiver.Place(BeforeAll);
-            SkipSilently(Math.Max(0, skipped));
+            SkipSilently(Math.Max(0, skipped), link);
             return;
         }
     }
@@ -215,23 +233,24 @@ internal sealed class PlaybackRun
         return _source.Seek(place > TimeSpan.Zero ? place : TimeSpan.Zero);
     }
 
-    private void ReadSilently(TimeSpan until)
+    private void ReadSilently(TimeSpan until, PlaybackLink link)
     {
         _receiver.IsMuted = true;
-        while (Peek() is { Kind: not ArrivalKind.End } arrival && arrival.Time < until)
+        while (Peek() is { Kind: not ArrivalKind.End } arrival && arrival.Time < until && !IsStopped(link))
         {
             Follow(arrival, timestamp: 0);
             Advance();
         }
 
+        _parser.Settle();
         _receiver.IsMuted = false;
     }
 
-    private void SkipSilently(long frames)
+    private void SkipSilently(long frames, PlaybackLink link)
     {
         _receiver.IsMuted = true;
         long end = _receiver.Frames + frames;
-        while (_receiver.Frames < end && Peek() is { Kind: not ArrivalKind.End } arrival)
+        while (_receiver.Frames < end && !IsStopped(link) && Peek() is { Kind: not ArrivalKind.End } arrival)
         {
             if (arrival.Kind == ArrivalKind.Bytes)
             {
@@ -243,14 +262,18 @@ internal sealed class PlaybackRun
             Advance();
         }
 
+        _parser.Settle();
         _receiver.IsMuted = false;
     }
 
+    // A place may be far from where reading can begin: whoever closes the link or disposes of the player does not wait until it is found.
+    private bool IsStopped(PlaybackLink link) => link.IsClosed || _control.IsOver;
+
     // What steps have left of it.
-    private void Follow(in Arrival arrival, long timestamp)
+    private bool Follow(in Arrival arrival, long timestamp)
     {
         _receiver.Time = arrival.Time;
-        _parser.Follow(_taken == 0 ? arrival : arrival with { Bytes = arrival.Bytes.Slice(_taken) }, timestamp);
+        return _parser.Follow(_taken == 0 ? arrival : arrival with { Bytes = arrival.Bytes.Slice(_taken) }, timestamp);
     }
 
     private Arrival Peek()

@@ -21,6 +21,9 @@ internal sealed class RawDumpIndex : IPacketReceiver
     // Number of instants with frames.
     public int InstantCount { get; private set; }
 
+    // Why bytes were passed over; what says most of them.
+    public SkipReason Skipped { get; private set; }
+
     // As the timecodes tell it; null where there are none.
     public double? Rate => _timecodes.Rate;
 
@@ -68,7 +71,14 @@ internal sealed class RawDumpIndex : IPacketReceiver
 
     public void OnText(ReadOnlySpan<byte> bytes) => Pass(bytes.Length);
 
-    public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason) => Pass(bytes.Length);
+    public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
+    {
+        // The rest of a line that was joined late says less than the next one.
+        if (Skipped is SkipReason.NoTokens)
+            Skipped = reason;
+
+        Pass(bytes.Length);
+    }
 
     // What stands behind the last packet.
     public void End()

@@ -1,4 +1,5 @@
 using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap.Playback;
 
@@ -42,7 +43,7 @@ internal sealed class RawDumpSource : ArrivalSource
 
         assembler.Abandon();
         index.End();
-        return index.InstantCount > 0 ? new RawDumpSource(path, file, index, options.FrameRate) : throw NothingFound(path, file);
+        return index.InstantCount > 0 ? new RawDumpSource(path, file, index, options.FrameRate) : throw NothingFound(path, file, index.Skipped);
     }
 
     public override Arrival Read()
@@ -93,7 +94,7 @@ internal sealed class RawDumpSource : ArrivalSource
         }
     }
 
-    private static PlaybackException NothingFound(string path, Stream file)
+    private static PlaybackException NothingFound(string path, Stream file, SkipReason skipped)
     {
         byte[] start = new byte[64];
         file.Position = 0;
@@ -103,8 +104,9 @@ internal sealed class RawDumpSource : ArrivalSource
         if (bytes.IndexOf("HIERARCHY"u8) >= 0)
             return new PlaybackException($"{path} is a BVH file, not a recording of a stream.");
 
-        string beginning = Transport.FormatGuess.ToHex(bytes);
-        return new PlaybackException(
-            $"{path} is neither a recording nor a dump of a stream: no frame is in it, and it starts with {beginning}.");
+        var guess = FormatGuess.Of(bytes, skipped);
+        return new PlaybackException(guess.Format is ForeignFormat.Unknown or ForeignFormat.OtherProgram
+            ? $"{path} is neither a recording nor a dump of a stream: no frame is in it, and it starts with {FormatGuess.ToHex(bytes)}."
+            : $"{path} holds no frame: it is {guess.Description}");
     }
 }

@@ -22,17 +22,19 @@ public sealed class RecordedFrameReader : IDisposable
     private readonly StreamCounters _counters = new();
     private readonly FoundPackets _found;
     private readonly ArrivalParser _parser;
-    private readonly MotionFrame _motion;
-    private readonly CalculationFrame _calculation = new();
-    private readonly StudioCalculationFrame _studio = new();
+    private readonly LentFrames<MotionFrame> _motion;
+    private readonly LentFrames<CalculationFrame> _calculation = new(static () => new CalculationFrame(), LentFrames<CalculationFrame>.OfTakers);
+    private readonly LentFrames<StudioCalculationFrame> _studio = new(static () => new StudioCalculationFrame(), LentFrames<StudioCalculationFrame>.OfTakers);
     private AvatarFrame? _frame;
+    private bool _isOver;
 
-    private RecordedFrameReader(ArrivalSource source, PlaybackOptions options)
+    internal RecordedFrameReader(ArrivalSource source, PlaybackOptions options)
     {
         _source = source;
         _found = new FoundPackets(_counters);
         _parser = new ArrivalParser(options.MaxValues ?? source.MaxValues, new SenderFilter([]), _found);
-        _motion = new MotionFrame(source.CreateFormat(options.RotationOrder, options.SkeletonVariant));
+        FrameFormat format = source.CreateFormat(options.RotationOrder, options.SkeletonVariant);
+        _motion = new LentFrames<MotionFrame>(() => new MotionFrame(format), LentFrames<MotionFrame>.OfTakers);
     }
 
     /// <summary>Name of the file, without its folder.</summary>
@@ -45,7 +47,7 @@ public sealed class RecordedFrameReader : IDisposable
 
     /// <summary>
     /// The frame that <see cref="Read"/> found: a <see cref="MotionFrame"/>, a <see cref="CalculationFrame"/> or a
-    /// <see cref="StudioCalculationFrame"/>. Valid until the next call; <c>Clone</c> makes one to keep. Its <see cref="AvatarFrame.Timestamp"/> counts from
+    /// <see cref="StudioCalculationFrame"/>. Valid until the next call, after which its members throw; <c>Clone</c> makes one to keep. Its <see cref="AvatarFrame.Timestamp"/> counts from
     /// the start of the file, its age has no meaning.
     /// </summary>
     /// <exception cref="InvalidOperationException">There is none: nothing was read, or the end was.</exception>
@@ -94,23 +96,28 @@ public sealed class RecordedFrameReader : IDisposable
     /// <exception cref="IOException">The file cannot be read.</exception>
     public bool Read()
     {
+        _frame?.Expire();
+        _frame = null;
         ReceivedPacket packet;
         while (!_found.TryTake(out packet))
         {
+            if (_isOver)
+                return false;
+
             Arrival arrival = _source.Read();
             Time = arrival.Time;
             if (arrival.Kind == ArrivalKind.End)
             {
-                _parser.Close();
-                _frame = null;
-                return false;
+                // What waited to be told whose it is comes out now.
+                _isOver = true;
+                _parser.Close(arrival.Time);
+                continue;
             }
 
             if (_parser.Follow(arrival, FirstTimestamp + (long)(arrival.Time.TotalSeconds * Stopwatch.Frequency)))
-            {
-                _found.OnLinkOpened();
-                Connection = _parser.Connection;
-            }
+                _counters.Resume(arrival.IsCalculation);
+
+            Connection = _parser.Connection;
         }
 
         Show(packet);
@@ -124,10 +131,9 @@ public sealed class RecordedFrameReader : IDisposable
     {
         _frame = packet.Kind switch
         {
-            PacketKind.Motion => _motion,
-            PacketKind.Calculation => _calculation,
-            _ => _studio,
+            PacketKind.Motion => _motion.Lend(packet),
+            PacketKind.Calculation => _calculation.Lend(packet),
+            _ => _studio.Lend(packet),
         };
-        _frame.Borrow(packet);
     }
 }

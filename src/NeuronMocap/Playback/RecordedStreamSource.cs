@@ -13,10 +13,14 @@ internal sealed class RecordedStreamSource : ArrivalSource
     // What a reader's options allow.
     private const int MostValues = 1_000_000;
 
+    // Addresses of senders that the file does not tell. A reader has 64 senders at a time.
+    private const int MostInvented = 1024;
+
     private readonly RecordingReader _reader;
     private readonly TimeSpan _origin;
     private readonly Dictionary<int, RecordedConnection> _connections = [];
-    private readonly Dictionary<(int Connection, int Sender), SocketAddress> _senders = [];
+    private readonly Dictionary<int, Dictionary<int, SocketAddress>> _senders = [];
+    private int _invented;
     private byte[] _buffer = [];
 
     public RecordedStreamSource(string path, RecordingReader reader)
@@ -42,17 +46,19 @@ internal sealed class RecordedStreamSource : ArrivalSource
     {
         while (_reader.TryRead(out RecordingEntry entry))
         {
-            TimeSpan time = entry.Time > _origin ? entry.Time - _origin : TimeSpan.Zero;
+            TimeSpan time = TimeOf(entry);
             switch (entry.Kind)
             {
                 case RecordingEntryKind.ConnectionOpened:
                     _connections[entry.Connection] = entry.Opened!;
                     return Of(ArrivalKind.Opened, time, entry.Connection) with { WasOpen = entry.Opened!.WasOpen };
                 case RecordingEntryKind.SenderAdded:
-                    _senders[(entry.Connection, entry.Sender)] = ParseAddress(entry.Text);
+                    SendersOf(entry.Connection)[entry.Sender] = ParseAddress(entry.Text);
                     break;
                 case RecordingEntryKind.SenderRemoved:
-                    _senders.Remove((entry.Connection, entry.Sender));
+                    if (_senders.TryGetValue(entry.Connection, out Dictionary<int, SocketAddress>? senders))
+                        senders.Remove(entry.Sender);
+
                     break;
                 case RecordingEntryKind.Bytes:
                     return ReadBytes(entry, time);
@@ -61,7 +67,7 @@ internal sealed class RecordedStreamSource : ArrivalSource
                     return Of(ArrivalKind.Lost, time, entry.Connection);
                 case RecordingEntryKind.ConnectionClosed:
                     Arrival closed = Of(ArrivalKind.Closed, time, entry.Connection) with { Reason = entry.Text };
-                    _connections.Remove(entry.Connection);
+                    Forget(entry.Connection);
                     return closed;
             }
         }
@@ -71,11 +77,21 @@ internal sealed class RecordedStreamSource : ArrivalSource
 
     public override bool Seek(TimeSpan time)
     {
+        // What is open there is told anew.
+        _connections.Clear();
+        _senders.Clear();
         _reader.Seek(time + _origin);
         return time <= TimeSpan.Zero;
     }
 
     public override void Dispose() => _reader.Dispose();
+
+    // Within the recording, also where its last block tells of an earlier end than its entries do.
+    private TimeSpan TimeOf(in RecordingEntry entry)
+    {
+        TimeSpan time = entry.Time > _origin ? entry.Time - _origin : TimeSpan.Zero;
+        return time < Duration ? time : Duration;
+    }
 
     private Arrival ReadBytes(in RecordingEntry entry, TimeSpan time)
     {
@@ -91,19 +107,40 @@ internal sealed class RecordedStreamSource : ArrivalSource
         };
     }
 
-    private Arrival Of(ArrivalKind kind, TimeSpan time, int connection) => new(kind, time)
+    private Arrival Of(ArrivalKind kind, TimeSpan time, int connection)
     {
-        Connection = connection,
-        Transport = _connections.TryGetValue(connection, out RecordedConnection? known) ? known.Transport : TransportKind.Tcp,
-    };
+        _connections.TryGetValue(connection, out RecordedConnection? known);
+        return new(kind, time) { Connection = connection, Transport = known?.Transport ?? TransportKind.Tcp, IsCalculation = known?.IsCalculation ?? false };
+    }
 
-    // Where the file is damaged, a sender's address may be missing; its datagrams are still its own.
+    // Where the file is damaged, a sender's address may be missing; its datagrams are still its own. A file cannot make up any number of them.
     private SocketAddress FindSender(int connection, int sender)
     {
-        if (!_senders.TryGetValue((connection, sender), out SocketAddress? address))
-            _senders[(connection, sender)] = address = new IPEndPoint(IPAddress.None, (ushort)sender).Serialize();
+        if (SendersOf(connection).TryGetValue(sender, out SocketAddress? address))
+            return address;
+
+        address = new IPEndPoint(IPAddress.None, (ushort)sender).Serialize();
+        if (_invented < MostInvented)
+        {
+            SendersOf(connection)[sender] = address;
+            _invented++;
+        }
 
         return address;
+    }
+
+    private Dictionary<int, SocketAddress> SendersOf(int connection)
+    {
+        if (!_senders.TryGetValue(connection, out Dictionary<int, SocketAddress>? senders))
+            _senders[connection] = senders = [];
+
+        return senders;
+    }
+
+    private void Forget(int connection)
+    {
+        _connections.Remove(connection);
+        _senders.Remove(connection);
     }
 
     private static SocketAddress ParseAddress(string? text)

@@ -211,7 +211,7 @@ public sealed class RecordingPlayer : IDisposable
         }
         catch (Exception exception)
         {
-            end = new LinkEnd(ConnectionReason.NetworkError, Advice.Failed(Target, exception)) { IsFinal = true };
+            end = new LinkEnd(ConnectionReason.NetworkError, Advice.PlaybackFailed(Target, exception)) { IsFinal = true };
         }
 
         bool wasDisposed;

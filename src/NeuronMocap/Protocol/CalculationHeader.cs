@@ -14,8 +14,8 @@ public readonly record struct CalculationHeader
     /// <summary>Number of binary32 values that follow the header: 338 for 21 bones, 946 for 59.</summary>
     public int ValueCount { get; init; }
 
-    /// <summary>Number of the avatar on the server, from 0.</summary>
-    public uint AvatarIndex { get; init; }
+    /// <summary>Number of the avatar on the server, from 0. The wire has no sign; numbers from 2³¹ on, which no server uses, are negative here.</summary>
+    public int AvatarIndex { get; init; }
 
     /// <summary>Name of the avatar.</summary>
     public AvatarName AvatarName { get; init; }
@@ -61,7 +61,7 @@ public readonly record struct CalculationHeader
         PacketTokens.Write(target, PacketKind.Calculation);
         Version.Write(target[2..]);
         BinaryPrimitives.WriteUInt32LittleEndian(target[6..], (uint)ValueCount);
-        BinaryPrimitives.WriteUInt32LittleEndian(target[10..], AvatarIndex);
+        BinaryPrimitives.WriteInt32LittleEndian(target[10..], AvatarIndex);
         AvatarName.CopyTo(target[14..]);
         BinaryPrimitives.WriteUInt32LittleEndian(target[46..], FrameIndex);
         BinaryPrimitives.WriteUInt32LittleEndian(target[50..], Reserved1);
@@ -74,7 +74,7 @@ public readonly record struct CalculationHeader
     {
         Version = DataVersion.Read(source[2..]),
         ValueCount = (int)ReadValueCount(source),
-        AvatarIndex = BinaryPrimitives.ReadUInt32LittleEndian(source[10..]),
+        AvatarIndex = BinaryPrimitives.ReadInt32LittleEndian(source[10..]),
         AvatarName = AvatarName.Read(source[14..]),
         FrameIndex = BinaryPrimitives.ReadUInt32LittleEndian(source[46..]),
         Reserved1 = BinaryPrimitives.ReadUInt32LittleEndian(source[50..]),

@@ -3,10 +3,10 @@ namespace NeuronMocap.Protocol;
 /// <summary>The commands of the command channel (manual sections 2.3.10 to 2.3.14, protocol.md sections 2.4 and 6).</summary>
 public enum CommandChannelId
 {
-    /// <summary>Turns one avatar to face front.</summary>
+    /// <summary>Zeroes out one avatar. What that changes, the direction, the position or both, is not documented.</summary>
     ZeroOut = 1001,
 
-    /// <summary>Turns all avatars to face front.</summary>
+    /// <summary>Zeroes out all avatars.</summary>
     ZeroOutAll = 1002,
 
     /// <summary>Asks for the order of the rotation values.</summary>

@@ -24,8 +24,8 @@ public readonly record struct MotionHeader
     /// <summary>Whether six values of the Reference node stand before the hips.</summary>
     public bool HasReference { get; init; }
 
-    /// <summary>Number of the avatar on the server, from 0.</summary>
-    public uint AvatarIndex { get; init; }
+    /// <summary>Number of the avatar on the server, from 0. The wire has no sign; numbers from 2³¹ on, which no server uses, are negative here.</summary>
+    public int AvatarIndex { get; init; }
 
     /// <summary>Name of the avatar.</summary>
     public AvatarName AvatarName { get; init; }
@@ -124,7 +124,7 @@ public readonly record struct MotionHeader
         ValueCount = BinaryPrimitives.ReadUInt16LittleEndian(source[6..]),
         HasDisplacement = source[8] != 0,
         HasReference = source[9] != 0,
-        AvatarIndex = BinaryPrimitives.ReadUInt32LittleEndian(source[10..]),
+        AvatarIndex = BinaryPrimitives.ReadInt32LittleEndian(source[10..]),
         AvatarName = AvatarName.Read(source[14..]),
         FrameIndex = BinaryPrimitives.ReadUInt32LittleEndian(source[46..]),
         Reserved = BinaryPrimitives.ReadUInt32LittleEndian(source[50..]),
@@ -138,7 +138,7 @@ public readonly record struct MotionHeader
         ValueCount = (int)BinaryPrimitives.ReadUInt32LittleEndian(source[6..]),
         HasDisplacement = BinaryPrimitives.ReadUInt32LittleEndian(source[10..]) != 0,
         HasReference = BinaryPrimitives.ReadUInt32LittleEndian(source[14..]) != 0,
-        AvatarIndex = BinaryPrimitives.ReadUInt32LittleEndian(source[18..]),
+        AvatarIndex = BinaryPrimitives.ReadInt32LittleEndian(source[18..]),
         AvatarName = AvatarName.Read(source[22..]),
         Reserved1 = BinaryPrimitives.ReadUInt32LittleEndian(source[54..]),
         Reserved2 = BinaryPrimitives.ReadUInt32LittleEndian(source[58..]),
@@ -152,7 +152,7 @@ public readonly record struct MotionHeader
         BinaryPrimitives.WriteUInt16LittleEndian(target[6..], (ushort)ValueCount);
         target[8] = HasDisplacement ? (byte)1 : (byte)0;
         target[9] = HasReference ? (byte)1 : (byte)0;
-        BinaryPrimitives.WriteUInt32LittleEndian(target[10..], AvatarIndex);
+        BinaryPrimitives.WriteInt32LittleEndian(target[10..], AvatarIndex);
         AvatarName.CopyTo(target[14..]);
         BinaryPrimitives.WriteUInt32LittleEndian(target[46..], FrameIndex ?? 0);
         BinaryPrimitives.WriteUInt32LittleEndian(target[50..], Reserved);
@@ -168,7 +168,7 @@ public readonly record struct MotionHeader
         BinaryPrimitives.WriteUInt32LittleEndian(target[6..], (uint)ValueCount);
         BinaryPrimitives.WriteUInt32LittleEndian(target[10..], HasDisplacement ? 1u : 0u);
         BinaryPrimitives.WriteUInt32LittleEndian(target[14..], HasReference ? 1u : 0u);
-        BinaryPrimitives.WriteUInt32LittleEndian(target[18..], AvatarIndex);
+        BinaryPrimitives.WriteInt32LittleEndian(target[18..], AvatarIndex);
         AvatarName.CopyTo(target[22..]);
         BinaryPrimitives.WriteUInt32LittleEndian(target[54..], Reserved1);
         BinaryPrimitives.WriteUInt32LittleEndian(target[58..], Reserved2);

@@ -2,26 +2,25 @@ namespace NeuronMocap.Protocol;
 
 // Joins the pieces in which one sender's bytes arrive. Packets and lines that lie whole in a piece are read in place; only the unfinished tail
 // of a piece is copied, and grows by no more than the scanner asked for until it is a packet or is known to be none. Not thread-safe.
-// The sender's address, as the system writes it, goes to whoever records the bytes.
-internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver receiver, int source = 0, byte[]? sender = null)
+// The tap, where there is one, is shown the pieces as they come.
+internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver receiver, StreamTap? tap = null)
 {
     private const int InitialCapacity = 4096;
 
     private readonly StreamScanner _scanner = new(scanner);
-    private readonly StreamTap? _tap = receiver.Tap;
-    private readonly byte[] _sender = sender ?? [];
     private byte[] _tail = [];
     private int _tailLength;
     private int _needed;
 
-    public int Source => source;
+    // What the packets carry: PacketOrigin.
+    public int Origin { get; set; }
 
     // Bytes that arrived and are not yet known to be a packet.
     public int PendingBytes => _tailLength;
 
     public void Push(ArraySegment<byte> piece, long timestamp)
     {
-        _tap?.OnBytes(source, _sender, piece, timestamp);
+        tap?.OnBytes(0, [], piece, timestamp);
         while (_tailLength > 0 && piece.Count > 0)
         {
             int taken = _scanner.Wanted(piece, _tailLength, _needed);
@@ -51,6 +50,9 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
             receiver.OnSkipped(_tail.AsSpan(0, length), SkipReason.Incomplete);
     }
 
+    // For bytes that continue nothing, and begin something.
+    public void BeginAnew() => _scanner.Begin();
+
     // For a sender that was heard too late to know whether its first bytes begin anything.
     public void JoinLate() => _scanner.Restart();
 
@@ -68,7 +70,7 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
             }
 
             if (scan.Part == StreamPart.Packet)
-                receiver.OnPacket(new ReceivedPacket(scan.Kind, bytes, offset, scan.Length, timestamp, source));
+                receiver.OnPacket(new ReceivedPacket(scan.Kind, bytes, offset, scan.Length, timestamp, Origin));
             else if (scan.Part == StreamPart.Skipped)
                 receiver.OnSkipped(bytes.AsSpan(offset, scan.Length), scan.Reason);
             else
@@ -85,7 +87,7 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
     {
         receiver.OnText(bytes);
         if (scan.Part == StreamPart.Line)
-            receiver.OnPacket(new ReceivedPacket(scan.Kind, _scanner.Image, 0, _scanner.ImageLength, timestamp, source));
+            receiver.OnPacket(new ReceivedPacket(scan.Kind, _scanner.Image, 0, _scanner.ImageLength, timestamp, Origin));
     }
 
     // The rest may lie inside the tail itself; the copy handles the overlap.

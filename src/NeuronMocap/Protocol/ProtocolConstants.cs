@@ -18,6 +18,9 @@ public static class ProtocolConstants
     /// <summary>TCP port on which Axis Neuron broadcasts BVH data unless told otherwise.</summary>
     public const int DefaultPort = 7001;
 
+    /// <summary>TCP port on which Axis Neuron usually broadcasts calculation data (protocol.md section 4.3).</summary>
+    public const int DefaultCalculationPort = 7003;
+
     /// <summary>
     /// TCP port of the command channel unless told otherwise. A setting of the server, which the manual gives no default for: 8013 is the port that
     /// a public client names (protocol.md section 4.3).

@@ -5,10 +5,10 @@ namespace NeuronMocap.Protocol;
 // One whole packet on its way to the consumers. The bytes belong to the receive buffer and are valid only during the call that hands them over.
 // Array, offset and length stand by themselves: a nested segment is copied as a whole right after its parts were written, which stalls the
 // processor in every frame.
-internal readonly struct ReceivedPacket(PacketKind kind, byte[] array, int offset, int length, long timestamp, int source)
+internal readonly struct ReceivedPacket(PacketKind kind, byte[] array, int offset, int length, long timestamp, int origin)
 {
-    public ReceivedPacket(PacketKind kind, ArraySegment<byte> bytes, long timestamp, int source)
-        : this(kind, bytes.Array!, bytes.Offset, bytes.Count, timestamp, source)
+    public ReceivedPacket(PacketKind kind, ArraySegment<byte> bytes, long timestamp, int origin)
+        : this(kind, bytes.Array!, bytes.Offset, bytes.Count, timestamp, origin)
     {
     }
 
@@ -22,7 +22,10 @@ internal readonly struct ReceivedPacket(PacketKind kind, byte[] array, int offse
 
     public readonly long Timestamp = timestamp;
 
-    public readonly int Source = source;
+    // See PacketOrigin.
+    public readonly int Origin = origin;
+
+    public int Source => PacketOrigin.SourceOf(Origin);
 
     public ReadOnlySpan<byte> Bytes
     {

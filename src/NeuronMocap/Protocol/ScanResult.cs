@@ -38,6 +38,17 @@ public enum SkipReason
     /// told from the values. Names with spaces are read when no word of them is a number.
     /// </summary>
     AmbiguousName,
+
+    /// <summary>Over UDP, a datagram of one sender too many: 64 others deliver frames.</summary>
+    TooManySenders,
+
+    /// <summary>Motion data on the port of calculation data (CalculationPort).</summary>
+    NotCalculation,
+
+    /// <summary>
+    /// A line of the text stream with as many numbers as a motion frame has values, and without the avatar's number and name in front of them.
+    /// </summary>
+    MissingAvatar,
 }
 
 /// <summary>What <see cref="PacketScanner"/> found at the start of the bytes it was given.</summary>

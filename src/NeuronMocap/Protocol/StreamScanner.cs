@@ -39,6 +39,9 @@ internal sealed class StreamScanner(PacketScanner packets)
     private bool _inWord;
     private byte _last;
 
+    // Bytes from the present position on in which no packet begins: found once, however many lines are looked for among them.
+    private int _clear;
+
     private enum Place
     {
         // In the middle of what is skipped: no line begins here.
@@ -57,10 +60,22 @@ internal sealed class StreamScanner(PacketScanner packets)
 
     public int ImageLength => _line.ImageLength;
 
+    // Bytes of what is no packet that were looked at, those looked at again included. Noise of any kind costs no more than a few looks at each.
+    public long Examined { get; private set; }
+
+    // What comes next does not continue what came before, and begins something.
+    public void Begin()
+    {
+        _place = Place.Start;
+        _clear = 0;
+        Forget();
+    }
+
     // What comes next does not continue what came before, and may be the middle of anything.
     public void Restart()
     {
         _place = Place.Unsure;
+        _clear = 0;
         Forget();
     }
 
@@ -92,6 +107,9 @@ internal sealed class StreamScanner(PacketScanner packets)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private StreamScan ScanPacket(ReadOnlySpan<byte> source)
     {
+        if (_clear > 0)
+            return PassNoise(source[..Math.Min(_clear, source.Length)], SkipReason.NoTokens);
+
         ScanResult result = packets.Scan(source);
         if (result.Status == ScanStatus.NeedMore)
             return new StreamScan(StreamPart.NeedMore, result.Length);
@@ -102,15 +120,26 @@ internal sealed class StreamScanner(PacketScanner packets)
             return new StreamScan(StreamPart.Packet, result.Length, result.Kind);
         }
 
-        int lineStart = FindLineStart(source[..result.Length]);
+        _clear = result.Length;
+        Examined += result.Length;
+        return PassNoise(source[..result.Length], result.Reason);
+    }
+
+    // Up to where a line may begin.
+    private StreamScan PassNoise(ReadOnlySpan<byte> noise, SkipReason reason)
+    {
+        int lineStart = FindLineStart(noise);
+        int length = lineStart < 0 ? noise.Length : lineStart;
         _place = lineStart < 0 ? Place.Noise : Place.Start;
-        return Skip(lineStart < 0 ? result.Length : lineStart, result.Reason);
+        Examined += length;
+        return Skip(length, reason);
     }
 
     private StreamScan PassBlanks(ReadOnlySpan<byte> blanks)
     {
+        Examined += blanks.Length;
         if (_place == Place.BehindLine)
-            return new StreamScan(StreamPart.Blank, blanks.Length);
+            return Pass(StreamPart.Blank, blanks.Length);
 
         if (blanks.IndexOf((byte)'\n') >= 0)
             _place = Place.Start;
@@ -133,6 +162,7 @@ internal sealed class StreamScanner(PacketScanner packets)
 
             if (!TakeLetter(letter))
             {
+                Examined += _checked;
                 Forget();
                 _place = Place.Noise;
                 return null;
@@ -145,6 +175,7 @@ internal sealed class StreamScanner(PacketScanner packets)
             return new StreamScan(StreamPart.NeedMore, source.Length + 1);
 
         // The last byte may be the first of a token.
+        Examined += LongestLine;
         Forget();
         _place = Place.Noise;
         return Skip(LongestLine - 1, SkipReason.MalformedLine);
@@ -167,10 +198,11 @@ internal sealed class StreamScanner(PacketScanner packets)
 
     private StreamScan EndLine(ReadOnlySpan<byte> line)
     {
+        Examined += line.Length;
         PacketKind kind = _line.Read(line, _words, isWhole: _place != Place.Unsure, out SkipReason reason);
         Forget();
         _place = kind == PacketKind.None ? Place.Start : Place.BehindLine;
-        return kind == PacketKind.None ? Skip(line.Length, reason) : new StreamScan(StreamPart.Line, line.Length, kind);
+        return kind == PacketKind.None ? Skip(line.Length, reason) : Pass(StreamPart.Line, line.Length, kind);
     }
 
     private void Forget()
@@ -205,5 +237,11 @@ internal sealed class StreamScanner(PacketScanner packets)
         return count;
     }
 
-    private static StreamScan Skip(int length, SkipReason reason) => new(StreamPart.Skipped, length, Reason: reason);
+    private StreamScan Skip(int length, SkipReason reason) => Pass(StreamPart.Skipped, length, reason: reason);
+
+    private StreamScan Pass(StreamPart part, int length, PacketKind kind = PacketKind.None, SkipReason reason = default)
+    {
+        _clear = Math.Max(0, _clear - length);
+        return new StreamScan(part, length, kind, reason);
+    }
 }

@@ -21,8 +21,8 @@ public readonly record struct StudioCalculationHeader
     /// <summary>Number of bytes, not of values, that follow the header: 4956 for 59 bones.</summary>
     public int ByteCount { get; init; }
 
-    /// <summary>Number of the avatar on the server, from 0.</summary>
-    public uint AvatarIndex { get; init; }
+    /// <summary>Number of the avatar on the server, from 0. The wire has no sign; numbers from 2³¹ on, which no server uses, are negative here.</summary>
+    public int AvatarIndex { get; init; }
 
     /// <summary>Name of the avatar.</summary>
     public AvatarName AvatarName { get; init; }
@@ -68,7 +68,7 @@ public readonly record struct StudioCalculationHeader
         PacketTokens.Write(target, PacketKind.StudioCalculation);
         Version.Write(target[2..]);
         BinaryPrimitives.WriteUInt32LittleEndian(target[6..], (uint)ByteCount);
-        BinaryPrimitives.WriteUInt32LittleEndian(target[10..], AvatarIndex);
+        BinaryPrimitives.WriteInt32LittleEndian(target[10..], AvatarIndex);
         AvatarName.CopyTo(target[14..]);
         BinaryPrimitives.WriteUInt32LittleEndian(target[46..], FrameIndex);
         BinaryPrimitives.WriteUInt32LittleEndian(target[50..], Category);
@@ -81,7 +81,7 @@ public readonly record struct StudioCalculationHeader
     {
         Version = DataVersion.Read(source[2..]),
         ByteCount = (int)ReadByteCount(source),
-        AvatarIndex = ReadAvatarIndex(source),
+        AvatarIndex = (int)ReadAvatarIndex(source),
         AvatarName = ReadAvatarName(source),
         FrameIndex = ReadFrameIndex(source),
         Category = BinaryPrimitives.ReadUInt32LittleEndian(source[50..]),

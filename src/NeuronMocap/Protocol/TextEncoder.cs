@@ -54,10 +54,10 @@ public static class TextEncoder
     /// <returns>Number of bytes written.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The destination is too short, or the number of decimals is outside its range.</exception>
     public static int WriteMotion(
-        Span<byte> destination, uint avatarIndex, AvatarName avatarName, ReadOnlySpan<float> values, int decimals = DefaultDecimals)
+        Span<byte> destination, int avatarIndex, AvatarName avatarName, ReadOnlySpan<float> values, int decimals = DefaultDecimals)
     {
         var line = new Line(destination, decimals);
-        line.WriteInteger(avatarIndex);
+        line.WriteInteger((uint)avatarIndex);
         line.Write((byte)' ');
         line.WriteName(avatarName);
         line.WriteValues(values, separatesFirst: true);

@@ -51,7 +51,7 @@ internal sealed class TextLine(int maxValues)
         if (kind == PacketKind.None && nameWords > 1)
             kind = Read(line, words, nameWords, ref reason);
         if (kind == PacketKind.None && reason == SkipReason.NoTokens && (isTelling || IsLike(line, words)))
-            reason = isTelling && HasNameExcess(words) ? SkipReason.AmbiguousName : SkipReason.MalformedLine;
+            reason = Explain(words, isTelling);
 
         return kind;
     }
@@ -66,6 +66,14 @@ internal sealed class TextLine(int maxValues)
         }
 
         return kind != PacketKind.None && TryRead(line, kind, count, words == count ? 0 : nameWords) ? kind : PacketKind.None;
+    }
+
+    private static SkipReason Explain(int words, bool isTelling)
+    {
+        if (isTelling)
+            return HasNameExcess(words) ? SkipReason.AmbiguousName : SkipReason.MalformedLine;
+
+        return KindOf(words + Leading).Kind == PacketKind.Motion ? SkipReason.MissingAvatar : SkipReason.MalformedLine;
     }
 
     private static bool HasNameExcess(int words)
@@ -141,13 +149,13 @@ internal sealed class TextLine(int maxValues)
                 ValueCount = count,
                 HasDisplacement = count >= 354,
                 HasReference = count is 186 or 360,
-                AvatarIndex = avatar,
+                AvatarIndex = (int)avatar,
                 AvatarName = name,
             }.Write(_image);
         }
         else
         {
-            new CalculationHeader { Version = DataVersion.None, ValueCount = count, AvatarIndex = avatar, AvatarName = name }.Write(_image);
+            new CalculationHeader { Version = DataVersion.None, ValueCount = count, AvatarIndex = (int)avatar, AvatarName = name }.Write(_image);
         }
 
         _image.AsSpan(ProtocolConstants.Token2Offset, 2).Clear();

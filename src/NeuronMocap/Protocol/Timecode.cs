@@ -1,10 +1,13 @@
 namespace NeuronMocap.Protocol;
 
-/// <summary>A time of the clock that a server stamps its frames with, such as that of a film set: hours, minutes, seconds and frames.</summary>
+/// <summary>A time of the clock that a server stamps its frames with, such as that of a film set: hours, minutes, seconds and sub-frame.</summary>
 /// <param name="Hours">0 to 23.</param>
 /// <param name="Minutes">0 to 59.</param>
 /// <param name="Seconds">0 to 59.</param>
-/// <param name="Frames">Number of the frame within the second, from 0.</param>
+/// <param name="Frames">
+/// The sub-frame, from 0. How it relates to a frame rate is not known: the stream names no rate of its timecode, which may be another than that of its
+/// frames.
+/// </param>
 public readonly record struct Timecode(int Hours, int Minutes, int Seconds, int Frames)
 {
     // No frame rate has more in a second.

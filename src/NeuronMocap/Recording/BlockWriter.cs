@@ -1,11 +1,12 @@
 namespace NeuronMocap.Recording;
 
 // Writes a file block by block, behind its header. Header and payload of a block in one write: what a killed process leaves are whole blocks. Once the
-// stream has failed, nothing more is written.
+// stream has failed, nothing more is written, and the part of a block that it did take is cut off.
 internal sealed class BlockWriter : IDisposable
 {
     private readonly Stream _stream;
     private readonly uint _seed;
+    private readonly long _start;
     private readonly BlockCompression _compression = new();
     private uint _sequence;
     private bool _hasFailed;
@@ -13,6 +14,7 @@ internal sealed class BlockWriter : IDisposable
     public BlockWriter(Stream stream, RecordingHeader header, bool compress, bool leaveOpen)
     {
         _stream = stream;
+        _start = stream.CanSeek ? stream.Position : 0;
         Compress = compress;
         LeaveOpen = leaveOpen;
         byte[] head = new byte[RecordingLayout.FileHeaderSize];
@@ -26,7 +28,7 @@ internal sealed class BlockWriter : IDisposable
 
     public bool HasFailed => _hasFailed;
 
-    // Bytes that were handed to the stream.
+    // Bytes that the stream has taken.
     public long Length { get; private set; }
 
     // The entries, and no longer those of the encoder afterwards.
@@ -74,9 +76,29 @@ internal sealed class BlockWriter : IDisposable
         if (_hasFailed)
             return;
 
-        _hasFailed = true;
-        _stream.Write(bytes);
-        _hasFailed = false;
-        Length += bytes.Length;
+        try
+        {
+            _stream.Write(bytes);
+            Length += bytes.Length;
+        }
+        catch
+        {
+            _hasFailed = true;
+            CutOff();
+            throw;
+        }
+    }
+
+    // A full disk still lets a file become shorter. The failure itself is what the caller hears of.
+    private void CutOff()
+    {
+        try
+        {
+            if (_stream.CanSeek && _stream.Length > _start + Length)
+                _stream.SetLength(_start + Length);
+        }
+        catch (Exception exception) when (exception is IOException or NotSupportedException or ObjectDisposedException)
+        {
+        }
     }
 }

@@ -135,7 +135,11 @@ internal sealed class EntryDecoder
             return false;
         }
 
-        connection = new RecordedConnection(number, (TransportKind)kind[0], local, remote) { WasOpen = (kind[1] & 1) != 0 };
+        connection = new RecordedConnection(number, (TransportKind)kind[0], local, remote)
+        {
+            WasOpen = (kind[1] & EntryEncoder.WasOpenFlag) != 0,
+            IsCalculation = (kind[1] & EntryEncoder.CalculationFlag) != 0,
+        };
         return true;
     }
 }

@@ -8,6 +8,10 @@ internal sealed class EntryEncoder
     public const byte SameSenderFlag = 0x01;
     public const byte SameLengthFlag = 0x02;
 
+    // Of a connection.
+    public const byte WasOpenFlag = 0x01;
+    public const byte CalculationFlag = 0x02;
+
     private readonly ByteBuffer _block = new(RecordingLayout.BlockHeaderSize + RecordingLayout.BlockSize + 4096);
     private readonly ByteBuffer _body = new(256);
     private long _time;
@@ -57,7 +61,7 @@ internal sealed class EntryEncoder
     {
         _body.AppendNumber(connection.Number);
         _body.Append((byte)connection.Transport);
-        _body.Append((byte)(connection.WasOpen ? 1 : 0));
+        _body.Append((byte)((connection.WasOpen ? WasOpenFlag : 0) | (connection.IsCalculation ? CalculationFlag : 0)));
         _body.AppendText(connection.Local, withLength: true);
         _body.AppendText(connection.Remote, withLength: true);
         AddBody(RecordingEntryKind.ConnectionOpened, time);

@@ -187,6 +187,7 @@ internal struct PieceRecord
     public int Length;
     public bool IsDatagrams;
     public bool WasOpen;
+    public bool IsCalculation;
     public long LostPieces;
     public long LostBytes;
     public long Timestamp;

@@ -14,4 +14,9 @@ public sealed record RecordedConnection(int Number, TransportKind Transport, str
     /// earlier file.
     /// </summary>
     public bool WasOpen { get; init; }
+
+    /// <summary>
+    /// Whether it is the connection of <see cref="NeuronReaderOptions.CalculationPort"/>, which stands beside another one. Only calculation data of it counts.
+    /// </summary>
+    public bool IsCalculation { get; init; }
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using NeuronMocap.Files;
 
 namespace NeuronMocap.Recording;
 
@@ -11,14 +12,20 @@ internal sealed class RecordingFiles : IDisposable
     private readonly string _path;
     private readonly RecordingOptions _options;
     private readonly Func<string, RecordingOptions, Stream> _open;
-    private readonly Queue<string> _kept = [];
+    private readonly List<string> _kept = [];
     private Stream _stream;
     private RecordingWriter _writer;
     private TimeSpan _start;
+    private RecordingTotals _closedTotals;
     private long _closedBytes;
     private long _writtenBytes;
+    private long _pieces;
+    private long _pieceBytes;
+    private long _writtenTime;
     private volatile string _currentPath;
     private volatile int _count;
+    private volatile int _undeleted;
+    private volatile string? _undeletedReason;
 
     // Throws what the system throws when the first file cannot be made.
     public RecordingFiles(
@@ -32,16 +39,28 @@ internal sealed class RecordingFiles : IDisposable
         _stream = _open(_currentPath, options);
         _writer = Begin(
             _stream, stream => new RecordingWriter(stream, metadata, new RecordingWriterOptions { StartTime = startTime, Compress = options.Compress }));
-        _kept.Enqueue(_currentPath);
+        _kept.Add(_currentPath);
         _count = 1;
     }
 
-    // Any thread, as the two that follow.
+    // Any thread, as those that follow.
     public string CurrentPath => _currentPath;
 
     public int Count => _count;
 
+    // These four are what the system has taken.
     public long WrittenBytes => Volatile.Read(ref _writtenBytes);
+
+    public long Pieces => Volatile.Read(ref _pieces);
+
+    public long PieceBytes => Volatile.Read(ref _pieceBytes);
+
+    public TimeSpan WrittenTime => new(Volatile.Read(ref _writtenTime));
+
+    // Old files that stay because they could not be deleted, and why not.
+    public int Undeleted => _undeleted;
+
+    public string? UndeletedReason => _undeletedReason;
 
     // The writer of the file into which the next piece goes.
     public RecordingWriter Prepare(TimeSpan time, int length, out TimeSpan timeInFile)
@@ -49,6 +68,7 @@ internal sealed class RecordingFiles : IDisposable
         if (IsFull(time - _start, length))
             Rotate(time);
 
+        Publish();
         timeInFile = time - _start;
         return _writer;
     }
@@ -59,13 +79,30 @@ internal sealed class RecordingFiles : IDisposable
         if (_options.FlushToDisk && _stream is FileStream file)
             file.Flush(flushToDisk: true);
 
-        Volatile.Write(ref _writtenBytes, _closedBytes + _writer.WrittenLength);
+        Publish();
     }
 
     public void Dispose()
     {
-        _writer.Dispose();
+        try
+        {
+            _writer.Dispose();
+        }
+        finally
+        {
+            Publish();
+        }
+    }
+
+    private void Publish()
+    {
         Volatile.Write(ref _writtenBytes, _closedBytes + _writer.WrittenLength);
+        Volatile.Write(ref _pieces, _closedTotals.Pieces + _writer.WrittenTotals.Pieces);
+        Volatile.Write(ref _pieceBytes, _closedTotals.Bytes + _writer.WrittenTotals.Bytes);
+
+        // A file that the system has taken nothing of leaves the time of the one before.
+        if (_writer.WrittenDuration > TimeSpan.Zero)
+            Volatile.Write(ref _writtenTime, (_start + _writer.WrittenDuration).Ticks);
     }
 
     // A file that has nothing in it yet takes anything: else there would be no end of files.
@@ -77,14 +114,45 @@ internal sealed class RecordingFiles : IDisposable
         string path = NameOf(Count + 1);
         Stream stream = _open(path, _options);
         RecordingWriter next = Begin(stream, file => _writer.ContinueIn(file, time - _start));
-        RecordingWriter last = _writer;
+        (RecordingWriter last, TimeSpan lastStart) = (_writer, _start);
         (_stream, _writer, _start, _currentPath) = (stream, next, time, path);
         _count++;
-        last.Dispose();
-        _closedBytes += last.WrittenLength;
-        _kept.Enqueue(path);
-        while (_kept.Count > (_options.MaxFiles ?? int.MaxValue))
-            File.Delete(_kept.Dequeue());
+        _kept.Add(path);
+        try
+        {
+            last.Dispose();
+        }
+        finally
+        {
+            Volatile.Write(ref _writtenTime, Math.Max(WrittenTime.Ticks, (lastStart + last.WrittenDuration).Ticks));
+            _closedBytes += last.WrittenLength;
+            _closedTotals = new RecordingTotals(_closedTotals.Pieces + last.WrittenTotals.Pieces, _closedTotals.Bytes + last.WrittenTotals.Bytes, 0, 0);
+        }
+
+        DeleteOldFiles();
+    }
+
+    // One that cannot be deleted, because a program has it open for example, is tried again with the next file. The recording goes on.
+    private void DeleteOldFiles()
+    {
+        int old = Math.Max(0, _kept.Count - (_options.MaxFiles ?? int.MaxValue));
+        int undeleted = 0;
+        for (int i = 0; i < old; i++)
+        {
+            string path = _kept[undeleted];
+            try
+            {
+                File.Delete(path);
+                _kept.RemoveAt(undeleted);
+            }
+            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            {
+                undeleted++;
+                _undeletedReason = $"{path}: {exception.Message}";
+            }
+        }
+
+        _undeleted = undeleted;
     }
 
     // Those of an earlier recording, whose first files may be deleted: this one would come to them hours later, and end there.
@@ -124,7 +192,6 @@ internal sealed class RecordingFiles : IDisposable
         ? Path.ChangeExtension(_path, number.ToString("0000", CultureInfo.InvariantCulture) + Path.GetExtension(_path))
         : _path;
 
-    // Others may read the file meanwhile. A block is one write, so that buffering would only copy.
-    private static FileStream OpenFile(string path, RecordingOptions options) => new(
-        path, options.Overwrite ? FileMode.Create : FileMode.CreateNew, FileAccess.Write, FileShare.Read | FileShare.Delete, bufferSize: 1);
+    private static FileStream OpenFile(string path, RecordingOptions options) =>
+        options.Overwrite ? WritableFile.Create(path) : WritableFile.CreateNew(path);
 }

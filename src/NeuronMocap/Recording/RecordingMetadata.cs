@@ -57,7 +57,7 @@ public sealed class RecordingMetadata
     public const int MaxTotalBytes = 256 * 1024;
 
     private readonly SortedDictionary<string, string> _values;
-    private readonly int _bytes;
+    private int _bytes;
 
     /// <summary>Makes metadata without any value.</summary>
     public RecordingMetadata()
@@ -135,23 +135,38 @@ public sealed class RecordingMetadata
         return Skeleton.BoneDimensions.TryRead(bytes, out BoneDimensions dimensions) ? dimensions : null;
     }
 
-    // Of a file, which may hold anything.
     internal bool TryWith(string key, string value, [NotNullWhen(true)] out RecordingMetadata? metadata, [NotNullWhen(false)] out string? fault)
     {
         metadata = null;
+        if (!Fits(key, value, out int bytes, out fault))
+            return false;
+
+        metadata = new RecordingMetadata(new SortedDictionary<string, string>(_values, StringComparer.Ordinal) { [key] = value }, bytes);
+        return true;
+    }
+
+    // Before anybody else sees it: a file may hold any number of values, and a copy for each would take as much memory.
+    internal bool TryAdd(string key, string value, [NotNullWhen(false)] out string? fault)
+    {
+        if (!Fits(key, value, out int bytes, out fault))
+            return false;
+
+        _values[key] = value;
+        _bytes = bytes;
+        return true;
+    }
+
+    private bool Fits(string key, string value, out int bytes, [NotNullWhen(false)] out string? fault)
+    {
         int keyBytes = Encoding.UTF8.GetByteCount(key);
         int valueBytes = Encoding.UTF8.GetByteCount(value);
         bool isNew = !_values.TryGetValue(key, out string? old);
-        int bytes = _bytes + valueBytes + (isNew ? keyBytes : -Encoding.UTF8.GetByteCount(old!));
+        bytes = _bytes + valueBytes + (isNew ? keyBytes : -Encoding.UTF8.GetByteCount(old!));
         fault = keyBytes is 0 or > MaxKeyBytes ? $"A name of metadata has 1 to {MaxKeyBytes} bytes; this has {keyBytes}."
             : valueBytes > MaxValueBytes ? $"The value of '{key}' has {valueBytes} bytes; it may have {MaxValueBytes}."
             : isNew && _values.Count == MaxCount ? $"There are {MaxCount} values already."
             : bytes > MaxTotalBytes ? $"With '{key}' the metadata would have {bytes} bytes; they may have {MaxTotalBytes}."
             : null;
-        if (fault is not null)
-            return false;
-
-        metadata = new RecordingMetadata(new SortedDictionary<string, string>(_values, StringComparer.Ordinal) { [key] = value }, bytes);
-        return true;
+        return fault is null;
     }
 }

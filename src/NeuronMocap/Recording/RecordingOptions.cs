@@ -43,8 +43,8 @@ public sealed class RecordingOptions
     public TimeSpan? MaxFileDuration { get; set; }
 
     /// <summary>
-    /// Most files that are kept, 1 or more; null, the default, for no limit. When another begins, the recording's oldest is deleted. Needs
-    /// <see cref="MaxFileSize"/> or <see cref="MaxFileDuration"/>.
+    /// Most files that are kept, 1 or more; null, the default, for no limit. When another begins, the recording's oldest is deleted; one that
+    /// cannot be deleted is tried again with the next. Needs <see cref="MaxFileSize"/> or <see cref="MaxFileDuration"/>.
     /// </summary>
     public int? MaxFiles { get; set; }
 

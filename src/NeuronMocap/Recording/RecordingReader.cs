@@ -1,30 +1,26 @@
 namespace NeuronMocap.Recording;
 
 /// <summary>
-/// Reads a recording (docs/recording.md), entry by entry, in constant memory: about as much as the largest block has, 2 MB at most. A file that was
-/// not closed, because the recording process was killed or still runs, is read up to its last whole block; damaged places are passed over and told
-/// (<see cref="Problems"/>, <see cref="RecordingEntryKind.Damaged"/>). Not for use by several threads at a time.
+/// Reads a recording (docs/recording.md), entry by entry, in constant memory: about as much as the largest block has, 2 MB at most, and 4 MB more where
+/// blocks are missing or displaced. A file that was not closed, because the recording process was killed or still runs, is read up to its last whole block;
+/// damaged and missing places are passed over and told (<see cref="Problems"/>, <see cref="RecordingEntryKind.Damaged"/>), and blocks that are not in the order in
+/// which they were written are read in that order, each once. Not for use by several threads at a time.
 /// </summary>
 public sealed class RecordingReader : IDisposable
 {
-    private const int MaxProblems = 100;
-    private const string DamagedBlock = "A block is damaged: its checksum is wrong.";
-
-    // A file that is made of headers in front of wrong payloads does not make its reader check each byte thousands of times.
-    private const long MaxLookedInto = 16 * RecordingLayout.MaxPayload;
+    private static readonly string TooManyOpen =
+        FormattableString.Invariant($"More than {RecordingLayout.MaxOpen} connections and senders are open; those beyond are passed over.");
 
     private readonly Stream _stream;
     private readonly bool _leaveOpen;
     private readonly BlockFile _file;
     private readonly RecordingMap _map;
     private readonly EntryDecoder _decoder = new();
-    private readonly List<RecordingProblem> _problems = [];
-    private long _place = RecordingLayout.FileHeaderSize;
-    private (long Offset, BlockHeader Header) _block;
+    private readonly BlockWalk _walk;
+    private readonly OpenEntries _open = new();
+    private readonly RecordingProblems _problems = new();
     private long _time;
     private long _from;
-    private long _damagedBytes;
-    private long _lookedInto;
 
     // Whether what a checkpoint repeats is news: at the beginning, behind a jump, and behind a damaged place.
     private bool _isStateUnknown = true;
@@ -35,6 +31,9 @@ public sealed class RecordingReader : IDisposable
         _leaveOpen = leaveOpen;
         _file = new BlockFile(stream);
         _map = new RecordingMap(_file);
+        _walk = new BlockWalk(_file, _problems);
+        if (_map.LacksEnd)
+            _problems.Add(_file.Length, 0, "The last block is missing, which ends a recording that was closed.");
     }
 
     /// <summary>The moment that all times count from, in UTC.</summary>
@@ -65,7 +64,7 @@ public sealed class RecordingReader : IDisposable
     public TimeSpan Position => new(_time);
 
     /// <summary>What was found wrong with the file in the parts that were read so far: the first 100.</summary>
-    public IReadOnlyList<RecordingProblem> Problems => _problems;
+    public IReadOnlyList<RecordingProblem> Problems => _problems.All;
 
     /// <summary>Whether a file is a recording, as its first bytes tell.</summary>
     /// <param name="start">The first bytes of the file, eight or more.</param>
@@ -130,6 +129,12 @@ public sealed class RecordingReader : IDisposable
                 if (entry.Time.Ticks < _from && IsTraffic(entry.Kind))
                     continue;
 
+                if (!_open.Accepts(entry))
+                {
+                    _problems.Add(_walk.Offset, 0, TooManyOpen);
+                    continue;
+                }
+
                 _time = Math.Max(_time, entry.Time.Ticks);
                 entry = entry with { Time = new TimeSpan(_time) };
                 return true;
@@ -138,7 +143,7 @@ public sealed class RecordingReader : IDisposable
             if (_decoder.Remaining > 0)
             {
                 _decoder.End();
-                Report(_block.Offset, RecordingLayout.BlockHeaderSize + _block.Header.Length, "The block holds what no recorder writes.");
+                _problems.Add(_walk.Offset, RecordingLayout.BlockHeaderSize + _walk.Header.Length, "The block holds what no recorder writes.");
             }
 
             if (!TryMoveOn())
@@ -159,10 +164,10 @@ public sealed class RecordingReader : IDisposable
         if (position < TimeSpan.Zero)
             throw new ArgumentOutOfRangeException(nameof(position), position, "A recording begins at time zero.");
 
-        _place = _map.Index.Count > 0 ? _map.Index.Find(position.Ticks) : RecordingLayout.FileHeaderSize;
+        _walk.MoveTo(position.Ticks, _map.Index.Count > 0 ? _map.Index.Find(position.Ticks) : RecordingLayout.FileHeaderSize);
+        _open.Clear();
         _from = position.Ticks;
         _time = 0;
-        _damagedBytes = 0;
         _isStateUnknown = true;
         _decoder.End();
     }
@@ -179,76 +184,28 @@ public sealed class RecordingReader : IDisposable
     // To the next block that has entries to tell.
     private bool TryMoveOn()
     {
-        while (_place < _file.Length)
+        while (_walk.TryRead(out ArraySegment<byte> payload))
         {
-            long offset = _file.Find(_place, out BlockHeader header);
-            if (offset != _place)
-                ReportDamage(_place, offset < 0 ? _file.Length : offset);
-            if (offset < 0)
-            {
-                _place = _file.Length;
-                return false;
-            }
-
-            if (TryBegin(offset, header))
-                return true;
-        }
-
-        return false;
-    }
-
-    // Whether the block has entries to tell; in any case it is checked.
-    private bool TryBegin(long offset, in BlockHeader header)
-    {
-        bool isWanted = header.Kind == BlockKind.Entries || (header.Kind == BlockKind.Checkpoint && _isStateUnknown);
-        _place = offset + RecordingLayout.BlockHeaderSize + header.Length;
-        if (_file.TryReadPayload(offset, header, out ArraySegment<byte> payload))
-        {
+            _isStateUnknown |= _walk.IsBroken;
+            BlockHeader header = _walk.Header;
+            bool isWanted = header.Kind == BlockKind.Entries || (header.Kind == BlockKind.Checkpoint && _isStateUnknown);
             if (!isWanted)
-                return false;
+                continue;
 
-            _block = (offset, header);
             _isStateUnknown &= header.Kind != BlockKind.Checkpoint;
             _decoder.Begin(payload, header.Time);
             return true;
         }
 
-        if (_place != _file.Length && !_file.TryReadHeader(_place, out _) && _lookedInto < MaxLookedInto)
-        {
-            // Bytes are missing or were added: the next block may begin anywhere.
-            _lookedInto += header.Length;
-            _place = offset + BlockHeader.Marker.Length;
-        }
-
-        if (header.Kind == BlockKind.Entries)
-            ReportDamage(offset, _place);
-        else
-            Report(offset, _place - offset, DamagedBlock);
-
         return false;
     }
 
-    private void ReportDamage(long start, long end)
-    {
-        _damagedBytes += end - start;
-        _isStateUnknown = true;
-        Report(start, end - start, end == _file.Length
-            ? "The file ends in the middle of a block."
-            : DamagedBlock);
-    }
-
-    private void Report(long offset, long length, string description)
-    {
-        if (_problems.Count < MaxProblems && !_problems.Exists(problem => problem.Offset == offset))
-            _problems.Add(new RecordingProblem(offset, length, description));
-    }
-
-    // Before what follows the damaged place.
+    // Before what follows the damaged or missing place.
     private bool TryTellDamage(out RecordingEntry entry)
     {
-        entry = new RecordingEntry { Kind = RecordingEntryKind.Damaged, Time = new TimeSpan(_time), LostBytes = _damagedBytes };
-        bool isDamaged = _damagedBytes > 0;
-        _damagedBytes = 0;
-        return isDamaged;
+        entry = new RecordingEntry { Kind = RecordingEntryKind.Damaged, Time = new TimeSpan(_time), LostBytes = _walk.DamagedBytes };
+        bool isBroken = _walk.IsBroken;
+        _walk.ForgetBreak();
+        return isBroken;
     }
 }

@@ -8,11 +8,11 @@ namespace NeuronMocap.Recording;
 // Takes what the receive thread put into the ring and writes it to the files, until it is stopped or cannot write. One thread.
 internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, TimeSpan flushInterval, RecordingClock clock)
 {
-    private readonly SenderTable _senders = new();
+    // The connections that stand, two at most.
+    private readonly List<(int Number, bool IsCalculation, SenderTable Senders)> _open = [];
     private readonly Dictionary<string, string> _metadata = new(StringComparer.Ordinal);
     private (long Pieces, long Bytes) _lossTold;
     private TimeSpan _time;
-    private int? _open;
     private bool _isDirty;
     private long _flushed;
     private volatile bool _stopping;
@@ -50,7 +50,7 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
         WritePieces();
         (long pieces, long bytes) = getLoss();
         if (pieces > _lossTold.Pieces)
-            WriteLoss(clock.TimeOf(RecordingClock.Now), _open ?? 0, pieces - _lossTold.Pieces, bytes - _lossTold.Bytes);
+            WriteLoss(clock.TimeOf(RecordingClock.Now), _open.Count > 0 ? _open[0].Number : 0, pieces - _lossTold.Pieces, bytes - _lossTold.Bytes);
 
         Flush();
     }
@@ -100,6 +100,7 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
         ReadOnlySpan<byte> text = content[..record.TextLength];
         ReadOnlySpan<byte> bytes = content[record.TextLength..];
         TimeSpan time = clock.TimeOf(record.Timestamp);
+        int connection = record.Connection;
         _time = time;
         switch (record.Kind)
         {
@@ -113,38 +114,39 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
                 WriteLoss(time, record.Connection, record.LostPieces, record.LostBytes);
                 break;
             default:
-                Close(time, Encoding.UTF8.GetString(text));
+                Close(_open.FindIndex(open => open.Number == connection), time, Encoding.UTF8.GetString(text));
                 break;
         }
     }
 
     private void Open(in PieceRecord record, TimeSpan time, string endPoints)
     {
-        // A reader has one connection at a time: the end of the one before was not told, for want of room.
-        Close(time, nameof(ConnectionReason.None));
-        _open = record.Connection;
+        // A reader has one connection of each kind at a time: the end of the one before was not told, for want of room.
+        bool isCalculation = record.IsCalculation;
+        Close(_open.FindIndex(open => open.IsCalculation == isCalculation), time, nameof(ConnectionReason.None));
+        _open.Add((record.Connection, isCalculation, new SenderTable()));
         string[] parts = endPoints.Split('\n');
         var connection = new RecordedConnection(record.Connection, record.IsDatagrams ? TransportKind.Udp : TransportKind.Tcp, parts[0], parts[1])
         {
             WasOpen = record.WasOpen,
+            IsCalculation = isCalculation,
         };
         files.Prepare(time, endPoints.Length, out TimeSpan timeInFile).OpenConnection(timeInFile, connection);
     }
 
-    private void Close(TimeSpan time, string reason)
+    private void Close(int place, TimeSpan time, string reason)
     {
-        if (_open is not { } open)
+        if (place < 0)
             return;
 
-        files.Prepare(time, reason.Length, out TimeSpan timeInFile).CloseConnection(timeInFile, open, reason);
-        _open = null;
-        _senders.Clear();
+        files.Prepare(time, reason.Length, out TimeSpan timeInFile).CloseConnection(timeInFile, _open[place].Number, reason);
+        _open.RemoveAt(place);
     }
 
     private void WriteBytes(in PieceRecord record, TimeSpan time, ReadOnlySpan<byte> sender, ReadOnlySpan<byte> bytes)
     {
         RecordingWriter writer = files.Prepare(time, bytes.Length, out TimeSpan timeInFile);
-        if (sender.Length > 0 && _senders.IsNew(record.Source, out int? forgotten))
+        if (sender.Length > 0 && SendersOf(record.Connection).IsNew(record.Source, out int? forgotten))
         {
             if (forgotten is { } old)
                 writer.RemoveSender(timeInFile, record.Connection, old);
@@ -153,6 +155,17 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
         }
 
         writer.WriteBytes(timeInFile, record.Connection, bytes, record.Source);
+    }
+
+    private SenderTable SendersOf(int connection)
+    {
+        foreach ((int number, _, SenderTable senders) in _open)
+        {
+            if (number == connection)
+                return senders;
+        }
+
+        throw new InvalidOperationException($"Connection {connection} is not open.");
     }
 
     private void WriteLoss(TimeSpan time, int connection, long pieces, long bytes)

@@ -1,11 +1,13 @@
 using System.Text;
+using NeuronMocap.Files;
 
 namespace NeuronMocap.Recording;
 
 /// <summary>
 /// Writes a recording (docs/recording.md). Entries are gathered in blocks; a block is written whole, with one call, when it has grown to 64 KB or
 /// <see cref="Flush"/> is called, and nothing that was written is ever changed. Times must not go back: one that does counts as the time of the entry
-/// before. Not for use by several threads at a time. Exceptions of the stream are handed on, and the writer writes no more after one.
+/// before. Not for use by several threads at a time. Exceptions of the stream are handed on. After one the writer writes no more, and the file ends behind
+/// the last whole block.
 /// </summary>
 public sealed class RecordingWriter : IDisposable
 {
@@ -28,6 +30,8 @@ public sealed class RecordingWriter : IDisposable
     private readonly EntryEncoder _entries = new();
     private readonly EntryEncoder _checkpoint = new();
     private RecordingTotals _totals;
+    private RecordingTotals _writtenTotals;
+    private long _writtenTime;
     private long _time;
     private long _lastCheckpoint;
     private long _checkpointBytes;
@@ -79,11 +83,17 @@ public sealed class RecordingWriter : IDisposable
     internal long LengthWith(int piece) =>
         Length + piece + ClosingBytes + (2 * _checkpointLength) + (IndexPlaceBytes * (long)(_index.Count + 1));
 
-    /// <summary>Bytes that were handed to the stream.</summary>
+    /// <summary>Bytes that the stream has taken, in whole blocks.</summary>
     public long WrittenLength => _blocks.Length;
 
     /// <summary>What the file holds so far.</summary>
     public RecordingTotals Totals => _totals;
+
+    // What the blocks hold that the stream has taken.
+    internal RecordingTotals WrittenTotals => _writtenTotals;
+
+    // Time of the newest entry in them.
+    internal TimeSpan WrittenDuration => new(_writtenTime);
 
     /// <summary>What is known about the recording.</summary>
     public RecordingMetadata Metadata => _state.Metadata;
@@ -97,8 +107,7 @@ public sealed class RecordingWriter : IDisposable
     /// <exception cref="UnauthorizedAccessException">The file may not be made.</exception>
     public static RecordingWriter Create(string path, RecordingMetadata? metadata = null, RecordingWriterOptions? options = null)
     {
-        // A block is one write, so that buffering would only copy.
-        var stream = new FileStream(path, FileMode.CreateNew, FileAccess.Write, FileShare.Read, bufferSize: 1);
+        FileStream stream = WritableFile.CreateNew(path);
         try
         {
             return new RecordingWriter(stream, metadata, options);
@@ -277,6 +286,10 @@ public sealed class RecordingWriter : IDisposable
             return;
 
         _blocks.Write(BlockKind.Entries, _entries, _entries.FirstTime);
+        if (_blocks.HasFailed)
+            return;
+
+        (_writtenTotals, _writtenTime) = (_totals, _time);
         if (_isStateNew || WrittenLength - _lastCheckpoint >= CheckpointDistance)
             WriteCheckpointWithinBounds();
     }

@@ -2,13 +2,11 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Recording;
 
-// Which senders of a UDP port a recording has told. Remembers and forgets as UdpSenders does.
+// Which senders of a UDP port a recording has told, by their numbers. Remembers as many as UdpSenders does.
 internal sealed class SenderTable
 {
     private readonly Dictionary<int, long> _lastUsed = [];
     private long _clock;
-
-    public void Clear() => _lastUsed.Clear();
 
     // Whether the sender has to be told first; and which one was forgotten for it.
     public bool IsNew(int source, out int? forgotten)

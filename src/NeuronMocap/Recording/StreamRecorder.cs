@@ -1,4 +1,4 @@
-using System.Text;
+using System.Globalization;
 using NeuronMocap.Protocol;
 using NeuronMocap.Transport;
 
@@ -10,7 +10,7 @@ namespace NeuronMocap.Recording;
 /// in the recording, which says so at the place, and are counted. A recording that cannot be written any more, because the disk is full for example,
 /// ends (<see cref="Failure"/>); the reader goes on. Any thread.
 /// </summary>
-public sealed class StreamRecorder : IStreamListener, IDisposable
+public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, IAsyncDisposable
 {
     // Longest wait for a disk that takes nothing any more.
     private static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(10);
@@ -22,18 +22,16 @@ public sealed class StreamRecorder : IStreamListener, IDisposable
     private readonly Action<StreamRecorder> _ended;
     private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
 
-    // Null at the end, so that its memory does not stay for the figures' sake.
-    private volatile PieceRing? _ring;
     private volatile Exception? _failure;
     private long _duration = -1;
 
-    // Producer's.
-    private StreamConnection? _connection;
-    private bool _isTold;
-    private long _untoldPieces;
-    private long _untoldBytes;
-    private long _pieces;
-    private long _bytes;
+    // Null at the end, so that its memory does not stay for the figures' sake.
+    private volatile PieceRing? _ring;
+
+    // Producer's: the connections that stand, two at most, and what went into the ring or found no room there.
+    private RecordedLink[] _links = [];
+    private long _takenPieces;
+    private long _takenBytes;
     private long _lostPieces;
     private long _lostBytes;
 
@@ -49,10 +47,20 @@ public sealed class StreamRecorder : IStreamListener, IDisposable
         _tap = tap;
         _ended = ended;
         _files = new RecordingFiles(path, options, metadata, _clock.StartTime, open);
-        _ring = new PieceRing(options.QueueSize);
-        _thread = new RecordingThread(_ring, _files, options.FlushInterval, _clock);
-        tap.Add(this, RecordingClock.Now);
-        Ended = DedicatedThread.RunAsync("NeuronMocap recording", Run, TaskCreationOptions.None);
+        try
+        {
+            _ring = new PieceRing(options.QueueSize);
+            _thread = new RecordingThread(_ring, _files, options.FlushInterval, _clock);
+            tap.Add(this, RecordingClock.Now);
+            Ended = DedicatedThread.RunAsync("NeuronMocap recording", Run, TaskCreationOptions.None);
+        }
+        catch
+        {
+            // No memory for the queue, or no thread.
+            tap.Remove(this);
+            _files.Dispose();
+            throw;
+        }
     }
 
     /// <summary>The file as it was asked for. Where files follow each other, their names have a number before the extension.</summary>
@@ -73,26 +81,62 @@ public sealed class StreamRecorder : IStreamListener, IDisposable
     // As Completion, but what awaits it goes on on the recording's thread.
     internal Task Ended { get; }
 
+    Task IFileOutput.Ended => Ended;
+
+    long IFileOutput.Lost => GetStatistics().LostPieces;
+
+    int IFileOutput.UndeletedFiles => _files.Undeleted;
+
     /// <summary>What was recorded so far. Also after the end.</summary>
     /// <returns>A snapshot.</returns>
     public RecordingStatistics GetStatistics()
     {
         long ended = Volatile.Read(ref _duration);
+        (long pieces, long bytes) = (_files.Pieces, _files.PieceBytes);
+        (long lostPieces, long lostBytes) = (Volatile.Read(ref _lostPieces), Volatile.Read(ref _lostBytes));
+        if (ended >= 0 && _failure is not null)
+        {
+            // What the queue held when the recording failed is missing as well.
+            lostPieces += Volatile.Read(ref _takenPieces) - pieces;
+            lostBytes += Volatile.Read(ref _takenBytes) - bytes;
+        }
+
         return new RecordingStatistics
         {
-            Pieces = Volatile.Read(ref _pieces),
-            Bytes = Volatile.Read(ref _bytes),
-            LostPieces = Volatile.Read(ref _lostPieces),
-            LostBytes = Volatile.Read(ref _lostBytes),
+            Pieces = pieces,
+            Bytes = bytes,
+            LostPieces = lostPieces,
+            LostBytes = lostBytes,
             Files = _files.Count,
             WrittenBytes = _files.WrittenBytes,
-            Duration = ended >= 0 ? new TimeSpan(ended) : _clock.TimeOf(RecordingClock.Now),
+            UndeletedFiles = _files.Undeleted,
+            Duration = ended >= 0 && _failure is not null ? _files.WrittenTime : ended >= 0 ? new TimeSpan(ended) : _clock.TimeOf(RecordingClock.Now),
         };
     }
 
     /// <summary>
-    /// Ends the recording: what the queue holds is written, and the file closed. Waits for it, 10 s at most; a disk that takes longer is left behind.
-    /// Any number of times.
+    /// Ends the recording without blocking: what the queue holds is written, and the file closed. Any number of times.
+    /// </summary>
+    /// <param name="cancellationToken">Ends the wait; the recording ends all the same.</param>
+    /// <returns>A task that completes when the file is closed, however long the disk takes. See <see cref="Failure"/> then.</returns>
+    /// <exception cref="OperationCanceledException">The wait was cancelled.</exception>
+    public Task StopAsync(CancellationToken cancellationToken = default)
+    {
+        Stop();
+        return TaskWaiting.WaitAsync(Completion, cancellationToken);
+    }
+
+    /// <summary>As <see cref="Dispose"/>, without blocking the thread.</summary>
+    /// <returns>A task that completes when the file is closed, or after 10 s.</returns>
+    public ValueTask DisposeAsync()
+    {
+        Stop();
+        return TaskWaiting.WaitAsync(Completion, StopTimeout);
+    }
+
+    /// <summary>
+    /// Ends the recording: what the queue holds is written, and the file closed. Blocks until then, 10 s at most; a disk that takes longer is left
+    /// behind. Any number of times. <see cref="StopAsync"/> and <see cref="DisposeAsync"/> do not block.
     /// </summary>
     public void Dispose()
     {
@@ -107,89 +151,76 @@ public sealed class StreamRecorder : IStreamListener, IDisposable
         _thread.Stop();
     }
 
+    void IFileOutput.Stop() => Stop();
+
+    string IFileOutput.DescribeStart() => $"Recording to {Path}.";
+
+    string IFileOutput.DescribeLoss(long count)
+    {
+        RecordingStatistics statistics = GetStatistics();
+        return Text($"The recording lacks {Number(count, "piece")} that arrived faster than {Path} could be written; {statistics.LostPieces} in all, {Number(statistics.LostBytes, "byte")}.");
+    }
+
+    string IFileOutput.DescribeUndeleted() =>
+        $"An old file of the recording could not be deleted ({_files.UndeletedReason}) The next file tries again; the recording goes on.";
+
+    string IFileOutput.DescribeEnd()
+    {
+        RecordingStatistics statistics = GetStatistics();
+        return _failure is { } failure
+            ? Text($"The recording to {CurrentPath} failed: {failure.Message.TrimEnd('.')}. It holds {Number(statistics.Bytes, "byte")}; {Number(statistics.LostPieces, "piece")} that arrived are lost.")
+            : Text($"Recorded {Number(statistics.Bytes, "byte")} in {statistics.Duration.TotalSeconds:0.0} s to {CurrentPath}.");
+    }
+
     internal void SetMetadata(string key, string value) => _thread.SetMetadata(key, value);
 
     void IStreamListener.OnOpened(StreamConnection connection, bool wasOpen, long timestamp)
     {
-        _connection = connection;
-        _isTold = _ring is { } ring && TryTellOpened(ring, connection, wasOpen, timestamp);
+        bool isTold = _ring is { } ring && RecordedLink.TryTellOpened(ring, connection, wasOpen, timestamp);
+        _links = [.. _links.Where(link => link.Connection.IsCalculation != connection.IsCalculation), new RecordedLink(connection, isTold)];
     }
 
-    void IStreamListener.OnBytes(int source, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
+    void IStreamListener.OnBytes(StreamConnection connection, int number, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
     {
-        if (_ring is not { } ring || _connection is not { } connection)
+        if (_ring is not { } ring || Find(connection) is not { } link)
             return;
 
-        var record = new PieceRecord { Kind = PieceKind.Bytes, Connection = connection.Number, Source = source, Timestamp = timestamp };
+        var record = new PieceRecord { Kind = PieceKind.Bytes, Connection = connection.Number, Source = number, Timestamp = timestamp };
         if (bytes.Length <= RecordingWriter.MaxPieceLength && ring.HasRoom(sender.Length + bytes.Length)
-            && TryTellWhatIsUntold(ring, connection, timestamp) && ring.TryWrite(record, sender, bytes))
+            && link.TryTellWhatIsUntold(ring, timestamp) && ring.TryWrite(record, sender, bytes))
         {
-            Volatile.Write(ref _pieces, _pieces + 1);
-            Volatile.Write(ref _bytes, _bytes + bytes.Length);
+            Volatile.Write(ref _takenPieces, _takenPieces + 1);
+            Volatile.Write(ref _takenBytes, _takenBytes + bytes.Length);
             return;
         }
 
-        _untoldPieces++;
-        _untoldBytes += bytes.Length;
+        link.Lose(bytes.Length);
         Volatile.Write(ref _lostPieces, _lostPieces + 1);
         Volatile.Write(ref _lostBytes, _lostBytes + bytes.Length);
     }
 
-    void IStreamListener.OnClosed(string reason, long timestamp)
+    void IStreamListener.OnClosed(StreamConnection connection, string reason, long timestamp)
     {
-        if (_ring is { } ring && _connection is { } connection && _isTold)
+        if (_ring is { } ring)
+            Find(connection)?.TellClosed(ring, reason, timestamp);
+
+        _links = [.. _links.Where(link => link.Connection != connection)];
+    }
+
+    private RecordedLink? Find(StreamConnection connection)
+    {
+        foreach (RecordedLink link in _links)
         {
-            // Both have room kept for them. Where even that is full, the next connection's opening says that this one is gone.
-            _ = TryTellLoss(ring, timestamp);
-            var record = new PieceRecord { Kind = PieceKind.Closed, Connection = connection.Number, Timestamp = timestamp };
-            _ = ring.TryWrite(record, Encoding.UTF8.GetBytes(reason), []);
+            if (ReferenceEquals(link.Connection, connection))
+                return link;
         }
 
-        _connection = null;
+        return null;
     }
 
-    private static bool TryTellOpened(PieceRing ring, StreamConnection connection, bool wasOpen, long timestamp)
-    {
-        var record = new PieceRecord
-        {
-            Kind = PieceKind.Opened,
-            Connection = connection.Number,
-            IsDatagrams = connection.IsDatagrams,
-            WasOpen = wasOpen,
-            Timestamp = timestamp,
-        };
-        return ring.TryWrite(record, Encoding.UTF8.GetBytes($"{connection.Local}\n{connection.Remote}"), []);
-    }
+    private static string Number(long count, string noun) => count == 1 ? $"1 {noun}" : Text($"{count} {noun}s");
 
-    // Before a piece: that its connection opened, if there was no room for it then, and what was lost.
-    private bool TryTellWhatIsUntold(PieceRing ring, StreamConnection connection, long timestamp)
-    {
-        if (!_isTold)
-            _isTold = TryTellOpened(ring, connection, wasOpen: true, timestamp);
-
-        return _isTold && TryTellLoss(ring, timestamp);
-    }
-
-    private bool TryTellLoss(PieceRing ring, long timestamp)
-    {
-        if (_untoldPieces == 0)
-            return true;
-
-        var record = new PieceRecord
-        {
-            Kind = PieceKind.Lost,
-            Connection = _connection!.Number,
-            LostPieces = _untoldPieces,
-            LostBytes = _untoldBytes,
-            Timestamp = timestamp,
-        };
-        if (!ring.TryWrite(record, [], []))
-            return false;
-
-        _untoldPieces = 0;
-        _untoldBytes = 0;
-        return true;
-    }
+    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
     private void Run()
     {
@@ -208,8 +239,8 @@ public sealed class StreamRecorder : IStreamListener, IDisposable
             _tap.Remove(this);
             Volatile.Write(ref _duration, _clock.TimeOf(RecordingClock.Now).Ticks);
             _ring = null;
-            _ended(this);
             _completion.TrySetResult(true);
+            _ended(this);
         }
     }
 }

@@ -12,10 +12,10 @@ public static class DefaultOffsets
     private static readonly Vector3[] Neck1Offsets =
     [
         new(0, 84.102f, 0), // Hips
-        new(-9.5f, 0, 0), // RightUpLeg
+        new(-9.5f, -0f, 0), // RightUpLeg; the sign of zero is the manual's
         new(0, -37.051f, 0), // RightLeg
         new(0, -37.051f, 0), // RightFoot
-        new(9.5f, 0, 0), // LeftUpLeg
+        new(9.5f, -0f, 0), // LeftUpLeg
         new(0, -37.051f, 0), // LeftLeg
         new(0, -37.051f, 0), // LeftFoot
         new(0, 7.14f, 0), // Spine

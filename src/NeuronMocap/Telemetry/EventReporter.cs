@@ -21,13 +21,16 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
         (SkipReason.Incomplete, nameof(SkipReason.Incomplete)),
         (SkipReason.MalformedLine, nameof(SkipReason.MalformedLine)),
         (SkipReason.AmbiguousName, nameof(SkipReason.AmbiguousName)),
+        (SkipReason.TooManySenders, nameof(SkipReason.TooManySenders)),
+        (SkipReason.NotCalculation, nameof(SkipReason.NotCalculation)),
+        (SkipReason.MissingAvatar, nameof(SkipReason.MissingAvatar)),
     ];
 
     private readonly object _lock = new();
     private readonly StatusLevels _levels = new();
     private readonly Dictionary<(ReaderEventId Id, string? Subject), ThrottledCount> _counts = [];
     private readonly TaskCompletionSource<bool> _over = new();
-    private readonly HashSet<StreamRecorder> _recorders = [];
+    private readonly HashSet<IFileOutput> _outputs = [];
     private long _droppedTold;
     private volatile Exception? _failure;
     private volatile bool _ended;
@@ -45,7 +48,7 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
     // Any thread.
     public void OnFailure(Exception exception) => _failure = exception;
 
-    // Timer. A report may take longer than the timer's period: then the next one is left out.
+    // Timer, and the thread of an output that has ended. A report may take longer than the timer's period: then the next one is left out.
     public void Check(long now)
     {
         if (!Monitor.TryEnter(_lock))
@@ -113,8 +116,8 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
 
             ReportSkipped(now, force);
             ReportFailures(statistics, now, force);
-            foreach (StreamRecorder recorder in figures.Recorders)
-                ReportRecording(recorder, now, force);
+            foreach (IFileOutput output in figures.Outputs)
+                ReportOutput(output, now, force);
         }
         catch (Exception)
         {
@@ -135,6 +138,9 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
     {
         foreach (ConsumerStatistics consumer in figures.GetConsumers())
         {
+            // An export tells of its own.
+            if (string.Equals(consumer.Name, NeuronReader.ExportQueueName, StringComparison.Ordinal))
+                continue;
             if (Take(ReaderEventId.FramesDropped, consumer.Name, consumer.Dropped, now, force) is not { Count: > 0 } dropped)
                 continue;
 
@@ -170,38 +176,31 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
         });
     }
 
-    private void ReportRecording(StreamRecorder recorder, long now, bool force)
+    private void ReportOutput(IFileOutput output, long now, bool force)
     {
         if (_ended && !force)
             return;
 
-        bool hasEnded = recorder.Completion.IsCompleted;
-        var news = new ReaderEvent(ReaderEventId.RecordingStarted, ReaderEventLevel.Information, name, $"Recording to {recorder.Path}.") { Subject = recorder.Path };
-        if (_recorders.Add(recorder))
+        OutputIds ids = output is StreamRecorder ? OutputIds.Recording : OutputIds.Export;
+        bool hasEnded = output.Completion.IsCompleted;
+        var news = new ReaderEvent(ids.Started, ReaderEventLevel.Information, name, output.DescribeStart()) { Subject = output.Path };
+        if (_outputs.Add(output))
             report(news);
 
-        RecordingStatistics statistics = recorder.GetStatistics();
-        if (Take(ReaderEventId.RecordingIncomplete, recorder.Path, statistics.LostPieces, now, force || hasEnded) is { Count: > 0 } lost)
-            report(lost with { Message = Text($"The recording lacks {Number(lost.Count, "piece")} that arrived faster than {recorder.Path} could be written; {lost.Total} in all, {Number(statistics.LostBytes, "byte")}.") });
+        Exception? failure = hasEnded ? output.Failure : null;
+        if (failure is null && Take(ids.Incomplete, output.Path, output.Lost, now, force || hasEnded) is { Count: > 0 } lost)
+            report(lost with { Message = output.DescribeLoss(lost.Count) });
+        if (Take(ReaderEventId.RecordingFileKept, output.Path, output.UndeletedFiles, now, force || hasEnded) is { Count: > 0 } kept)
+            report(kept with { Message = output.DescribeUndeleted() });
         if (!hasEnded)
             return;
 
-        _counts.Remove((ReaderEventId.RecordingIncomplete, recorder.Path));
-        _recorders.Remove(recorder);
-        figures.Forget(recorder);
-        report(recorder.Failure is { } failure
-            ? news with
-            {
-                Id = ReaderEventId.RecordingFailed,
-                Level = ReaderEventLevel.Error,
-                Exception = failure,
-                Message = $"The recording to {recorder.CurrentPath} ended: {failure.Message}",
-            }
-            : news with
-            {
-                Id = ReaderEventId.RecordingStopped,
-                Message = Text($"Recorded {Number(statistics.Bytes, "byte")} in {statistics.Duration.TotalSeconds:0.0} s to {recorder.CurrentPath}."),
-            });
+        _counts.Remove((ids.Incomplete, output.Path));
+        _counts.Remove((ReaderEventId.RecordingFileKept, output.Path));
+        _outputs.Remove(output);
+        figures.Forget(output);
+        news = news with { Id = ids.Stopped, Message = output.DescribeEnd() };
+        report(failure is null ? news : news with { Id = ids.Failed, Level = ReaderEventLevel.Error, Exception = failure, Count = output.Lost, Total = output.Lost });
     }
 
     // Nothing once the end has come: the last report tells the rest.
@@ -224,10 +223,22 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
         SkipReason.Incomplete => "packets whose rest never came",
         SkipReason.MalformedLine => "lines of text that are no frames of 59 bones",
         SkipReason.AmbiguousName => "lines of text whose avatar's name has spaces and numbers in it",
+        SkipReason.TooManySenders => "more senders than 64 at a time",
+        SkipReason.NotCalculation => "motion data on the port of calculation data",
+        SkipReason.MissingAvatar => "lines of text without the avatar's number and name",
         _ => "no tokens of a packet",
     };
 
     private static string Number(long count, string noun) => count == 1 ? $"1 {noun}" : Text($"{count} {noun}s");
 
     private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+
+    private sealed record OutputIds(ReaderEventId Started, ReaderEventId Stopped, ReaderEventId Incomplete, ReaderEventId Failed)
+    {
+        public static readonly OutputIds Recording =
+            new(ReaderEventId.RecordingStarted, ReaderEventId.RecordingStopped, ReaderEventId.RecordingIncomplete, ReaderEventId.RecordingFailed);
+
+        public static readonly OutputIds Export =
+            new(ReaderEventId.ExportStarted, ReaderEventId.ExportStopped, ReaderEventId.ExportIncomplete, ReaderEventId.ExportFailed);
+    }
 }

@@ -19,8 +19,8 @@ internal interface IReaderFigures
 
     long GetSkipped(SkipReason reason);
 
-    // Those that have ended included, until Forget.
-    IReadOnlyList<StreamRecorder> Recorders { get; }
+    // Recordings and exports. Those that have ended included, until Forget.
+    IReadOnlyList<IFileOutput> Outputs { get; }
 
-    void Forget(StreamRecorder recorder);
+    void Forget(IFileOutput output);
 }

@@ -24,6 +24,9 @@ internal static class NeuronMeter
         (SkipReason.Incomplete, "incomplete"),
         (SkipReason.MalformedLine, "malformed_line"),
         (SkipReason.AmbiguousName, "ambiguous_name"),
+        (SkipReason.TooManySenders, "too_many_senders"),
+        (SkipReason.NotCalculation, "not_calculation"),
+        (SkipReason.MissingAvatar, "missing_avatar"),
     ];
 
     private static readonly (ConnectionState State, string Tag)[] States =

@@ -45,8 +45,23 @@ public enum ReaderEventId
     /// <summary>A recording was not written fast enough and lacks what arrived meanwhile.</summary>
     RecordingIncomplete = 22,
 
-    /// <summary>A recording ended because it could not be written any more.</summary>
+    /// <summary>A recording ended because it could not be written any more: the disk is full, for example.</summary>
     RecordingFailed = 23,
+
+    /// <summary>An old file of a recording could not be deleted; the recording goes on and tries again.</summary>
+    RecordingFileKept = 24,
+
+    /// <summary>A BVH export began.</summary>
+    ExportStarted = 30,
+
+    /// <summary>A BVH export has ended, as it was told to.</summary>
+    ExportStopped = 31,
+
+    /// <summary>A BVH export was not written fast enough and lacks frames that arrived meanwhile.</summary>
+    ExportIncomplete = 32,
+
+    /// <summary>A BVH export ended because it could not be written any more: the disk is full, for example.</summary>
+    ExportFailed = 33,
 }
 
 /// <summary>How much an event matters; as the levels of the same names in Microsoft.Extensions.Logging.</summary>
@@ -82,12 +97,12 @@ public readonly record struct ReaderEvent(ReaderEventId Id, ReaderEventLevel Lev
     public long Total { get; init; }
 
     /// <summary>
-    /// The queue that dropped frames (<see cref="FrameQueue.Name"/>), the <see cref="Protocol.SkipReason"/> of bytes, or the file of a recording;
-    /// otherwise null.
+    /// The queue that dropped frames (<see cref="FrameQueue.Name"/>), the <see cref="Protocol.SkipReason"/> of bytes, or the file of a recording or an
+    /// export; otherwise null.
     /// </summary>
     public string? Subject { get; init; }
 
-    /// <summary>The newest exception of a handler, or what ended a recording; otherwise null.</summary>
+    /// <summary>The newest exception of a handler, or what ended a recording or an export; otherwise null.</summary>
     public Exception? Exception { get; init; }
 
     /// <summary>Level, reader and message.</summary>

@@ -39,6 +39,21 @@ internal sealed partial class ReaderLogger(ILoggerFactory factory)
             case ReaderEventId.RecordingFailed:
                 RecordingFailed(reported.Exception, reported.Reader, reported.Message, reported.Subject);
                 break;
+            case ReaderEventId.RecordingFileKept:
+                RecordingFileKept(reported.Reader, reported.Message, reported.Subject);
+                break;
+            case ReaderEventId.ExportStarted:
+                ExportStarted(reported.Reader, reported.Message, reported.Subject);
+                break;
+            case ReaderEventId.ExportStopped:
+                ExportStopped(reported.Reader, reported.Message, reported.Subject);
+                break;
+            case ReaderEventId.ExportIncomplete:
+                ExportIncomplete(reported.Reader, reported.Message, reported.Subject, reported.Count, reported.Total);
+                break;
+            case ReaderEventId.ExportFailed:
+                ExportFailed(reported.Exception, reported.Reader, reported.Message, reported.Subject);
+                break;
             default:
                 WriteState(level, reported);
                 break;
@@ -123,4 +138,19 @@ internal sealed partial class ReaderLogger(ILoggerFactory factory)
 
     [LoggerMessage(EventId = 23, Level = LogLevel.Error, Message = "{Reader}: {Message} ({Path})")]
     private partial void RecordingFailed(Exception? exception, string reader, string message, string? path);
+
+    [LoggerMessage(EventId = 24, Level = LogLevel.Warning, Message = "{Reader}: {Message} ({Path})")]
+    private partial void RecordingFileKept(string reader, string message, string? path);
+
+    [LoggerMessage(EventId = 30, Level = LogLevel.Information, Message = "{Reader}: {Message} ({Path})")]
+    private partial void ExportStarted(string reader, string message, string? path);
+
+    [LoggerMessage(EventId = 31, Level = LogLevel.Information, Message = "{Reader}: {Message} ({Path})")]
+    private partial void ExportStopped(string reader, string message, string? path);
+
+    [LoggerMessage(EventId = 32, Level = LogLevel.Warning, Message = "{Reader}: {Message} ({Path}: {Count} of {Total})")]
+    private partial void ExportIncomplete(string reader, string message, string? path, long count, long total);
+
+    [LoggerMessage(EventId = 33, Level = LogLevel.Error, Message = "{Reader}: {Message} ({Path})")]
+    private partial void ExportFailed(Exception? exception, string reader, string message, string? path);
 }

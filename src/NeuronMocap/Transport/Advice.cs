@@ -18,7 +18,16 @@ internal static class Advice
         $"The name '{options.Host}' could not be resolved within {options.ConnectTimeout.TotalSeconds:0.#} s. Check the network, or give the IP "
         + "address of the computer that runs Axis Neuron.";
 
-    public static string Failed(string target, Exception exception) => $"Receiving from {target} failed: {exception.Message}";
+    public static string NotYetAnswered(string status) =>
+        $"{status} Nothing has answered yet: check Host and Port, that both computers are on the same network, and that no firewall blocks the port.";
+
+    // Nothing that the network does: the message of such an exception tells a user nothing.
+    public static string Failed(string target, Exception exception) => exception is OutOfMemoryException
+        ? $"Receiving from {target} failed: this computer has too little free memory."
+        : $"Receiving from {target} failed by a fault of this library ({exception.GetType()}). Please report it.";
+
+    // The file of a playback may be gone or damaged, and the message says so.
+    public static string PlaybackFailed(string target, Exception exception) => $"Receiving from {target} failed: {exception.Message}";
 
     public static string NoValues(string target) =>
         $"Packets arrive from {target}, but none of them carries a frame. In Axis Neuron, connect the suit or play a take.";
@@ -37,8 +46,8 @@ internal static class Advice
         + "the firewall lets UDP in.";
 
     public static string SenderNotAllowed(string target, IEnumerable<IPAddress> senders) =>
-        $"Datagrams arrive on {target}, but none from a sender that AllowedSenders lists. They come from {string.Join(", ", senders)}: add the "
-        + "address of the computer that runs Axis Neuron to AllowedSenders, or empty it to let everyone send.";
+        $"Datagrams arrive on {target}, but none from a sender that AllowedSenders lists. They come from {string.Join(", ", senders)}. Give AllowedSenders "
+        + "the address of the computer that runs Axis Neuron, or leave it out to let everyone send.";
 
     public static string UnknownFormat(string target, string format) =>
         $"Data arrives from {target}, but it is {format}";

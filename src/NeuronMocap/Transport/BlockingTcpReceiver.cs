@@ -16,6 +16,8 @@ internal sealed class BlockingTcpReceiver(Action? released = null) : TcpReceiver
 
     private Action? _released = released;
 
+    public override ReceiveThread Thread => ReceiveThread.Dedicated;
+
     public override Task ConnectAsync(Socket socket, IPEndPoint remote) =>
         DedicatedThread.RunAsync("NeuronMocap TCP connect", () => TcpConnect.Run(socket, remote), TaskCreationOptions.None);
 

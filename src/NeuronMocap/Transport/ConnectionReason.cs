@@ -66,6 +66,11 @@ public enum ConnectionReason
     /// </summary>
     NotDiscovered,
 
+    /// <summary>
+    /// Connected, but the port of calculation data, CalculationPort, brings none: the message says why. Only where nothing else is wrong.
+    /// </summary>
+    CalculationUnavailable,
+
     /// <summary>Another error of the network; the message carries the system's words.</summary>
     NetworkError,
 }

@@ -17,6 +17,18 @@ public readonly record struct ConnectionStatus(ConnectionState State, Connection
     public EndPoint? RemoteEndPoint { get; init; }
 
     /// <summary>
+    /// Bytes that the system keeps of arriving datagrams until they are read; null for TCP, and while no UDP port is bound. The reader asks for
+    /// 4,194,304. Linux grants no more than <c>net.core.rmem_max</c>, usually 212,992: a burst that is larger loses datagrams.
+    /// </summary>
+    public int? ReceiveBufferSize { get; init; }
+
+    /// <summary>
+    /// On which thread frames are received and handlers run: <see cref="Transport.ReceiveThread.Dedicated"/> or
+    /// <see cref="Transport.ReceiveThread.Pool"/>; null while there is no connection. See <see cref="NeuronReaderOptions.ReceiveThread"/>.
+    /// </summary>
+    public ReceiveThread? ReceiveThread { get; init; }
+
+    /// <summary>
     /// What the server sends, as the frames of this connection show; <see cref="StreamFormat.Unknown"/> before the first one. When it changes in
     /// the middle of a connection, a status of the same state tells it.
     /// </summary>

@@ -80,6 +80,8 @@ internal sealed class ConnectionSupervisor(
             Attempt = attempt,
             LocalEndPoint = link.LocalEndPoint,
             RemoteEndPoint = link.RemoteEndPoint,
+            ReceiveThread = link.ReceiveThread,
+            ReceiveBufferSize = link.ReceiveBufferSize,
         });
         end = await link.ReceiveAsync(receiver).ConfigureAwait(false);
         return (activity.Explain(end), activity.HasPackets);

@@ -11,7 +11,10 @@ internal enum ForeignFormat
     Incomplete,
     Text,
     AmbiguousName,
+    MissingAvatar,
+    AdvancedBvh,
     CommandReply,
+    Motion,
     OtherProgram,
 }
 
@@ -50,6 +53,14 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
 
         if (reason == SkipReason.TooLarge)
             return new(ForeignFormat.TooManyValues, "a packet that announces more values than the limit allows", "Raise MaxValues if that is right.");
+        if (reason == SkipReason.NotCalculation)
+        {
+            return new(
+                ForeignFormat.Motion,
+                "motion data, which this port of calculation data is not for",
+                "Set CalculationPort to the port on which the server broadcasts calculation data, usually 7003, or leave it out.");
+        }
+
         if (reason == SkipReason.Incomplete)
         {
             return new(
@@ -70,8 +81,19 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
                 "Rename the avatar on the server, without spaces. If it has none, set Skeleton to \"Axis Studio\"; or set the format (block type) to Binary.");
         }
 
+        if (reason == SkipReason.MissingAvatar)
+            return MissingAvatar("text, but its lines hold the values of a frame without the avatar's number and name in front of them");
+        if (IsAdvancedBvh(start))
+        {
+            return new(
+                ForeignFormat.AdvancedBvh,
+                "Axis Studio's \"Advanced BVH\", a compressed stream for Maya and MotionBuilder that is not read here",
+                "In Axis Studio open Settings > BVH Broadcasting, switch that on, and connect to its port (usually 7001). Advanced BVH has a port of its own, usually 7007.");
+        }
+
         // Numbers first: the text format begins with any number, also one that a greeting begins with.
-        return OfText(start, reason) ?? OfProgram(start) ?? Unknown(start);
+        return OfText(start, reason) ?? OfProgram(start)
+            ?? (NumericText.BeginsWithName(start) ? MissingAvatar("text, but its lines begin with a word instead of the avatar's number") : Unknown(start));
     }
 
     public static string ToHex(ReadOnlySpan<byte> bytes)
@@ -82,6 +104,15 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
 
         return text.ToString();
     }
+
+    private static FormatGuess MissingAvatar(string text) => new(
+        ForeignFormat.MissingAvatar,
+        text,
+        "A line begins with number and name of the avatar, as in \"0 Char00 0.00 93.02\". Make the sender write them, or set the format (block type) to Binary.");
+
+    // Four letters C, the length, and then what gzip begins with.
+    private static bool IsAdvancedBvh(ReadOnlySpan<byte> start) =>
+        start.Length >= 10 && start.StartsWith("CCCC"u8) && start[8] == 0x1F && start[9] == 0x8B;
 
     private static FormatGuess? OfProgram(ReadOnlySpan<byte> start)
     {

@@ -10,8 +10,14 @@ internal abstract class Link : IDisposable
 
     public EndPoint? RemoteEndPoint { get; protected set; }
 
+    // Bytes that the system keeps for datagrams until they are read; null for TCP.
+    public int? ReceiveBufferSize { get; protected set; }
+
     // Whether the bytes come in datagrams, each with its sender.
     public virtual bool IsDatagrams => false;
+
+    // Where packets are delivered.
+    public abstract ReceiveThread ReceiveThread { get; }
 
     // What the status messages call the other side.
     public abstract string Target { get; }

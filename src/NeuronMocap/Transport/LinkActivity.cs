@@ -115,7 +115,7 @@ internal sealed class LinkActivity(
         int length = _skippedLength;
 
         // It says more than what came before it, such as the rest of a line.
-        if (length == 0 || reason == SkipReason.AmbiguousName)
+        if (length == 0 || reason is SkipReason.AmbiguousName or SkipReason.MissingAvatar)
             _skipReason = reason;
 
         bytes = bytes[..Math.Min(bytes.Length, _skipped.Length - length)];

@@ -6,6 +6,10 @@ internal static class NumericText
     // A word in this place is the avatar's name. What follows the last separator may be cut off anywhere and says nothing.
     private const int NameIndex = 1;
 
+    // Words of a name, and numbers behind it that are no version or address.
+    private const int MostNames = 4;
+    private const int FewestNumbers = 4;
+
     public static bool IsAt(ReadOnlySpan<byte> bytes)
     {
         int words = 0;
@@ -38,6 +42,36 @@ internal static class NumericText
         }
 
         return numbers > 1;
+    }
+
+    // Whether the bytes begin with a word or a few that are no numbers, and then only numbers, as a line of the format without the avatar's number.
+    public static bool BeginsWithName(ReadOnlySpan<byte> bytes)
+    {
+        int names = 0;
+        int numbers = 0;
+        int start = 0;
+        for (int i = 0; i < bytes.Length && bytes[i] is not ((byte)'|' or (byte)'\n'); i++)
+        {
+            if (!IsSeparator(bytes[i]))
+            {
+                if (bytes[i] < 0x20)
+                    return false;
+
+                continue;
+            }
+
+            ReadOnlySpan<byte> word = bytes[start..i];
+            start = i + 1;
+            if (word.Length == 0)
+                continue;
+
+            if (IsNumber(word))
+                numbers++;
+            else if (numbers > 0 || ++names > MostNames)
+                return false;
+        }
+
+        return names > 0 && numbers >= FewestNumbers;
     }
 
     // A public emulator sends stray zero bytes between the lines, and "||" ends each avatar's values.

@@ -14,6 +14,8 @@ internal sealed class PooledTcpReceiver : TcpReceiver
 
     private readonly ReceiveGate _gate = new();
 
+    public override ReceiveThread Thread => ReceiveThread.Pool;
+
     public override Task ConnectAsync(Socket socket, IPEndPoint remote) => _gate.UntilClosedAsync(socket.ConnectAsync(remote));
 
     public override Task ReceiveAsync(Socket socket, PacketAssembler assembler) => _gate.UntilClosedAsync(LoopAsync(socket, assembler));

@@ -29,7 +29,7 @@ internal sealed class SenderFilter(IReadOnlyList<IPAddress> allowed)
     }
 
     // Where the address lies in the system's structure: behind the port, and for IPv6 behind the flow too.
-    private static (int Offset, int Length) Locate(SocketAddress address) =>
+    public static (int Offset, int Length) Locate(SocketAddress address) =>
         address.Family == AddressFamily.InterNetworkV6 ? (8, 16) : (4, 4);
 
     private static bool Contains(byte[][] addresses, SocketAddress sender)

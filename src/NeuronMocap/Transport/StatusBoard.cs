@@ -8,6 +8,7 @@ internal sealed class StatusBoard(Action<ConnectionStatus> changed)
     private readonly Queue<ConnectionStatus> _untold = new();
     private bool _telling;
     private ConnectionStatus _current = new(ConnectionState.Created, ConnectionReason.None, "Not started.");
+    private ConnectionStatus? _lastFailure;
     private volatile ConnectionState _state;
 
     // Read by the receive path for every packet, so without the lock.
@@ -19,6 +20,16 @@ internal sealed class StatusBoard(Action<ConnectionStatus> changed)
         {
             lock (_lock)
                 return _current;
+        }
+    }
+
+    // Why the newest attempt that is over came to nothing; null where none did.
+    public ConnectionStatus? LastFailure
+    {
+        get
+        {
+            lock (_lock)
+                return _lastFailure;
         }
     }
 
@@ -34,6 +45,9 @@ internal sealed class StatusBoard(Action<ConnectionStatus> changed)
 
             _current = change(_current);
             _state = _current.State;
+            if (_state is ConnectionState.Waiting or ConnectionState.Stopped)
+                _lastFailure = _current;
+
             _untold.Enqueue(_current);
             if (_telling)
                 return true;

@@ -13,11 +13,13 @@ internal sealed class TcpLink(LinkOptions options) : Link
 
     private readonly object _lock = new();
     private readonly object _sending = new();
-    private readonly TcpReceiver _receiver = options.TakeReceiver();
+    private readonly TcpReceiver _receiver = options.TakeReceiver(options.ReceiveThread);
     private Socket? _socket;
     private bool _closed;
 
     public override string Target => options.Target;
+
+    public override ReceiveThread ReceiveThread => _receiver.Thread;
 
     public override async Task<LinkEnd> OpenAsync(CancellationToken stop)
     {
@@ -27,7 +29,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
 
     public override async Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver)
     {
-        var assembler = new PacketAssembler(new PacketScanner(options.MaxValues), receiver);
+        var assembler = new PacketAssembler(new PacketScanner(options.MaxValues), receiver, receiver.Tap);
         try
         {
             await _receiver.ReceiveAsync(_socket!, assembler).ConfigureAwait(false);

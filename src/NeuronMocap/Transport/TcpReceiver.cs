@@ -8,6 +8,8 @@ namespace NeuronMocap.Transport;
 // and needs no pool thread for it: in a busy process there may be none for a while.
 internal abstract class TcpReceiver
 {
+    public abstract ReceiveThread Thread { get; }
+
     public abstract Task ConnectAsync(Socket socket, IPEndPoint remote);
 
     // Completes when the server closes; throws when the connection fails or the socket is closed here.

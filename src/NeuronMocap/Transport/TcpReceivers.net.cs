@@ -9,9 +9,11 @@ internal sealed class TcpReceivers(int maxThreads)
     // Of all connections of the process.
     public static TcpReceivers Shared { get; } = new(maxThreads: 16);
 
-    public TcpReceiver Take()
+    public TcpReceiver Take(ReceiveThread wanted = ReceiveThread.Auto)
     {
-        if (Interlocked.Increment(ref _threads) <= maxThreads)
+        if (wanted == ReceiveThread.Pool)
+            return new PooledTcpReceiver();
+        if (Interlocked.Increment(ref _threads) <= maxThreads || wanted == ReceiveThread.Dedicated)
             return new BlockingTcpReceiver(() => Interlocked.Decrement(ref _threads));
 
         Interlocked.Decrement(ref _threads);

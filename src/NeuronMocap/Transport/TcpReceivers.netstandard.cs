@@ -1,3 +1,5 @@
+using System.Diagnostics.CodeAnalysis;
+
 namespace NeuronMocap.Transport;
 
 // Every connection has a thread: what this target offers for waiting without one allocates for every wait.
@@ -5,5 +7,6 @@ internal sealed class TcpReceivers
 {
     public static TcpReceivers Shared { get; } = new();
 
-    public TcpReceiver Take() => new BlockingTcpReceiver();
+    [SuppressMessage("Performance", "CA1822", Justification = "The member is that of the other target.")]
+    public TcpReceiver Take(ReceiveThread wanted = ReceiveThread.Auto) => new BlockingTcpReceiver();
 }

@@ -5,7 +5,7 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Transport;
 
 // A UDP port that anyone may send to (protocol.md section 4.2).
-internal sealed class UdpLink(LinkOptions options, SenderFilter filter) : Link
+internal sealed class UdpLink(LinkOptions options, SenderFilter filter, UdpServers? servers = null, object? gate = null) : Link
 {
     private readonly object _lock = new();
     private readonly ReceiveGate _gate = new();
@@ -14,16 +14,19 @@ internal sealed class UdpLink(LinkOptions options, SenderFilter filter) : Link
 
     public override bool IsDatagrams => true;
 
+    public override ReceiveThread ReceiveThread { get; } = UdpReceiver.ThreadFor(options.ReceiveThread);
+
     public override string Target => $"UDP port {(LocalEndPoint as IPEndPoint)?.Port ?? options.Port}";
 
     public override Task<LinkEnd> OpenAsync(CancellationToken stop) => Task.FromResult(Bind());
 
     public override async Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver)
     {
-        var senders = new UdpSenders(new PacketScanner(options.MaxValues), receiver, filter);
+        var senders = new UdpSenders(new PacketScanner(options.MaxValues), receiver, filter, servers, gate);
+        using var settling = new UdpSettling(senders, _gate);
         try
         {
-            await UdpReceiver.ReceiveAsync(_socket!, senders, _gate).ConfigureAwait(false);
+            await UdpReceiver.ReceiveAsync(_socket!, senders, _gate, ReceiveThread).ConfigureAwait(false);
             return LinkEnd.None;
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
@@ -63,6 +66,7 @@ internal sealed class UdpLink(LinkOptions options, SenderFilter filter) : Link
             {
                 _socket = UdpSocket.Open(options);
                 LocalEndPoint = _socket.LocalEndPoint;
+                ReceiveBufferSize = UdpSocket.ReadBuffer(_socket);
                 return LinkEnd.None;
             }
             catch (SocketException exception)

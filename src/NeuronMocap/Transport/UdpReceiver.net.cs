@@ -8,8 +8,24 @@ internal static class UdpReceiver
 {
     private const int MaxDatagram = 65_536;
 
+    public static ReceiveThread ThreadFor(ReceiveThread wanted) => wanted == ReceiveThread.Dedicated ? ReceiveThread.Dedicated : ReceiveThread.Pool;
+
     // Throws when the gate or the socket is closed, or the socket fails.
-    public static Task ReceiveAsync(Socket socket, UdpSenders senders, ReceiveGate gate) => gate.UntilClosedAsync(LoopAsync(socket, senders, gate));
+    public static Task ReceiveAsync(Socket socket, UdpSenders senders, ReceiveGate gate, ReceiveThread thread) => gate.UntilClosedAsync(
+        thread == ReceiveThread.Dedicated
+            ? DedicatedThread.RunAsync("NeuronMocap UDP receive", () => Loop(socket, senders, gate), TaskCreationOptions.None)
+            : LoopAsync(socket, senders, gate));
+
+    private static void Loop(Socket socket, UdpSenders senders, ReceiveGate gate)
+    {
+        byte[] buffer = GC.AllocateUninitializedArray<byte>(MaxDatagram);
+        var address = new SocketAddress(socket.AddressFamily);
+        while (true)
+        {
+            int count = socket.ReceiveFrom(buffer.AsSpan(), SocketFlags.None, address);
+            Deliver(address, new ArraySegment<byte>(buffer, 0, count), senders, gate);
+        }
+    }
 
     private static async Task LoopAsync(Socket socket, UdpSenders senders, ReceiveGate gate)
     {
@@ -18,10 +34,15 @@ internal static class UdpReceiver
         while (true)
         {
             int count = await socket.ReceiveFromAsync(buffer.AsMemory(), SocketFlags.None, address).ConfigureAwait(false);
-            if (gate.TryEnter())
-                senders.Push(address, new ArraySegment<byte>(buffer, 0, count), Stopwatch.GetTimestamp());
-            if (!gate.TryLeave())
-                throw new OperationCanceledException();
+            Deliver(address, new ArraySegment<byte>(buffer, 0, count), senders, gate);
         }
+    }
+
+    private static void Deliver(SocketAddress address, ArraySegment<byte> datagram, UdpSenders senders, ReceiveGate gate)
+    {
+        if (gate.TryEnter())
+            senders.Push(address, datagram, Stopwatch.GetTimestamp());
+        if (!gate.TryLeave())
+            throw new OperationCanceledException();
     }
 }

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Diagnostics.CodeAnalysis;
 using System.Net;
 using System.Net.Sockets;
 
@@ -27,8 +28,12 @@ internal sealed class UdpReceiver : IDisposable
         _operation.Completed += (_, _) => Receive(completed: true);
     }
 
+    [SuppressMessage("Style", "IDE0060", Justification = "The member is that of the other target.")]
+    public static ReceiveThread ThreadFor(ReceiveThread wanted) => ReceiveThread.Pool;
+
     // Throws when the gate or the socket is closed, or the socket fails.
-    public static async Task ReceiveAsync(Socket socket, UdpSenders senders, ReceiveGate gate)
+    [SuppressMessage("Style", "IDE0060", Justification = "The member is that of the other target.")]
+    public static async Task ReceiveAsync(Socket socket, UdpSenders senders, ReceiveGate gate, ReceiveThread thread)
     {
         using var receiver = new UdpReceiver(socket, senders, gate);
         receiver.Receive(completed: false);

@@ -1,92 +1,328 @@
+using System.Diagnostics;
 using System.Net;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// One assembler for every address that sends to the port: Axis Neuron on macOS cuts a frame into two datagrams, and two senders interleave
-// (protocol.md section 4.2). Used by the receive loop alone.
-internal sealed class UdpSenders(PacketScanner scanner, IPacketReceiver receiver, SenderFilter filter)
+// One assembler for every address and port that sends to a UDP port: Axis Neuron on macOS cuts a frame into two datagrams, and two senders interleave
+// (protocol.md section 4.2). Which of them are the same server: UdpServers. Used by the receive loop, and by a timer that takes turns with it.
+internal sealed class UdpSenders : IPacketReceiver
 {
-    // Anyone can send from thousands of forged addresses; the one that was silent longest makes room.
+    // Anyone can send from thousands of forged addresses. Who delivers frames keeps its place; of the others the one that was silent longest makes room.
     public const int Limit = 64;
 
     // Servers that cut frames up cut them into pieces of this size (protocol.md sections 4.2 and 8): a larger datagram begins with a frame.
     private const int PieceSize = 1024;
 
-    private readonly Dictionary<SocketAddress, Sender> _senders = new(SenderComparer.Instance);
-    private int _nextSource;
+    // Of datagrams that wait: what 100 avatars send in half a second.
+    private const int MostHeldBytes = 4 * 1024 * 1024;
+
+    private static readonly long KeptAfterFrame = 5 * Stopwatch.Frequency;
+
+    private readonly PacketScanner _scanner;
+    private readonly IPacketReceiver _receiver;
+    private readonly SenderFilter _filter;
+    private readonly UdpServers _servers;
+    private readonly object? _gate;
+    private readonly bool _isCalculationPort;
+    private readonly SenderProbe _probe;
+    private readonly StreamTap? _tap;
+    private readonly PacketAssembler _strays;
+    private readonly Dictionary<SocketAddress, UdpSender> _senders = new(SenderComparer.Instance);
+
+    // Who waits for a server, in the order of arrival.
+    private readonly List<UdpSender> _newcomers = [];
+    private UdpSender? _stray;
+    private UdpSender? _current;
+    private long _heldBytes;
     private long _clock;
 
-    public int Count => _senders.Count;
-
-    public void Push(SocketAddress address, ArraySegment<byte> datagram, long timestamp)
+    // Servers and gate: those that two ports of a reader share; the gate keeps their threads apart.
+    public UdpSenders(PacketScanner scanner, IPacketReceiver receiver, SenderFilter filter, UdpServers? servers = null, object? gate = null)
     {
-        if (!_senders.TryGetValue(address, out Sender? sender))
-        {
-            if (!filter.Allows(address))
-            {
-                filter.CountRefused(address);
-                return;
-            }
+        (_scanner, _receiver, _filter, _servers, _gate) = (scanner, receiver, filter, servers ?? new UdpServers(), gate);
+        _probe = new SenderProbe(scanner);
+        _tap = receiver.Tap;
+        _isCalculationPort = receiver is CalculationOnly;
+        _strays = new PacketAssembler(scanner, receiver);
+    }
 
-            sender = Add(address);
-            if (datagram.Count <= PieceSize)
-                sender.Assembler.JoinLate();
+    // Those with a place.
+    public int Count => _senders.Count - _newcomers.Count;
+
+    // Whether datagrams wait: then Settle is to be called from time to time, as nothing else may arrive.
+    public bool IsWaiting => _newcomers.Count > 0;
+
+    // Called in the receive loop when datagrams begin to wait.
+    public Action? Waits { get; set; }
+
+    public void Push(SocketAddress address, ArraySegment<byte> datagram, long timestamp) => Push(address, datagram, timestamp, clock: timestamp);
+
+    // The clock tells the silences; a playback has its own.
+    public void Push(SocketAddress address, ArraySegment<byte> datagram, long timestamp, long clock)
+    {
+        if (_gate is null)
+        {
+            Take(address, datagram, timestamp, clock);
+            return;
         }
 
-        sender.LastUsed = ++_clock;
+        lock (_gate)
+            Take(address, datagram, timestamp, clock);
+    }
+
+    private void Take(SocketAddress address, ArraySegment<byte> datagram, long timestamp, long clock)
+    {
+        _clock = clock;
+        long turn = _servers.NextTurn();
+        if (!_senders.TryGetValue(address, out UdpSender? sender) || sender.IsRetired)
+        {
+            Meet(address, datagram, timestamp, turn);
+            return;
+        }
+
+        _tap?.OnBytes(sender.Number, sender.AddressBytes, datagram, timestamp);
+        long before = sender.Turn;
+        sender.Hear(turn, clock);
+        if (sender.Assembler is null)
+        {
+            Hold(sender, datagram, timestamp);
+            return;
+        }
+
+        // What waits came before this.
+        if (_newcomers.Count > 0)
+            SettleAlone(clock, isLast: false, sender, before);
+
+        Deliver(sender, datagram, timestamp);
+    }
+
+    // Hands out the datagrams of those that can be told by now; of all, where nobody can wait any longer.
+    public void Settle(long clock, bool isLast = false)
+    {
+        if (_gate is null)
+        {
+            SettleAlone(clock, isLast);
+            return;
+        }
+
+        lock (_gate)
+            SettleAlone(clock, isLast);
+    }
+
+    // Speaker: who just sent, and the turn of its datagram before. Looks only at those for whom it may tell something: a flood has many.
+    private void SettleAlone(long clock, bool isLast, UdpSender? speaker = null, long before = 0)
+    {
+        _clock = clock;
+        isLast |= _heldBytes > MostHeldBytes;
+        for (int i = 0; i < _newcomers.Count;)
+        {
+            UdpSender sender = _newcomers[i];
+            bool isTold = isLast || clock > sender.Due || (speaker is not null && before < sender.Began && speaker.Host == sender.Host);
+            if (isTold && _servers.TryPlace(sender, IsCalculation(sender), clock, isLast, out UdpSender? replaced))
+                Release(sender, replaced, speaker);
+            else
+                i++;
+        }
+    }
+
+    StreamTap? IPacketReceiver.Tap => null;
+
+    void IPacketReceiver.OnLinkOpened()
+    {
+    }
+
+    void IPacketReceiver.OnLinkClosed()
+    {
+    }
+
+    void IPacketReceiver.OnPacket(in ReceivedPacket packet)
+    {
+        UdpSender sender = _current!;
+        if (!packet.IsFrame)
+        {
+            _receiver.OnPacket(packet);
+            return;
+        }
+
+        sender.Delivered = _clock;
+        int kind = 1 << (int)packet.Kind;
+        if ((sender.Kinds & kind) == 0 && !_isCalculationPort && IsOther(sender, kind, packet.Kind != PacketKind.Motion))
+            _receiver.OnPacket(new ReceivedPacket(packet.Kind, packet.Array, packet.Offset, packet.Length, packet.Timestamp, sender.Assembler!.Origin));
+        else
+            _receiver.OnPacket(packet);
+    }
+
+    void IPacketReceiver.OnText(ReadOnlySpan<byte> bytes) => _receiver.OnText(bytes);
+
+    void IPacketReceiver.OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason) => _receiver.OnSkipped(bytes, reason);
+
+    // On a calculation port nothing else counts.
+    private bool IsCalculation(UdpSender sender) => _isCalculationPort || sender.Start.IsCalculation;
+
+    private void Deliver(UdpSender sender, ArraySegment<byte> datagram, long timestamp)
+    {
+        PacketAssembler assembler = sender.Assembler!;
+        _current = sender;
 
         // A datagram that begins with a header cannot be the rest of the packet before it: that rest was lost. Joining the two would give
         // one frame made of two.
-        if (sender.Assembler.PendingBytes > 0 && (scanner.StartsPacket(datagram) || sender.Assembler.StartsAnew(datagram)))
-            sender.Assembler.Abandon();
+        if (assembler.PendingBytes > 0 && (_scanner.StartsPacket(datagram) || assembler.StartsAnew(datagram)))
+            assembler.Abandon();
 
-        sender.Assembler.Push(datagram, timestamp);
+        assembler.Push(datagram, timestamp);
     }
 
-    private Sender Add(SocketAddress address)
+    // Somebody unknown.
+    private void Meet(SocketAddress address, ArraySegment<byte> datagram, long timestamp, long turn)
     {
-        if (_senders.Count >= Limit)
-            RemoveOldest();
-
-        (SocketAddress copy, byte[] bytes) = Copy(address);
-        var sender = new Sender(new PacketAssembler(scanner, receiver, _nextSource++, bytes));
-        _senders.Add(copy, sender);
-        return sender;
-    }
-
-    private void RemoveOldest()
-    {
-        SocketAddress? oldest = null;
-        long used = long.MaxValue;
-        foreach ((SocketAddress address, Sender sender) in _senders)
+        if (!_filter.Allows(address))
         {
-            if (sender.LastUsed >= used)
-                continue;
-
-            used = sender.LastUsed;
-            oldest = address;
+            _filter.CountRefused(address);
+            return;
         }
 
-        _senders[oldest!].Assembler.Abandon();
-        _senders.Remove(oldest!);
+        SenderStart? start = _probe.Find(datagram);
+        bool isCrowded = start is not null && Count >= Limit && FindDispensable() is null && !_servers.Knows(HostKey.Of(address));
+        if (start is not { } found || isCrowded)
+        {
+            TapStray(address, datagram, timestamp);
+            Skip(datagram, timestamp, isCrowded);
+            return;
+        }
+
+        Forget(address);
+        var sender = new UdpSender(address, _servers.NextNumber(), found, turn, _clock);
+        _tap?.OnBytes(sender.Number, sender.AddressBytes, datagram, timestamp);
+        if (_newcomers.Count == Limit)
+            GiveUp(_newcomers.Aggregate(static (oldest, other) => other.Turn < oldest.Turn ? other : oldest));
+
+        _senders.Add(sender.Address, sender);
+        _newcomers.Add(sender);
+        Hold(sender, datagram, timestamp);
+        if (_newcomers.Count > 0)
+            Waits?.Invoke();
     }
 
-    // The receive loop uses its address object again for the next datagram.
-    private static (SocketAddress Copy, byte[] Bytes) Copy(SocketAddress address)
+    private void Hold(UdpSender sender, ArraySegment<byte> datagram, long timestamp)
     {
-        var copy = new SocketAddress(address.Family, address.Size);
-        byte[] bytes = new byte[address.Size];
-        for (int i = 0; i < address.Size; i++)
-            copy[i] = bytes[i] = address[i];
-
-        return (copy, bytes);
+        sender.Held.Add((datagram.AsSpan().ToArray(), timestamp));
+        _heldBytes += datagram.Count;
+        SettleAlone(_clock, isLast: false);
     }
 
-    private sealed class Sender(PacketAssembler assembler)
+    private void Release(UdpSender sender, UdpSender? replaced, UdpSender? speaker)
     {
-        public PacketAssembler Assembler => assembler;
+        _newcomers.Remove(sender);
+        (byte[] Datagram, long Timestamp)[] held = TakeHeld(sender);
+        replaced?.Assembler!.Abandon();
+        if (Count > Limit && !TryMakeRoom(sender, speaker))
+        {
+            _servers.Remove(sender);
+            _senders.Remove(sender.Address);
+            foreach ((byte[] datagram, long timestamp) in held)
+                Skip(datagram, timestamp, isCrowded: true);
 
-        public long LastUsed { get; set; }
+            return;
+        }
+
+        sender.Assembler = new PacketAssembler(_scanner, this) { Origin = OriginOf(sender) };
+        if (held[0].Datagram.Length <= PieceSize)
+            sender.Assembler.JoinLate();
+
+        foreach ((byte[] datagram, long timestamp) in held)
+            Deliver(sender, datagram, timestamp);
+    }
+
+    private bool IsOther(UdpSender sender, int kind, bool isCalculation)
+    {
+        sender.Kinds |= kind;
+        if (!_servers.Learn(sender, isCalculation, _clock, out UdpSender? replaced))
+            return false;
+
+        replaced?.Assembler!.Abandon();
+        sender.Assembler!.Origin = OriginOf(sender);
+        return true;
+    }
+
+    private static int OriginOf(UdpSender sender) => PacketOrigin.Create(sender.Server!.Source, sender.Server.Run);
+
+    private bool TryMakeRoom(UdpSender newcomer, UdpSender? speaker)
+    {
+        if (FindDispensable(newcomer, speaker) is not { } sender)
+            return false;
+
+        _current = sender;
+        sender.Assembler!.Abandon();
+        _servers.Remove(sender);
+        _senders.Remove(sender.Address);
+        return true;
+    }
+
+    // The one that was silent longest of those that deliver no frames; null where all do. The speaker keeps its place until its datagram is taken.
+    private UdpSender? FindDispensable(UdpSender? newcomer = null, UdpSender? speaker = null)
+    {
+        UdpSender? oldest = null;
+        foreach (UdpSender sender in _senders.Values)
+        {
+            bool isKept = sender == newcomer || sender == speaker || sender.Assembler is null || (!sender.IsRetired && sender.Delivered is { } delivered && _clock - delivered <= KeptAfterFrame);
+            if (!isKept && (oldest is null || sender.Turn < oldest.Turn))
+                oldest = sender;
+        }
+
+        return oldest;
+    }
+
+    // Of a sender that was replaced, and now comes again.
+    private void Forget(SocketAddress address)
+    {
+        if (_senders.TryGetValue(address, out UdpSender? retired))
+            _senders.Remove(retired.Address);
+    }
+
+    private void GiveUp(UdpSender newcomer)
+    {
+        _newcomers.Remove(newcomer);
+        _senders.Remove(newcomer.Address);
+        foreach ((byte[] datagram, long timestamp) in TakeHeld(newcomer))
+            Skip(datagram, timestamp, isCrowded: true);
+    }
+
+    private (byte[] Datagram, long Timestamp)[] TakeHeld(UdpSender sender)
+    {
+        (byte[] Datagram, long Timestamp)[] held = [.. sender.Held];
+        sender.Held.Clear();
+        sender.Held.Capacity = 0;
+        foreach ((byte[] datagram, _) in held)
+            _heldBytes -= datagram.Length;
+
+        return held;
+    }
+
+    private void Skip(ArraySegment<byte> datagram, long timestamp, bool isCrowded)
+    {
+        if (isCrowded)
+        {
+            _receiver.OnSkipped(datagram, SkipReason.TooManySenders);
+            return;
+        }
+
+        if (datagram.Count > PieceSize)
+            _strays.BeginAnew();
+
+        _strays.Push(datagram, timestamp);
+        _strays.Abandon();
+    }
+
+    // A recording keeps what is in no packet, too, with who sent it.
+    private void TapStray(SocketAddress address, ArraySegment<byte> datagram, long timestamp)
+    {
+        if (_tap is not { IsListened: true })
+            return;
+
+        if (_stray is null || !SenderComparer.Instance.Equals(_stray.Address, address))
+            _stray = new UdpSender(address, _servers.NextNumber(), default, turn: 0, clock: 0);
+
+        _tap.OnBytes(_stray.Number, _stray.AddressBytes, datagram, timestamp);
     }
 }

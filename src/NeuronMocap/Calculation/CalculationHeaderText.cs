@@ -1,0 +1,77 @@
+using System.Globalization;
+using System.Numerics;
+using System.Text;
+
+namespace NeuronMocap.Calculation;
+
+// The lines above the rows of an export. Axis Neuron writes "Zd:" with the direction that the actor faces at the start, "bones:" with their number, and
+// the names of the columns. The frame rate, which it leaves out, is a line of this library's own.
+internal static class CalculationHeaderText
+{
+    private const string FrameRateName = "Frame Rate:";
+    private const double HighestRate = 1e6;
+
+    public static double? ReadFrameRate(ReadOnlySpan<byte> header) =>
+        Find(header, FrameRateName) is { } text
+        && double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double rate)
+        && rate is > 0 and <= HighestRate
+            ? rate
+            : null;
+
+    public static Vector3? ReadDirection(ReadOnlySpan<byte> header)
+    {
+        string[] words = Find(header, "Zd:")?.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries) ?? [];
+        Vector3 direction = default;
+        if (words.Length != 3
+            || !TryParse(words[0], out direction.X)
+            || !TryParse(words[1], out direction.Y)
+            || !TryParse(words[2], out direction.Z))
+        {
+            return null;
+        }
+
+        return direction;
+    }
+
+    /// <summary>The header with a line that says the rate, instead of one that says another one.</summary>
+    public static byte[] WithFrameRate(ReadOnlySpan<byte> header, double rate)
+    {
+        var text = new StringBuilder();
+        string[] lines = ToText(header).Split('\n');
+        foreach (string line in lines)
+        {
+            if (!IsNamed(line, FrameRateName))
+                text.Append(line).Append('\n');
+        }
+
+        // What follows the last line end is no line.
+        text.Length--;
+        text.Append(FrameRateName).Append('\t').Append(rate.ToString("R", CultureInfo.InvariantCulture)).Append("\r\n");
+        byte[] bytes = new byte[text.Length];
+        for (int i = 0; i < bytes.Length; i++)
+            bytes[i] = (byte)text[i];
+
+        return bytes;
+    }
+
+    // A letter for each byte, whatever the encoding: names and numbers are ASCII, and the rest is only kept.
+    private static string ToText(ReadOnlySpan<byte> header)
+    {
+        char[] letters = new char[header.Length];
+        for (int i = 0; i < letters.Length; i++)
+            letters[i] = (char)header[i];
+
+        return new string(letters);
+    }
+
+    private static string? Find(ReadOnlySpan<byte> header, string name)
+    {
+        string? line = ToText(header).Split('\r', '\n').FirstOrDefault(line => IsNamed(line, name));
+        return line?.Trim()[name.Length..].Trim();
+    }
+
+    private static bool IsNamed(string line, string name) => line.TrimStart().StartsWith(name, StringComparison.OrdinalIgnoreCase);
+
+    private static bool TryParse(string word, out float value) =>
+        float.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out value) && !float.IsNaN(value) && !float.IsInfinity(value);
+}

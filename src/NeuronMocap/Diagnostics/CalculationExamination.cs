@@ -1,0 +1,35 @@
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Diagnostics;
+
+// Looks at the port of calculation data when the first one has been looked at, in what is left of the time.
+internal static class CalculationExamination
+{
+    // However long the first one took: an answer of a server on the network comes sooner.
+    private static readonly TimeSpan Least = TimeSpan.FromSeconds(1);
+
+    public static async Task<Conclusion> AddAsync(DiagnosisTask task, LinkOptions link, Conclusion first, Func<DiagnosisTask, Task<Conclusion>> examine)
+    {
+        DiagnosisOptions how = task.Options.Copy();
+        how.Wanted = task.Wanted == PacketKind.StudioCalculation ? PacketKind.StudioCalculation : PacketKind.Calculation;
+        how.LookElsewhere = false;
+        how.Timeout = task.Options.Timeout - task.Elapsed > Least ? task.Options.Timeout - task.Elapsed : Least;
+        Conclusion second = await examine(new DiagnosisTask(link, how, task.Log.With("calculation "), task.Stop)).ConfigureAwait(false);
+        Finding found = second.Findings[0];
+        var joint = first with { CalculationSample = second.Sample };
+
+        // Axis Studio's have a packet of their own, and are calculation data as well.
+        if (!found.IsFault || found.Verdict == DiagnosisVerdict.StudioCalculationOnly)
+            return joint with { Findings = [.. first.Findings.Select((finding, index) => index == 0 ? Tell(finding, link.Port) : finding)] };
+
+        var missing = new Finding(
+            DiagnosisVerdict.CalculationUnavailable,
+            $"Calculation port {link.Port}: {(found.Verdict == DiagnosisVerdict.Refused ? "connection refused. " : string.Empty)}{found.Text}",
+            found.Advice);
+        bool isAllElse = first.Findings is [{ Verdict: DiagnosisVerdict.Receiving }];
+        return joint with { Findings = isAllElse ? [missing with { Text = $"{first.Findings[0].Text} {missing.Text}" }] : [.. first.Findings, missing] };
+    }
+
+    private static Finding Tell(Finding finding, int port) => finding with { Text = $"{finding.Text} Calculation port {port}: frames arrive." };
+}

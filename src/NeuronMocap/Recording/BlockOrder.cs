@@ -1,0 +1,96 @@
+namespace NeuronMocap.Recording;
+
+// Where the blocks of a file are, in the order of their numbers: of a file whose blocks are not all there, or not in the order in which they were written.
+internal sealed class BlockOrder
+{
+    // 32 bytes each. Four gigabytes of a busy stream, or half a day of a quiet one.
+    public const int MaxBlocks = 64 * 1024;
+
+    private readonly List<BlockPlace> _places;
+
+    private BlockOrder(List<BlockPlace> places) => _places = places;
+
+    public int Count => _places.Count;
+
+    public BlockPlace this[int index] => _places[index];
+
+    // Null where the file has too many. Tells what is missing, twice there, displaced or damaged.
+    public static BlockOrder? TryRead(BlockFile file, RecordingProblems problems, int maxBlocks)
+    {
+        List<BlockPlace> places = [];
+        var walk = new BlockSearch(file, problems);
+        while (walk.TryFind(out long offset, out BlockHeader header))
+        {
+            if (places.Count == maxBlocks)
+                return null;
+
+            places.Add(new BlockPlace(offset, header.Sequence, header.Time, header.Kind == BlockKind.Checkpoint, walk.IsBehindDamage));
+            walk.Pass(offset, header);
+        }
+
+        ReportDisplaced(places, problems);
+        places.Sort(static (left, right) =>
+            left.Sequence != right.Sequence ? left.Sequence.CompareTo(right.Sequence) : left.Offset.CompareTo(right.Offset));
+        DropDoubled(places, problems);
+        ReportMissing(places, problems);
+        return new BlockOrder(places);
+    }
+
+    // The first block with this number or a higher one.
+    public int Find(uint sequence)
+    {
+        int index = _places.FindIndex(place => place.Sequence >= sequence);
+        return index >= 0 ? index : _places.Count;
+    }
+
+    // The last checkpoint before a time, or else the first block.
+    public int FindTime(long time) => Math.Max(0, _places.FindLastIndex(place => place.IsCheckpoint && place.Time < time));
+
+    // In the order of the file.
+    private static void ReportDisplaced(List<BlockPlace> places, RecordingProblems problems)
+    {
+        uint highest = 0;
+        var seen = new HashSet<uint>();
+        foreach (BlockPlace place in places)
+        {
+            if (seen.Add(place.Sequence) && place.Sequence < highest && !problems.IsFull)
+                problems.Add(place.Offset, 0, $"Block {place.Sequence} stands behind block {highest}; it is read where it belongs.");
+
+            highest = Math.Max(highest, place.Sequence);
+        }
+    }
+
+    private static void DropDoubled(List<BlockPlace> places, RecordingProblems problems)
+    {
+        int kept = 0;
+        for (int i = 0; i < places.Count; i++)
+        {
+            BlockPlace place = places[i];
+            bool isDoubled = kept > 0 && places[kept - 1].Sequence == place.Sequence;
+            if (isDoubled && !problems.IsFull)
+                problems.Add(place.Offset, 0, $"Block {place.Sequence} is there twice; the second one is passed over.");
+            if (!isDoubled)
+                places[kept++] = place;
+        }
+
+        places.RemoveRange(kept, places.Count - kept);
+    }
+
+    // Not what a damaged place explains.
+    private static void ReportMissing(List<BlockPlace> places, RecordingProblems problems)
+    {
+        uint expected = 0;
+        foreach (BlockPlace place in places)
+        {
+            if (place.Sequence > expected && !place.IsBehindDamage && !problems.IsFull)
+                problems.Add(place.Offset, 0, DescribeMissing(expected, place.Sequence - 1));
+
+            expected = place.Sequence + 1;
+        }
+    }
+
+    public static string DescribeMissing(uint first, uint last) =>
+        first == last ? $"Block {first} is missing before this one." : $"Blocks {first} to {last} are missing before this one.";
+}
+
+internal readonly record struct BlockPlace(long Offset, uint Sequence, long Time, bool IsCheckpoint, bool IsBehindDamage);

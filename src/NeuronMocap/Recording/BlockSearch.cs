@@ -1,0 +1,73 @@
+namespace NeuronMocap.Recording;
+
+// Goes through a file block by block, past damaged places, which it tells of.
+internal sealed class BlockSearch(BlockFile file, RecordingProblems problems)
+{
+    public const string DamagedBlock = "A block is damaged: its checksum is wrong.";
+
+    // A file that is made of headers in front of wrong payloads does not make its reader check each byte thousands of times.
+    private const long MaxLookedInto = 16 * RecordingLayout.MaxPayload;
+
+    private long _place = RecordingLayout.FileHeaderSize;
+    private long _lookedInto;
+
+    // Bytes before the block that was found last which could not be read.
+    public long DamagedBytes { get; private set; }
+
+    public bool IsBehindDamage => DamagedBytes > 0;
+
+    public void MoveTo(long place)
+    {
+        _place = place;
+        DamagedBytes = 0;
+    }
+
+    // Its payload has not been checked.
+    public bool TryFind(out long offset, out BlockHeader header)
+    {
+        offset = file.Find(_place, out header);
+        if (offset != _place && _place < file.Length)
+            TellDamage(_place, offset < 0 ? file.Length : offset);
+
+        if (offset < 0)
+            _place = file.Length;
+
+        return offset >= 0;
+    }
+
+    // Goes on behind the block. Where no block follows, the bytes of this one may be incomplete, and the next begin anywhere in it: then it is damaged.
+    public void Pass(long offset, in BlockHeader header)
+    {
+        DamagedBytes = 0;
+        _place = offset + RecordingLayout.BlockHeaderSize + header.Length;
+        if (_place != file.Length && !file.TryReadHeader(_place, out _) && !file.TryReadPayload(offset, header, out _))
+            PassDamaged(offset, header);
+    }
+
+    public void PassDamaged(long offset, in BlockHeader header)
+    {
+        _place = offset + RecordingLayout.BlockHeaderSize + header.Length;
+        if (_place != file.Length && !file.TryReadHeader(_place, out _) && _lookedInto < MaxLookedInto)
+        {
+            _lookedInto += header.Length;
+            _place = offset + BlockHeader.Marker.Length;
+        }
+
+        if (header.Kind == BlockKind.Entries)
+            TellDamage(offset, _place);
+        else
+            problems.Add(offset, _place - offset, DamagedBlock);
+    }
+
+    public void PassWhole(long offset, in BlockHeader header)
+    {
+        DamagedBytes = 0;
+        _place = offset + RecordingLayout.BlockHeaderSize + header.Length;
+    }
+
+    private void TellDamage(long start, long end)
+    {
+        DamagedBytes += end - start;
+        problems.Add(start, end - start, end == file.Length ? "The file ends in the middle of a block." : DamagedBlock);
+    }
+}

@@ -1,0 +1,37 @@
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Transport;
+
+// Looks at the first datagram of somebody unknown: only one that holds the beginning of a packet or of a line costs memory.
+internal sealed class SenderProbe(PacketScanner packets)
+{
+    private readonly StreamScanner _scanner = new(packets);
+
+    // Null where it holds none.
+    public SenderStart? Find(ReadOnlySpan<byte> datagram)
+    {
+        _scanner.Begin();
+        while (datagram.Length > 0)
+        {
+            StreamScan scan = _scanner.Scan(datagram);
+            if (scan.Part == StreamPart.Packet)
+                return SenderStart.Read(scan.Kind, datagram);
+            if (scan.Part == StreamPart.Line)
+                return SenderStart.Read(scan.Kind, _scanner.Image);
+            if (scan.Part == StreamPart.NeedMore)
+                return FindUnfinished(datagram);
+
+            datagram = datagram[scan.Length..];
+        }
+
+        return null;
+    }
+
+    private SenderStart? FindUnfinished(ReadOnlySpan<byte> rest)
+    {
+        if (_scanner.IsInsideLine)
+            return default(SenderStart);
+
+        return rest.Length >= ProtocolConstants.HeaderSize ? SenderStart.Read(PacketTokens.KindOf(rest), rest) : null;
+    }
+}

@@ -1,0 +1,20 @@
+namespace NeuronMocap.Transport;
+
+// Waits for a task that never faults, without a thread.
+internal static class TaskWaiting
+{
+    // Cancelled, only the wait ends.
+    public static async Task WaitAsync(Task task, CancellationToken cancellationToken)
+    {
+        var cancelled = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
+        using (cancellationToken.Register(() => cancelled.TrySetCanceled(cancellationToken)))
+            await (await Task.WhenAny(task, cancelled.Task).ConfigureAwait(false)).ConfigureAwait(false);
+    }
+
+    public static async ValueTask WaitAsync(Task task, TimeSpan timeout)
+    {
+        using var over = new CancellationTokenSource();
+        await Task.WhenAny(task, Task.Delay(timeout, over.Token)).ConfigureAwait(false);
+        over.Cancel();
+    }
+}

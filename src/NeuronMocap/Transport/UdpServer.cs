@@ -1,0 +1,35 @@
+namespace NeuronMocap.Transport;
+
+// What sends from one address under one source number: motion and calculation data, from one port or from one each.
+internal sealed class UdpServer(int source, HostKey host)
+{
+    private readonly UdpSender?[] _senders = new UdpSender?[2];
+
+    public int Source => source;
+
+    public HostKey Host => host;
+
+    // How often a sender was replaced.
+    public int Run { get; set; }
+
+    public bool IsEmpty => _senders[0] is null && _senders[1] is null;
+
+    public UdpSender? Any => _senders[0] ?? _senders[1];
+
+    public UdpSender? this[bool isCalculation]
+    {
+        get => _senders[isCalculation ? 1 : 0];
+        set => _senders[isCalculation ? 1 : 0] = value;
+    }
+
+    public void Remove(UdpSender sender)
+    {
+        for (int i = 0; i < _senders.Length; i++)
+        {
+            if (_senders[i] == sender)
+                _senders[i] = null;
+        }
+
+        sender.Server = null;
+    }
+}
