@@ -8,7 +8,12 @@ internal static class LastError
 {
     private const int Capacity = 1024;
 
+    private const string NoMemory = "There is no memory left, or no thread can be started.";
+
     private static readonly object Lock = new();
+
+    // Made beforehand, as what it tells would keep it from being made.
+    private static readonly byte[] NoMemoryImage = ImageOf(NoMemory);
     private static volatile string _text = string.Empty;
 
     static LastError()
@@ -22,10 +27,21 @@ internal static class LastError
     public static string Text => _text;
 
     // Whoever reads the memory at this moment may see parts of two texts, as in the vendor's library; it always ends with a zero.
-    public static void Set(string text)
+    public static void Set(string text) => Set(text, ImageOf(text));
+
+    public static void Set(string text, int systemError) => Set($"{text} System error code: {systemError}");
+
+    // For what should not happen: an exception inside a function, which fails.
+    public static void SetFault(string function, Exception exception)
     {
-        byte[] image = new byte[Capacity];
-        Encoding.UTF8.GetEncoder().Convert(text, image.AsSpan(0, Capacity - 1), flush: true, out _, out _, out _);
+        if (exception is OutOfMemoryException)
+            Set(NoMemory, NoMemoryImage);
+        else
+            Set($"{function} failed because of an error in the library: {exception.GetType()}: {exception.Message}");
+    }
+
+    private static void Set(string text, byte[] image)
+    {
         lock (Lock)
         {
             _text = text;
@@ -33,5 +49,10 @@ internal static class LastError
         }
     }
 
-    public static void Set(string text, int systemError) => Set($"{text} System error code: {systemError}");
+    private static byte[] ImageOf(string text)
+    {
+        byte[] image = new byte[Capacity];
+        Encoding.UTF8.GetEncoder().Convert(text, image.AsSpan(0, Capacity - 1), flush: true, out _, out _, out _);
+        return image;
+    }
 }

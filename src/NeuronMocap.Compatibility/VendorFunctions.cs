@@ -11,50 +11,79 @@ namespace NeuronMocap.Compatibility;
 // What the functions of one of the two namespaces do.
 internal sealed class VendorFunctions(IVendorCallbacks callbacks)
 {
-    public IntPtr Connect(string host, int port) => SocketTable.Open(new TcpDataSocket(callbacks, host, port));
+    public IntPtr Connect(string host, int port) => FunctionGuard.Call(
+        (callbacks, host, port), static to => SocketTable.Open(new TcpDataSocket(to.callbacks, to.host, to.port)), IntPtr.Zero, "BRConnectTo");
 
-    public IntPtr StartUdpService(int port) => SocketTable.Open(new UdpDataSocket(callbacks, port));
+    public IntPtr StartUdpService(int port) => FunctionGuard.Call(
+        (callbacks, port), static at => SocketTable.Open(new UdpDataSocket(at.callbacks, at.port)), IntPtr.Zero, "BRStartUDPServiceAt");
 
-    public IntPtr ConnectCommands(string host, int port) => SocketTable.Open(new CommandSocket(callbacks, host, port));
+    public IntPtr ConnectCommands(string host, int port) => FunctionGuard.Call(
+        (callbacks, host, port), static to => SocketTable.Open(new CommandSocket(to.callbacks, to.host, to.port)), IntPtr.Zero, "BRConnectCmd");
 
-    public static SocketState GetStatus(IntPtr socket) => SocketTable.Find(socket)?.State ?? SocketState.OffWork;
+    public static SocketState GetStatus(IntPtr socket) => FunctionGuard.Call(
+        socket, static socket => SocketTable.Find(socket)?.State ?? SocketState.OffWork, SocketState.OffWork, "BRGetSocketStatus");
 
-    public static void Close(IntPtr socket) => SocketTable.Find(socket)?.Dispose();
+    public static void Close(IntPtr socket) => FunctionGuard.Call(
+        socket,
+        static socket =>
+        {
+            SocketTable.Find(socket)?.Dispose();
+            return true;
+        },
+        failure: false,
+        "BRCloseSocket");
 
     // The numbers of the vendor's commands are those of the wire.
-    public static bool Fetch(IntPtr socket, int command, int avatar) => CommandsOf(socket)?.TryFetch((DataCommandId)command, avatar) ?? false;
+    public static bool Fetch(IntPtr socket, int command, int avatar) => FunctionGuard.Call(
+        (socket, command, avatar),
+        static what => CommandsOf(what.socket)?.TryFetch((DataCommandId)what.command, what.avatar) ?? false,
+        failure: false,
+        "BRCommandFetchDataFromServer");
 
-    public static bool Register(IntPtr socket, int command) => CommandsOf(socket)?.TryRegister((DataCommandId)command) ?? false;
+    public static bool Register(IntPtr socket, int command) => FunctionGuard.Call(
+        (socket, command),
+        static what => CommandsOf(what.socket)?.TryRegister((DataCommandId)what.command) ?? false,
+        failure: false,
+        "BRRegisterAutoSyncParmeter");
 
-    public static bool Unregister(IntPtr socket, int command) => CommandsOf(socket)?.TryUnregister((DataCommandId)command) ?? false;
+    public static bool Unregister(IntPtr socket, int command) => FunctionGuard.Call(
+        (socket, command),
+        static what => CommandsOf(what.socket)?.TryUnregister((DataCommandId)what.command) ?? false,
+        failure: false,
+        "BRUnregisterAutoSyncParmeter");
 
-    public static bool ZeroOut(IntPtr socket, int avatar) => TryTell(socket, client => client.ZeroOutAsync(avatar));
+    public static bool ZeroOut(IntPtr socket, int avatar) => TryTell(socket, client => client.ZeroOutAsync(avatar), nameof(ZeroOut));
 
-    public static bool ZeroOutAll(IntPtr socket) => TryTell(socket, static client => client.ZeroOutAllAsync());
+    public static bool ZeroOutAll(IntPtr socket) => TryTell(socket, static client => client.ZeroOutAllAsync(), nameof(ZeroOutAll));
 
     public static bool TryGetRotationOrder(IntPtr socket, out RotationOrder order) =>
-        TryAsk(socket, static client => client.GetRotationOrderAsync(), out order);
+        TryAsk(socket, static client => client.GetRotationOrderAsync(), out order, "GetBvhRotation");
 
     public static bool TryGetBoneDimensions(IntPtr socket, int avatar, out BoneDimensions dimensions) =>
-        TryAsk(socket, client => client.GetBoneDimensionsAsync(avatar), out dimensions);
+        TryAsk(socket, client => client.GetBoneDimensionsAsync(avatar), out dimensions, "GetBoneSize");
 
     public static bool TryGetBvhHeader(IntPtr socket, int avatar, [NotNullWhen(true)] out string? text) =>
-        TryAsk(socket, client => client.GetBvhHeaderTextAsync(avatar), out text);
+        TryAsk(socket, client => client.GetBvhHeaderTextAsync(avatar), out text, "GetBvhHeader");
 
     // As C text, with the zero byte at its end.
     public static bool TryGetBvhHeader(IntPtr socket, int avatar, [NotNullWhen(true)] out byte[]? bytes)
     {
-        bytes = TryGetBvhHeader(socket, avatar, out string? text) ? Encoding.UTF8.GetBytes(text + '\0') : null;
+        bytes = TryGetBvhHeader(socket, avatar, out string? text)
+            ? FunctionGuard.Call(text, static text => Encoding.UTF8.GetBytes(text + '\0'), failure: null, "GetBvhHeader")
+            : null;
         return bytes is not null;
     }
 
-    private static bool TryTell(IntPtr socket, Func<NeuronCommandClient, Task> tell) =>
-        SocketTable.Find(socket) is CommandSocket command && command.TryCall(tell);
+    private static bool TryTell(IntPtr socket, Func<NeuronCommandClient, Task> tell, string name) => FunctionGuard.Call(
+        (socket, tell),
+        static what => SocketTable.Find(what.socket) is CommandSocket command && command.TryCall(what.tell),
+        failure: false,
+        name);
 
-    private static bool TryAsk<T>(IntPtr socket, Func<NeuronCommandClient, Task<T>> ask, out T? answer)
+    private static bool TryAsk<T>(IntPtr socket, Func<NeuronCommandClient, Task<T>> ask, out T? answer, string name)
     {
         Task<T>? answered = null;
-        bool told = SocketTable.Find(socket) is CommandSocket command && command.TryCall(client => answered = ask(client));
+        bool told = TryTell(socket, client => answered = ask(client), name);
         answer = told ? answered!.Result : default;
         return told;
     }

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using NeuronMocap.Compatibility.Callbacks;
 using NeuronMocap.Compatibility.Sockets;
 using ManagedReader = NeuronDataReaderManaged.NeuronDataReader;
 using WrappedReader = NeuronDataReaderWraper.NeuronDataReader;
@@ -29,9 +30,15 @@ public static class VendorSession
         ManagedReader.BRRegisterCommandDataCallback(IntPtr.Zero, null);
 
         // Each on a thread of its own, which no busy pool can delay: closing waits for the connection's callback.
-        Thread[] closing = [.. SocketTable.GetAll().Select(static socket => new Thread(socket.Dispose) { IsBackground = true, Name = "NeuronMocap close" })];
-        Array.ForEach(closing, static thread => thread.Start());
         var watch = Stopwatch.StartNew();
-        return Array.TrueForAll(closing, thread => thread.Join(timeout > watch.Elapsed ? timeout - watch.Elapsed : TimeSpan.Zero));
+        Thread[] closing = [.. SocketTable.GetAll().Select(socket => new Thread(() => Close(socket, timeout)) { IsBackground = true, Name = "NeuronMocap close" })];
+        Array.ForEach(closing, static thread => thread.Start());
+        bool areClosed = Array.TrueForAll(closing, thread => thread.Join(Rest()));
+        return CallbackGate.WaitUntilClosedAreIdle(Rest()) && areClosed;
+
+        TimeSpan Rest() => timeout > watch.Elapsed ? timeout - watch.Elapsed : TimeSpan.Zero;
     }
+
+    private static void Close(VendorSocket socket, TimeSpan timeout) => FunctionGuard.Call(
+        (socket, timeout), static what => what.socket.Close(what.timeout), failure: false, nameof(End));
 }

@@ -23,6 +23,7 @@ internal static class ReaderSettings
         ["SharePort"] = static (options, text) => options.SharePort = Switch(text),
         [AllowedSenders] = static (options, text) => options.AllowedSenders = [.. options.AllowedSenders, .. Addresses(text)],
         ["ConnectTimeout"] = static (options, text) => options.ConnectTimeout = Time(text),
+        ["ReceiveThread"] = static (options, text) => options.ReceiveThread = Word<ReceiveThread>(text),
         ["SilenceTimeout"] = static (options, text) => options.SilenceTimeout = Time(text),
         ["Reconnect:Enabled"] = static (options, text) => options.Reconnect.Enabled = Switch(text),
         ["Reconnect:InitialDelay"] = static (options, text) => options.Reconnect.InitialDelay = Time(text),
@@ -30,6 +31,7 @@ internal static class ReaderSettings
         ["RotationOrder"] = static (options, text) => options.RotationOrder = Word<RotationOrder>(text),
         ["SkeletonVariant"] = static (options, text) => options.SkeletonVariant = Word<SkeletonVariant>(text),
         ["CommandPort"] = static (options, text) => options.CommandPort = Number(text),
+        ["CalculationPort"] = static (options, text) => options.CalculationPort = Number(text),
         ["MaxValues"] = static (options, text) => options.MaxValues = Number(text),
     };
 

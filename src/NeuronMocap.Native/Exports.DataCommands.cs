@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using NeuronMocap.Compatibility;
+using NeuronMocap.Native.Host;
 
 namespace NeuronMocap.Native;
 
@@ -8,18 +9,22 @@ namespace NeuronMocap.Native;
 internal static unsafe partial class Exports
 {
     [UnmanagedCallersOnly(EntryPoint = nameof(BRRegisterCommandDataCallback), CallConvs = [typeof(CallConvCdecl)])]
-    public static void BRRegisterCommandDataCallback(IntPtr customedObj, IntPtr handle) => Callbacks.SetCommand(customedObj, handle);
+    public static void BRRegisterCommandDataCallback(IntPtr customedObj, IntPtr handle) => ExportGuard.Run(
+        (customedObj, handle), static what => Library.Callbacks.SetCommand(what.customedObj, what.handle));
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRCommandFetchDataFromServer), CallConvs = [typeof(CallConvCdecl)])]
-    public static int BRCommandFetchDataFromServer(IntPtr sockRef, int cmdId) => IntOf(VendorFunctions.Fetch(sockRef, cmdId, avatar: 0));
+    public static int BRCommandFetchDataFromServer(IntPtr sockRef, int cmdId) => ExportGuard.Call(
+        (sockRef, cmdId), static what => IntOf(VendorFunctions.Fetch(what.sockRef, what.cmdId, avatar: 0)), failure: 0);
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRCommandFetchAvatarDataFromServer), CallConvs = [typeof(CallConvCdecl)])]
-    public static int BRCommandFetchAvatarDataFromServer(IntPtr sockRef, int avatarIndex, int cmdId) =>
-        IntOf(VendorFunctions.Fetch(sockRef, cmdId, avatarIndex));
+    public static int BRCommandFetchAvatarDataFromServer(IntPtr sockRef, int avatarIndex, int cmdId) => ExportGuard.Call(
+        (sockRef, avatarIndex, cmdId), static what => IntOf(VendorFunctions.Fetch(what.sockRef, what.cmdId, what.avatarIndex)), failure: 0);
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRRegisterAutoSyncParmeter), CallConvs = [typeof(CallConvCdecl)])]
-    public static int BRRegisterAutoSyncParmeter(IntPtr sockRef, int cmdId) => IntOf(VendorFunctions.Register(sockRef, cmdId));
+    public static int BRRegisterAutoSyncParmeter(IntPtr sockRef, int cmdId) => ExportGuard.Call(
+        (sockRef, cmdId), static what => IntOf(VendorFunctions.Register(what.sockRef, what.cmdId)), failure: 0);
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRUnregisterAutoSyncParmeter), CallConvs = [typeof(CallConvCdecl)])]
-    public static int BRUnregisterAutoSyncParmeter(IntPtr sockRef, int cmdId) => IntOf(VendorFunctions.Unregister(sockRef, cmdId));
+    public static int BRUnregisterAutoSyncParmeter(IntPtr sockRef, int cmdId) => ExportGuard.Call(
+        (sockRef, cmdId), static what => IntOf(VendorFunctions.Unregister(what.sockRef, what.cmdId)), failure: 0);
 }

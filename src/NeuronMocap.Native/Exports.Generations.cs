@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using NeuronMocap.Compatibility;
+using NeuronMocap.Native.Host;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Native;
@@ -10,11 +11,11 @@ internal static unsafe partial class Exports
 {
     // The numbers of BRHeaderLayout are those of HeaderLayout.
     [UnmanagedCallersOnly(EntryPoint = nameof(BRSetHeaderLayout), CallConvs = [typeof(CallConvCdecl)])]
-    public static void BRSetHeaderLayout(int layout)
+    public static void BRSetHeaderLayout(int layout) => ExportGuard.Run(layout, static layout =>
     {
         if (layout is (int)HeaderLayout.New or (int)HeaderLayout.Old)
-            Callbacks.FrameHeaders = (HeaderLayout)layout;
+            Library.Callbacks.FrameHeaders = (HeaderLayout)layout;
         else
             LastError.Set($"There is no header layout {layout}.");
-    }
+    });
 }

@@ -5,66 +5,47 @@ using NeuronMocap.Native.Host;
 
 namespace NeuronMocap.Native;
 
-// What the library exports: manual section 2.3. Only converts; VendorFunctions does the work, as for the C# functions. None throws: an exception
-// that left one would end the process. What opens and closes sockets is caught here, as there memory and threads may run out.
+// What the library exports: manual section 2.3. Only converts; VendorFunctions does the work, as for the C# functions. None throws: all of each one is
+// behind its guard.
 internal static unsafe partial class Exports
 {
-    private static readonly NativeCallbacks Callbacks = new();
-    private static readonly VendorFunctions Functions = new(Callbacks);
-
-    static Exports()
-    {
-        Entry.SetHandlers();
-        // Nobody asked for text in the program's standard error.
-        CompatibilityEvents.CallbackFailed += static _ => { };
-    }
+    private const int OffWork = 2;
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRRegisterFrameDataCallback), CallConvs = [typeof(CallConvCdecl)])]
-    public static void BRRegisterFrameDataCallback(IntPtr customedObj, IntPtr handle) => Callbacks.SetFrame(customedObj, handle);
+    public static void BRRegisterFrameDataCallback(IntPtr customedObj, IntPtr handle) => ExportGuard.Run(
+        (customedObj, handle), static what => Library.Callbacks.SetFrame(what.customedObj, what.handle));
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRRegisterCalculationDataCallback), CallConvs = [typeof(CallConvCdecl)])]
-    public static void BRRegisterCalculationDataCallback(IntPtr customedObj, IntPtr handle) => Callbacks.SetCalculation(customedObj, handle);
+    public static void BRRegisterCalculationDataCallback(IntPtr customedObj, IntPtr handle) => ExportGuard.Run(
+        (customedObj, handle), static what => Library.Callbacks.SetCalculation(what.customedObj, what.handle));
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRRegisterSocketStatusCallback), CallConvs = [typeof(CallConvCdecl)])]
-    public static void BRRegisterSocketStatusCallback(IntPtr customedObj, IntPtr handle) => Callbacks.SetStatus(customedObj, handle);
+    public static void BRRegisterSocketStatusCallback(IntPtr customedObj, IntPtr handle) => ExportGuard.Run(
+        (customedObj, handle), static what => Library.Callbacks.SetStatus(what.customedObj, what.handle));
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRConnectTo), CallConvs = [typeof(CallConvCdecl)])]
-    public static IntPtr BRConnectTo(IntPtr serverIP, int nPort) => Open(() => Functions.Connect(TextOf(serverIP), nPort));
+    public static IntPtr BRConnectTo(IntPtr serverIP, int nPort) => ExportGuard.Call(
+        (serverIP, nPort), static to => Library.Functions.Connect(TextOf(to.serverIP), to.nPort), IntPtr.Zero);
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRStartUDPServiceAt), CallConvs = [typeof(CallConvCdecl)])]
-    public static IntPtr BRStartUDPServiceAt(int nPort) => Open(() => Functions.StartUdpService(nPort));
+    public static IntPtr BRStartUDPServiceAt(int nPort) => ExportGuard.Call(nPort, static port => Library.Functions.StartUdpService(port), IntPtr.Zero);
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRCloseSocket), CallConvs = [typeof(CallConvCdecl)])]
-    public static void BRCloseSocket(IntPtr sockRef)
-    {
-        try
-        {
-            VendorFunctions.Close(sockRef);
-        }
-        catch (Exception exception)
-        {
-            LastError.Set(exception.Message);
-        }
-    }
+    public static void BRCloseSocket(IntPtr sockRef) => ExportGuard.Run(sockRef, static socket => VendorFunctions.Close(socket));
 
     [UnmanagedCallersOnly(EntryPoint = nameof(BRGetSocketStatus), CallConvs = [typeof(CallConvCdecl)])]
-    public static int BRGetSocketStatus(IntPtr sockRef) => (int)VendorFunctions.GetStatus(sockRef);
+    public static int BRGetSocketStatus(IntPtr sockRef) => ExportGuard.Call(sockRef, static socket => (int)VendorFunctions.GetStatus(socket), OffWork);
 
+    // The first function that entry.c calls: it makes what all of them share.
     [UnmanagedCallersOnly(EntryPoint = nameof(BRGetLastErrorMessage), CallConvs = [typeof(CallConvCdecl)])]
-    public static IntPtr BRGetLastErrorMessage() => LastError.Pointer;
-
-    private static IntPtr Open(Func<IntPtr> open)
-    {
-        try
+    public static IntPtr BRGetLastErrorMessage() => ExportGuard.Call(
+        0,
+        static nothing =>
         {
-            return open();
-        }
-        catch (Exception exception)
-        {
-            LastError.Set(exception.Message);
-            return IntPtr.Zero;
-        }
-    }
+            _ = Library.Functions;
+            return LastError.Pointer;
+        },
+        ExportGuard.NoMemory);
 
     private static string TextOf(IntPtr text) => Marshal.PtrToStringUTF8(text) ?? string.Empty;
 }

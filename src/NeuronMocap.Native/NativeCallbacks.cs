@@ -1,6 +1,5 @@
 using System.Text;
 using NeuronMocap.Compatibility.Callbacks;
-using NeuronMocap.Native.Host;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Native;
@@ -60,22 +59,10 @@ internal sealed unsafe class NativeCallbacks : IVendorCallbacks
         public static Registration? Of(IntPtr customObject, IntPtr function) =>
             function == IntPtr.Zero ? null : new Registration(customObject, function);
 
-        public void Call(IntPtr socket, IntPtr header, IntPtr data)
-        {
-            if (!CallbackGate.TryEnter())
-                return;
-
+        public void Call(IntPtr socket, IntPtr header, IntPtr data) =>
             ((delegate* unmanaged[Stdcall]<IntPtr, IntPtr, IntPtr, IntPtr, void>)function)(customObject, socket, header, data);
-            CallbackGate.Leave();
-        }
 
-        public void Call(IntPtr socket, int status, byte* message)
-        {
-            if (!CallbackGate.TryEnter())
-                return;
-
+        public void Call(IntPtr socket, int status, byte* message) =>
             ((delegate* unmanaged[Stdcall]<IntPtr, IntPtr, int, byte*, void>)function)(customObject, socket, status, message);
-            CallbackGate.Leave();
-        }
     }
 }

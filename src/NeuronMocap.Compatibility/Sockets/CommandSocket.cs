@@ -13,6 +13,7 @@ internal sealed class CommandSocket : VendorSocket
     private readonly object _owner;
     private readonly string _target;
     private readonly NeuronCommandClient? _client;
+    private volatile Task _released = Task.CompletedTask;
 
     public CommandSocket(object owner, string host, int port)
     {
@@ -34,7 +35,7 @@ internal sealed class CommandSocket : VendorSocket
 
     public override SocketState State => _client?.IsLeft == true ? SocketState.OffWork : base.State;
 
-    // False for everything that is no right answer. Blocks on the client's own task: one that goes on after it would need a thread of the pool.
+    // False for everything that is no right answer. What cannot be one leaves a last error, a server that refuses or does not answer leaves none. Blocks on the client's own task: one that goes on after it would need a thread of the pool.
     public bool TryCall(Func<NeuronCommandClient, Task> call)
     {
         if (_client is null || IsClosed)
@@ -51,10 +52,12 @@ internal sealed class CommandSocket : VendorSocket
             // The client connects again when it is asked the next time.
             if (exception.Reason is CommandFailure.Closed or CommandFailure.Refused or CommandFailure.NotConnected or CommandFailure.HostNotFound)
                 SetOver();
+            else if (exception.Reason is CommandFailure.InvalidReply)
+                LastError.Set(exception.Message);
         }
-        catch (Exception exception) when (exception is ObjectDisposedException or ArgumentOutOfRangeException or OutOfMemoryException)
+        catch (Exception exception) when (exception is ObjectDisposedException or ArgumentOutOfRangeException)
         {
-            // Closed meanwhile, an avatar that cannot be, or no thread left.
+            // Closed meanwhile, or an avatar that cannot be.
         }
 
         return false;
@@ -74,7 +77,10 @@ internal sealed class CommandSocket : VendorSocket
         return false;
     }
 
-    protected override void Release() => _client?.Dispose();
+    // Its thread may be waiting for an answer about a name, which cannot be cut short.
+    protected override void BeginRelease() => _released = _client?.DisposeAsync().AsTask() ?? Task.CompletedTask;
+
+    protected override void WaitUntilReleased() => _released.Wait(Patience);
 
     private int? Connect()
     {

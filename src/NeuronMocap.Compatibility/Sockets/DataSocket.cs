@@ -17,12 +17,12 @@ internal abstract class DataSocket : VendorSocket
     protected DataSocket(IVendorCallbacks callbacks, NeuronReaderOptions options)
     {
         Callbacks = callbacks;
-        _delivery = new PacketDelivery(callbacks);
+        _delivery = new PacketDelivery(callbacks, Gate);
         options.Reconnect.Enabled = false;
         options.ConnectTimeout = OpenTimeout;
         try
         {
-            _reader = new NeuronReader(options);
+            _reader = new NeuronReader(options) { StartsOnPool = true };
         }
         catch (ArgumentException)
         {
@@ -30,7 +30,11 @@ internal abstract class DataSocket : VendorSocket
             return;
         }
 
-        _reader.CallbackFailed += CompatibilityEvents.Report;
+        _reader.CallbackFailed += exception =>
+        {
+            if (!_delivery.HasReported(exception))
+                CompatibilityEvents.Report(exception);
+        };
         _reader.StatusChanged += OnReaderStatus;
         _reader.MotionReceived += frame =>
         {
@@ -72,7 +76,9 @@ internal abstract class DataSocket : VendorSocket
             : ConnectionReason.TimedOut);
     }
 
-    protected override void Release() => _reader?.Dispose();
+    protected override void BeginRelease() => _reader?.Stop();
+
+    protected override void WaitUntilReleased() => _reader?.Dispose();
 
     // The connection stood, and ended without being closed here. On a thread of the reader, after its last frame.
     protected abstract void OnEnded(ConnectionReason reason);

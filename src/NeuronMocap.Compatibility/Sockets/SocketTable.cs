@@ -12,12 +12,12 @@ internal static class SocketTable
     // The handle of the socket, or of one that already is what it shall become, or zero.
     public static IntPtr Open(VendorSocket socket)
     {
-        if (FindSame(socket) is { } other)
-            return other.WaitUntilOpen() ? other.Handle : IntPtr.Zero;
-
         bool isOpen = false;
         try
         {
+            if (FindSame(socket) is { } other)
+                return other.WaitUntilOpen() ? other.Handle : IntPtr.Zero;
+
             isOpen = socket.Open();
             return isOpen ? socket.Handle : IntPtr.Zero;
         }

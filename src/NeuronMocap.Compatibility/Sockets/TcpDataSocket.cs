@@ -40,7 +40,7 @@ internal sealed class TcpDataSocket(IVendorCallbacks callbacks, string host, int
         return true;
     }
 
-    protected override void OnClosed() => Invoke(SocketState.OffWork, Stopped);
+    protected override void OnClosed() => Invoke(SocketState.OffWork, Stopped, isEnd: true);
 
     protected override void OnEnded(ConnectionReason reason)
     {
@@ -55,14 +55,16 @@ internal sealed class TcpDataSocket(IVendorCallbacks callbacks, string host, int
     }
 
     // What happens behind the back of whoever has closed the connection is not told.
-    private void Tell(SocketState status, string message)
-    {
-        if (!IsClosed)
-            Invoke(status, message);
-    }
+    private void Tell(SocketState status, string message) => Invoke(status, message, isEnd: false);
 
-    private void Invoke(SocketState status, string message)
+    private void Invoke(SocketState status, string message, bool isEnd)
     {
+        if (!Gate.TryBeginTelling(isEnd))
+            return;
+
+        if (isEnd)
+            SetToldEnd();
+
         try
         {
             Callbacks.OnStatus(Handle, status, message);
@@ -70,6 +72,10 @@ internal sealed class TcpDataSocket(IVendorCallbacks callbacks, string host, int
         catch (Exception exception)
         {
             CompatibilityEvents.Report(exception);
+        }
+        finally
+        {
+            Gate.EndTelling();
         }
     }
 }

@@ -5,11 +5,15 @@ namespace NeuronMocap.Compatibility.Sockets;
 // What a handle stands for. Open is called once, by the thread that asked for the handle; Dispose, which closes it, by anyone at any time.
 internal abstract class VendorSocket : IDisposable
 {
+    // How long closing waits for a callback that runs, about as long as the vendor's libraries. It may wait for the thread that closes.
+    public static readonly TimeSpan Patience = TimeSpan.FromMilliseconds(75);
+
     // How many this thread is opening: a callback of one may ask for another.
     [ThreadStatic]
     private static int _opening;
 
     private readonly ManualResetEventSlim _opened = new();
+    private readonly ManualResetEventSlim _toldEnd = new();
     private volatile bool _isOpen;
     private volatile bool _isOver;
     private int _isClosed;
@@ -23,6 +27,9 @@ internal abstract class VendorSocket : IDisposable
         (_, true) => SocketState.Running,
         _ => SocketState.Starting,
     };
+
+    // Whatever the program's callbacks are called through.
+    protected CallbackGate Gate { get; } = new();
 
     protected bool IsClosed => Volatile.Read(ref _isClosed) != 0;
 
@@ -59,32 +66,66 @@ internal abstract class VendorSocket : IDisposable
         return State != SocketState.OffWork;
     }
 
-    public void Dispose()
+    public void Dispose() => Close(Patience);
+
+    // False where a callback still runs that is waited for no longer. None begins after this, whoever closes how often: one thread tells the end, and
+    // the others wait for that, too.
+    public bool Close(TimeSpan patience)
     {
         bool isFirst = Interlocked.Exchange(ref _isClosed, 1) == 0;
-        _opened.Set();
-        Release();
-        SocketTable.Remove(this);
-        if (isFirst)
-            OnClosed();
+        try
+        {
+            Gate.Close();
+            _opened.Set();
+            BeginRelease();
+            bool isIdle = Gate.WaitUntilIdle(patience);
+            if (isIdle)
+                WaitUntilReleased();
+
+            SocketTable.Remove(this);
+            if (isFirst)
+            {
+                OnClosed();
+            }
+            else
+            {
+                _toldEnd.Wait();
+                Gate.WaitUntilTold(patience);
+            }
+
+            return isIdle;
+        }
+        finally
+        {
+            if (isFirst)
+                _toldEnd.Set();
+        }
     }
 
-    // A dead one that is replaced has ended already, and nobody closes it.
+    // One that nobody has a handle of, or that is replaced: it has ended already, and nobody closes it.
     public void Abandon()
     {
         Volatile.Write(ref _isClosed, 1);
-        Release();
+        Gate.Close();
+        _toldEnd.Set();
+        BeginRelease();
     }
 
     // Whether it stands.
     protected abstract bool TryOpen();
 
-    // Ends everything, and returns when no callback runs any more, as far as that can be waited for.
-    protected abstract void Release();
+    // Ends everything, as far as that can be done without waiting.
+    protected abstract void BeginRelease();
+
+    // No callback runs. Returns when nothing else does, or when that takes very long.
+    protected abstract void WaitUntilReleased();
 
     protected virtual void OnClosed()
     {
     }
+
+    // The end is being told: it has come before whoever else closes returns.
+    protected void SetToldEnd() => _toldEnd.Set();
 
     protected void SetOpen()
     {

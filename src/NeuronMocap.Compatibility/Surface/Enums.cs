@@ -46,7 +46,7 @@ public enum CmdId
     /// <summary>The C# wrapper's name of number 8, by which the C library ends what <see cref="Cmd_RegisterEvent"/> began.</summary>
     Cmd_SetAvatarName,
 
-    /// <summary>Command channel: turns one avatar to the front and back to the origin.</summary>
+    /// <summary>Command channel: zeroes out one avatar. What that changes, the direction, the position or both, is not documented.</summary>
     Cmd_ZeroOutPosition = 1001,
 
     /// <summary>Command channel: as <see cref="Cmd_ZeroOutPosition"/>, for all avatars.</summary>

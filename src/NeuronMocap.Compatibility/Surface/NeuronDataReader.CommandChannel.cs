@@ -7,8 +7,8 @@ namespace NeuronDataReaderWraper;
 
 /// <content>
 /// The command channel of b17 and b18, a TCP connection of its own (manual sections 2.3.9 to 2.3.14, protocol.md section 6). The vendor's C# wrappers
-/// lack it; names and parameters are those of the C functions. A call takes 3 s at most once it has a connection, is false for everything
-/// that is no right answer, and leaves the last error alone.
+/// lack it; names and parameters are those of the C functions. A call takes 3 s at most once it has a connection. It is false for everything
+/// that is no right answer, sets the last error where something came that cannot be an answer, and otherwise leaves it alone.
 /// </content>
 public partial class NeuronDataReader
 {
@@ -21,13 +21,13 @@ public partial class NeuronDataReader
     /// </returns>
     public static IntPtr BRConnectCmd(string serverIP, int nPort) => Functions.ConnectCommands(serverIP, nPort);
 
-    /// <summary>Turns an avatar to face front (manual section 2.3.10).</summary>
+    /// <summary>Asks the server to zero out an avatar (manual section 2.3.10). What that changes, the direction, the position or both, is not documented.</summary>
     /// <param name="sockRef">A command connection.</param>
     /// <param name="avatarIndex">Number of the avatar, from 0.</param>
     /// <returns>Whether the server said that it did.</returns>
     public static bool ZeroOut(IntPtr sockRef, int avatarIndex) => VendorFunctions.ZeroOut(sockRef, avatarIndex);
 
-    /// <summary>Turns all avatars to face front (manual section 2.3.11).</summary>
+    /// <summary>Asks the server to zero out all avatars (manual section 2.3.11), as <see cref="ZeroOut"/> does for one.</summary>
     /// <param name="sockRef">A command connection.</param>
     /// <returns>Whether the server said that it did.</returns>
     public static bool ZeroOutAll(IntPtr sockRef) => VendorFunctions.ZeroOutAll(sockRef);

@@ -3,7 +3,7 @@ using NeuronMocap.Compatibility;
 namespace NeuronDataReaderWraper;
 
 /// <summary>
-/// The functions of the vendor's C# wrappers of all generations, on top of NeuronMocap; docs/compatibility.md lists what behaves otherwise
+/// The functions of the vendor's C# wrappers of b10 to b15 and of the Unity integration, on top of NeuronMocap; docs/compatibility.md lists what behaves otherwise
 /// than in the vendor's library. All functions may be called from any thread, callbacks included, and none throws.
 /// <para>
 /// There is one callback of each kind. It may be registered, replaced and, with null, unregistered at any time, from the next call on.
@@ -66,8 +66,9 @@ public partial class NeuronDataReader
     public static SocketStatus BRGetSocketStatus(IntPtr sockRef) => (SocketStatus)VendorFunctions.GetStatus(sockRef);
 
     /// <summary>
-    /// Closes a connection or service (manual section 2.3.6). When it returns, no callback for it runs and none will, unless it was called
-    /// from that callback or the callback is still busy after 2 s. Zero, and closing again, do nothing.
+    /// Closes a connection or service (manual section 2.3.6). Once it has returned, no callback for it begins. It waits 75 ms at most for one
+    /// that runs, which may wait for the thread that closes; the memory that it was given stays valid until it ends. Zero, and closing again,
+    /// do nothing.
     /// </summary>
     /// <param name="sockRef">A handle.</param>
     public static void BRCloseSocket(IntPtr sockRef) => VendorFunctions.Close(sockRef);

@@ -1,5 +1,6 @@
 using System.Runtime.InteropServices;
 using NeuronMocap.Compatibility;
+using NeuronMocap.Compatibility.Callbacks;
 
 namespace NeuronMocap.Native.Host;
 
@@ -7,6 +8,9 @@ namespace NeuronMocap.Native.Host;
 internal static unsafe partial class Entry
 {
     private const int NoThreads = 11;
+
+    // A callback may wait for the very thread that ends the process.
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
 
     public static void SetHandlers()
     {
@@ -16,10 +20,10 @@ internal static unsafe partial class Entry
 
     // On the thread that ends the process, perhaps in a callback.
     [UnmanagedCallersOnly]
-    private static void OnExit() => CallbackGate.Close();
+    private static void OnExit() => ExportGuard.Run(Patience, static patience => CallbackGate.EndProcess(patience));
 
     [UnmanagedCallersOnly]
-    private static void OnRefusal() => LastError.Set("Failed to start the threads of a connection.", NoThreads);
+    private static void OnRefusal() => ExportGuard.Run(NoThreads, static error => LastError.Set("Failed to start the threads of a connection.", error));
 
     [LibraryImport("entry", EntryPoint = "NeuronMocapSetHandlers")]
     private static partial void SetHandlers(delegate* unmanaged<void> onExit, delegate* unmanaged<void> onRefusal);

@@ -47,9 +47,9 @@ static void start(void)
         return;
     }
 
-    /* Any managed function makes them set the handlers. */
+    /* Makes what all functions share, and sets the handlers, unless there is no memory for that. */
     managed_BRGetLastErrorMessage();
-    state = RUNNING;
+    state = exit_handler != NULL ? RUNNING : FAILED;
 }
 
 /* The runtime hands over what starts it when the library is loaded. The first managed function to be entered calls that, and aborts if it fails;
@@ -164,6 +164,7 @@ FUNCTION(int, 0, ZeroOut, (void *socket, int avatar), (socket, avatar))
 FUNCTION(int, 0, ZeroOutAll, (void *socket), (socket))
 FUNCTION(int, 0, GetBvhRotation, (void *socket, int *order), (socket, order))
 FUNCTION(int, 0, GetBoneSize, (void *socket, int avatar, void *sizes), (socket, avatar, sizes))
+FUNCTION(int, 0, BRGetBoneSize, (void *socket, int avatar, void *sizes), (socket, avatar, sizes))
 FUNCTION(int, 0, GetBvhHeader, (void *socket, int avatar, char *data, int length), (socket, avatar, data, length))
 FUNCTION(int, 0, BRCommandFetchDataFromServer, (void *socket, int command), (socket, command))
 FUNCTION(int, 0, BRCommandFetchAvatarDataFromServer, (void *socket, int avatar, int command), (socket, avatar, command))

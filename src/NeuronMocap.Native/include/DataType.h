@@ -11,6 +11,10 @@
 
 #include <stdint.h>
 
+#ifndef __cplusplus
+#include <stdbool.h>
+#endif
+
 #if defined(NEURONDATAREADER_B10) && !defined(NEURONDATAREADER_B12)
 #define NEURONDATAREADER_B12
 #endif
@@ -23,6 +27,40 @@
 
 /** Bytes of data in a CommandPack of b17 and b18. */
 #define MAX_PACKETSIZE 100000
+
+/* Functions are cdecl and callbacks stdcall on Windows. Elsewhere there is one convention, and programs for the vendor's headers define __OS_XUN__. */
+#ifndef CALLBACK
+#ifdef _WIN32
+#define CALLBACK __stdcall
+#else
+#define CALLBACK
+#endif
+#endif
+#if defined(__OS_XUN__) && !defined(_WIN32) && !defined(__stdcall)
+#define __stdcall
+#endif
+
+/* What programs take from the vendor's headers, where nothing else brings it. windows.h and Objective-C have types of these names, and a program may have
+   its own: the structs and functions here need none. NEURONDATAREADER_NO_BOOL leaves them all out. */
+#ifndef NEURONDATAREADER_NO_BOOL
+#ifndef TRUE
+#define TRUE 1
+#endif
+#ifndef FALSE
+#define FALSE 0
+#endif
+#ifndef NBOOL
+#define NBOOL int
+#endif
+#if defined(NEURONDATAREADER_B12) && !defined(_WINDEF_) && !defined(_MINWINDEF_) && !defined(__OBJC__)
+#ifndef BOOL
+typedef int BOOL;
+#endif
+#ifndef UCHAR
+typedef unsigned char UCHAR;
+#endif
+#endif
+#endif
 
 /* Anonymous structs are of C11; the vendor's types need one in C99 and C++. */
 #if defined(__GNUC__)
@@ -74,8 +112,8 @@ typedef enum _SensorCombinationModes {
 #ifndef NEURONDATAREADER_B12
 
 /** Commands of the command channel, b17 and b18: ZeroOut and the functions below it send them. */
-typedef enum _CmdId {
-    Cmd_ZeroOutPosition = 1001,  /**< Puts an avatar back to the origin, facing forward. */
+typedef enum _CommandIdentity {
+    Cmd_ZeroOutPosition = 1001,  /**< Zeroes out an avatar; see ZeroOut. */
     Cmd_ZeroOutAllAvatar = 1002, /**< The same for all avatars. */
     Cmd_BvhRotation = 1003,      /**< Rotation order of the BVH data. */
     Cmd_BoneSize = 1004,         /**< Dimensions of an avatar's body. */
@@ -85,7 +123,7 @@ typedef enum _CmdId {
 #else
 
 /** Commands on the data connection, b11 and b12. What their answers hold is told at CommandDataReceived. */
-typedef enum _CmdId {
+typedef enum _CommandIdentity {
     Cmd_BoneSize,          /**< Lengths of an avatar's bones. */
     Cmd_AvatarName,        /**< Name of an avatar. */
     Cmd_FaceDirection,     /**< Direction that an avatar faces. */
@@ -96,12 +134,6 @@ typedef enum _CmdId {
     Cmd_RegisterEvent,     /**< What BRRegisterAutoSyncParmeter sends. */
     Cmd_UnRegisterEvent    /**< What BRUnregisterAutoSyncParmeter sends. */
 } CmdId;
-
-/* What programs of that time take from here. windows.h and Objective-C have types of these names; the structs below need none. */
-#if !defined(_WINDEF_) && !defined(_MINWINDEF_) && !defined(__OBJC__) && !defined(NEURONDATAREADER_NO_BOOL)
-typedef int BOOL;
-typedef unsigned char UCHAR;
-#endif
 
 #endif
 
@@ -124,7 +156,7 @@ typedef union DataVersion {
  * Header of a frame of BVH data, b15 to b18; 64 bytes. Frames that came with the header of b12, or as text, have it too: their version is then
  * 1.1.0.0, and FrameIndex is counted by the library, from 0, for each avatar.
  */
-typedef struct BvhDataHeader {
+typedef struct _BvhDataHeader {
     uint16_t Token1;        /**< 0xDDFF. */
     DATA_VER DataVersion;   /**< Version of the data format, 1.1.x.x. */
     uint16_t DataCount;     /**< Number of floats. 59 bones have 354, without displacement 180; with the Reference node 6 more. */
@@ -145,7 +177,7 @@ typedef BvhDataHeader BvhDataHeaderEx;
 #else
 
 /** Header of a frame of BVH data, b10 to b12; 64 bytes. Frames of newer servers are given it too, with the version 1.0.0.2. */
-typedef struct BvhDataHeader {
+typedef struct _BvhDataHeader {
     uint16_t Token1;        /**< 0xDDFF. */
     DATA_VER DataVersion;   /**< Version of the data format, 1.0.x.x. */
     uint32_t DataCount;     /**< Number of floats. 59 bones have 354, without displacement 180; with the Reference node 6 more. */
@@ -159,7 +191,7 @@ typedef struct BvhDataHeader {
 } BvhDataHeader;
 
 /** The same 64 bytes with the names of b11 and b12. */
-typedef struct BvhDataHeaderEx {
+typedef struct _BvhDataHeaderEx {
     uint16_t Token1;        /**< 0xDDFF. */
     DATA_VER DataVersion;   /**< Version of the data format, 1.0.x.x. */
     uint32_t DataCount;     /**< Number of floats. 59 bones have 354, without displacement 180; with the Reference node 6 more. */
@@ -175,7 +207,7 @@ typedef struct BvhDataHeaderEx {
 #endif
 
 /** Header of a frame of calculation data; 64 bytes. The same in all generations that have it. */
-typedef struct CalcDataHeader {
+typedef struct _CalcDataHeader {
     uint16_t Token1;        /**< 0x88FF. */
     DATA_VER DataVersion;   /**< Version of the data format; 1.0.0.3 for what came as text. */
     uint32_t DataCount;     /**< Number of floats: 338 for 21 bones, 946 with both hands. */
@@ -257,6 +289,7 @@ typedef struct _CommandPack {
 
 /* Fails to compile where a compiler's options change the layout that the library has: short enums, other packing, another bool. */
 #define NEURONDATAREADER_ASSERT(name, condition) typedef char NeuronDataReader_##name##_differs[(condition) ? 1 : -1]
+NEURONDATAREADER_ASSERT(bool, sizeof(bool) == 1);
 NEURONDATAREADER_ASSERT(SocketStatus, sizeof(SocketStatus) == 4);
 NEURONDATAREADER_ASSERT(RotateOrders, sizeof(RotateOrders) == 4);
 NEURONDATAREADER_ASSERT(SensorCombinationModes, sizeof(SensorCombinationModes) == 4);
@@ -272,6 +305,21 @@ NEURONDATAREADER_ASSERT(CommandPack, sizeof(CommandPack) == 64);
 #else
 NEURONDATAREADER_ASSERT(CommandPackHeader, sizeof(CommandPackHeader) == 16);
 NEURONDATAREADER_ASSERT(CommandPack, sizeof(CommandPack) == 16 + MAX_PACKETSIZE / 4 * sizeof(long));
+#endif
+
+#ifndef NEURONDATAREADER_B12
+
+/**
+ * A callback that the headers of b17 and b18 declare, and that none of their functions takes: the answers of the command channel come back from the
+ * functions. Programs of b11 and b12 have another of this name, in NeuronDataReader.h.
+ *
+ * @param customedObj An object of the program's.
+ * @param sender      A command connection.
+ * @param pack        A packet.
+ * @return Not known.
+ */
+typedef bool (CALLBACK *CommandDataReceived)(void *customedObj, SOCKET_REF sender, CommandPack *pack);
+
 #endif
 
 #ifdef __cplusplus

@@ -17,23 +17,13 @@
 
 #include "DataType.h"
 
-#ifndef __cplusplus
-#include <stdbool.h>
-#endif
-
-/* Functions are cdecl and callbacks stdcall on Windows. Elsewhere there is one convention. */
+/* DataType.h has the convention of callbacks. */
 #ifdef _WIN32
 #define NEURONDATAREADER_API __declspec(dllimport)
 #define NEURONDATAREADER_CALL __cdecl
-#ifndef CALLBACK
-#define CALLBACK __stdcall
-#endif
 #else
 #define NEURONDATAREADER_API
 #define NEURONDATAREADER_CALL
-#ifndef CALLBACK
-#define CALLBACK
-#endif
 #endif
 
 /** The older name of NEURONDATAREADER_API. */
@@ -44,8 +34,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-NEURONDATAREADER_ASSERT(bool, sizeof(bool) == 1);
 
 /**
  * Called with every frame of BVH data, on the receive thread of its connection or service. The first may come before BRConnectTo has returned.
@@ -136,8 +124,8 @@ NEURONDATAREADER_API SOCKET_REF NEURONDATAREADER_CALL BRConnectTo(const char *se
 NEURONDATAREADER_API SOCKET_REF NEURONDATAREADER_CALL BRStartUDPServiceAt(int nPort);
 
 /**
- * Closes a connection, UDP service or command connection. When it returns, no callback of that connection runs, and none will; unless it was called
- * from that callback, or the callback is still busy after 2 s. NULL, and closing again, do nothing.
+ * Closes a connection, UDP service or command connection. Once it has returned, no callback of that connection begins. One that runs is waited for, for
+ * 75 ms: it may wait for the thread that closes. What it was given stays valid until it ends. NULL, and closing again, do nothing.
  *
  * @param sockRef What to close.
  */
@@ -170,8 +158,9 @@ NEURONDATAREADER_API char *NEURONDATAREADER_CALL BRGetLastErrorMessage(void);
 NEURONDATAREADER_API SOCKET_REF NEURONDATAREADER_CALL BRConnectCmd(const char *serverIP, int nPort);
 
 /**
- * Puts an avatar back to the origin, facing forward. As all commands it returns with the server's answer, or after 3 s with false. After a failure the
- * connection can be used again; it connects again by itself.
+ * Asks the server to zero out an avatar. What that changes, the direction, the position or both, is not documented.
+ *
+ * As all commands it returns with the server's answer, or after 3 s with false. After a failure the connection can be used again; it connects again by itself.
  *
  * @param sockRef     A command connection. For anything else the answer is false, and nothing is sent.
  * @param avatarIndex Number of the avatar, from 0.
@@ -180,7 +169,7 @@ NEURONDATAREADER_API SOCKET_REF NEURONDATAREADER_CALL BRConnectCmd(const char *s
 NEURONDATAREADER_API bool NEURONDATAREADER_CALL ZeroOut(SOCKET_REF sockRef, int avatarIndex);
 
 /**
- * Puts all avatars back to the origin, facing forward.
+ * Asks the server to zero out all avatars; see ZeroOut.
  *
  * @param sockRef A command connection.
  * @return Whether the server has done it.
@@ -205,6 +194,16 @@ NEURONDATAREADER_API bool NEURONDATAREADER_CALL GetBvhRotation(SOCKET_REF sockRe
  * @return Whether the server told them, all of them.
  */
 NEURONDATAREADER_API bool NEURONDATAREADER_CALL GetBoneSize(SOCKET_REF sockRef, int avatarIndex, BoneDimension *dimensions);
+
+/**
+ * GetBoneSize, by the name in the heading of the manual's section 2.3.13.
+ *
+ * @param sockRef     A command connection.
+ * @param avatarIndex Number of the avatar, from 0.
+ * @param dimensions  Set to the dimensions, in metres; to zeros when they were not told. NULL makes the call fail.
+ * @return Whether the server told them, all of them.
+ */
+NEURONDATAREADER_API bool NEURONDATAREADER_CALL BRGetBoneSize(SOCKET_REF sockRef, int avatarIndex, BoneDimension *dimensions);
 
 /**
  * Asks for the BVH header of an avatar: the text up to the motion data, about 10,000 bytes.
