@@ -21,20 +21,17 @@ internal sealed class CommandLine
     public const int BadUsage = 2;
     public const int Interrupted = 130;
 
-    private const string Usage =
-        "Usage: neuron-monitor [--connect HOST[:PORT] | --udp PORT [--allow-sender ADDRESS]... | --demo | --play FILE [--speed N|max] [--rate HZ] [--loop]] [--diagnose [HOST[:PORT]]] [--order YXZ] [--command-port PORT] [--once] [--frames N] "
-        + "[--duration SECONDS] [--json | --quiet] [--export FILE.bvh [--export-avatar N|all]] "
-        + "[--record FILE [--record-compress] [--record-size MB] [--record-time SECONDS] [--record-files N]] [--overwrite]\n"
-        + "       neuron-monitor --commands [HOST[:PORT]] [--demo] [--avatar N] [--bvh-header | --json] [--zero-out N|all]\n"
-        + "       neuron-monitor --info FILE [--json] | --convert IN OUT | --plot FILE OUT.svg [--overwrite] [--avatar N] [--order YXZ] [--rate HZ] "
-        + "[--resample HZ] [--from SECONDS] [--to SECONDS]";
-
+    private const string Name = "neuron-monitor";
     private const double LongestDuration = 1_000_000;
 
-    private static readonly TimeSpan ShortestDiagnosis = TimeSpan.FromSeconds(1);
-    private static readonly TimeSpan LongestDiagnosis = TimeSpan.FromMinutes(5);
-
     private static readonly string[] Orders = Enum.GetNames<RotationOrder>();
+
+    private readonly Argument<SourceAddress?> _source = new("SOURCE")
+    {
+        Description = "What to receive from: HOST, HOST:PORT, tcp://HOST:PORT or udp://:PORT; short for --connect and --udp.",
+        Arity = ArgumentArity.ZeroOrOne,
+        CustomParser = ParseSource,
+    };
 
     private readonly Option<ServerAddress?> _connect = new("--connect")
     {
@@ -59,6 +56,15 @@ internal sealed class CommandLine
         CustomParser = ParseAddresses,
     };
 
+    private readonly Option<IPAddress?> _localAddress = new("--local-address")
+    {
+        HelpName = "ADDRESS",
+        Description = "Of a computer with several networks: connect from this address of it, or receive UDP on it only. Default: over TCP as the system "
+            + "chooses, over UDP all IPv4 addresses.",
+        CustomParser = static result => Parse<IPAddress?>(
+            result, static text => IPAddress.TryParse(text, out IPAddress? address) ? address : null, "an IP address"),
+    };
+
     private readonly Option<bool> _demo = new("--demo")
     {
         Description = "Receive from a simulator inside this program. This is the default.",
@@ -77,7 +83,7 @@ internal sealed class CommandLine
     private readonly Option<RotationOrder?> _order = new("--order")
     {
         HelpName = string.Join('|', Orders),
-        Description = "Order of the rotation values, a setting of the server. Default: what the stream says, which only Axis Studio's does, or the command channel (--command-port), or YXZ. With --convert of a BVH file or an export: the order to write.",
+        Description = "Order of the rotation values, a setting of the server. Default: what the stream says, which only Axis Studio's does, or the command channel (--command-port), or YXZ. With --convert: the order to write; --input-order is that of the stream.",
         CustomParser = result => Parse<RotationOrder?>(
             result,
             text => Array.FindIndex(Orders, name => name.Equals(text, StringComparison.OrdinalIgnoreCase)) is >= 0 and var index
@@ -91,6 +97,15 @@ internal sealed class CommandLine
         HelpName = "PORT",
         Description = "With --connect: ask the server's command channel on this port for the rotation order and the names of the bones, which most "
             + "streams do not say. Usually 8013; --commands shows all that it tells.",
+        CustomParser = result => Parse<int?>(
+            result, text => ServerAddress.TryParsePort(text, out int port) ? port : null, $"a number from 1 to {IPEndPoint.MaxPort}"),
+    };
+
+    private readonly Option<int?> _calculationPort = new("--calculation-port")
+    {
+        HelpName = "PORT",
+        Description = "With --connect or --udp: receive calculation data as well, from this port of the server, over UDP on this port of this computer. "
+            + $"Usually {ProtocolConstants.DefaultCalculationPort}.",
         CustomParser = result => Parse<int?>(
             result, text => ServerAddress.TryParsePort(text, out int port) ? port : null, $"a number from 1 to {IPEndPoint.MaxPort}"),
     };
@@ -152,7 +167,8 @@ internal sealed class CommandLine
 
     private CommandLine()
     {
-        foreach (Option option in (Option[])[_connect, _udp, _allowSender, _demo, _diagnose, _order, _commandPort, _once, _frames, _duration, _json, _quiet, _overwrite])
+        _root.Arguments.Add(_source);
+        foreach (Option option in (Option[])[_connect, _udp, _allowSender, _localAddress, _demo, _diagnose, _order, _commandPort, _calculationPort, _once, _frames, _duration, _json, _quiet, _overwrite])
         {
             if (option == _allowSender)
                 option.Arity = ArgumentArity.OneOrMore;
@@ -177,38 +193,80 @@ internal sealed class CommandLine
     public static async Task<int> RunAsync(IReadOnlyList<string> args, StandardStreams streams, CancellationToken cancellation)
     {
         var commandLine = new CommandLine();
-        ParseResult result = commandLine._root.Parse(args, new ParserConfiguration { ResponseFileTokenReplacer = null });
-        if (result.Errors.Count > 0)
+        ParseResult result;
+        try
         {
-            foreach (ParseError error in result.Errors)
-                await streams.Error.WriteLineAsync($"neuron-monitor: {error.Message}");
-
-            await streams.Error.WriteLineAsync(Usage);
-            return BadUsage;
+            result = commandLine._root.Parse(args, new ParserConfiguration { ResponseFileTokenReplacer = null });
         }
+        catch (Exception exception)
+        {
+            // The parser asks this program's own checks, and whatever they throw is no reason for a stack trace.
+            return await RefuseAsync(UsageFault.WithHelp(Name, $"the options cannot be understood: {exception.Message}"), streams);
+        }
+
+        if (UsageFault.Find(result, Name, commandLine._source) is { } fault)
+            return await RefuseAsync(fault, streams);
 
         int exitCode = Done;
         commandLine._root.SetAction(async _ => exitCode = await RunAsync(commandLine.Read(result), streams, cancellation));
         using var output = new StreamWriter(streams.Output, leaveOpen: true);
-        await result.InvokeAsync(
-            new InvocationConfiguration
-            {
-                Output = output,
-                Error = streams.Error,
-                EnableDefaultExceptionHandler = false,
-                ProcessTerminationTimeout = null,
-            },
-            CancellationToken.None);
-        return exitCode;
+        var invocation = new InvocationConfiguration
+        {
+            Output = output,
+            Error = streams.Error,
+            EnableDefaultExceptionHandler = false,
+            ProcessTerminationTimeout = null,
+        };
+        try
+        {
+            await result.InvokeAsync(invocation, CancellationToken.None);
+            return exitCode;
+        }
+        catch (Exception exception)
+        {
+            // What nobody has thought of. The process ends with a sentence all the same, and the first line of the trace says where to look.
+            string? place = exception.StackTrace?.Split('\n')[0].Trim();
+            await streams.Error.WriteLineAsync(TerminalText.Clean($"{Name}: a fault of this program, please report it: {exception.GetType().Name}: {exception.Message} {place}"));
+            return NothingReceived;
+        }
     }
 
     private static Task<int> RunAsync(MonitorOptions options, StandardStreams streams, CancellationToken cancellation) => options switch
     {
+        _ when options.FindFault() is { } fault => RefuseAsync(UsageFault.WithHelp(Name, fault), streams),
         { Files: { } files } => new FileRun(files, streams).RunAsync(cancellation),
         { Commands: { } commands } => new CommandRun(options, commands, streams).RunAsync(cancellation),
         { Diagnose: true } => new DiagnosisRun(options, streams).RunAsync(cancellation),
         _ => new MonitorRun(options, streams).RunAsync(cancellation),
     };
+
+    private static async Task<int> RefuseAsync(string fault, StandardStreams streams)
+    {
+        await streams.Error.WriteLineAsync($"{Name}: {fault}");
+        return BadUsage;
+    }
+
+    private static SourceAddress? ParseSource(ArgumentResult result)
+    {
+        if (result.Tokens.Count == 0)
+            return null;
+
+        string text = result.Tokens[0].Value;
+        if (File.Exists(text))
+        {
+            result.AddError($"'{text}' is a file: --play {text} shows it, --info {text} says what it holds.");
+            return null;
+        }
+
+        if (!SourceAddress.TryParse(text, out SourceAddress source, out string? error))
+            result.AddError(error);
+        else if (FileKinds.OfName(text) is not null)
+            result.AddError($"'{text}' is the name of a file, and no such file is here. --connect {text} takes it for the name of a computer.");
+        else
+            return source;
+
+        return null;
+    }
 
     private static ServerAddress? ParseServer(ArgumentResult result)
     {
@@ -247,23 +305,28 @@ internal sealed class CommandLine
 
     private void RejectContradictions(CommandResult result)
     {
+        RejectBesideSource(result);
         Option[] sources = [.. ((Option[])[_connect, _udp, _demo]).Where(option => IsGiven(result, option))];
         if (sources.Length > 1)
             result.AddError($"{sources[0].Name} and {sources[1].Name} exclude each other: there is one server.");
         if (IsGiven(result, _diagnose))
             RejectForDiagnosis(result);
-        if (IsGiven(result, _allowSender) && !IsGiven(result, _udp))
+        if (IsGiven(result, _allowSender) && !IsGiven(result, _udp) && SourceOf(result)?.UdpPort is null)
             result.AddError("--allow-sender needs --udp: over TCP the data comes from the server that --connect names.");
-        if (IsGiven(result, _commandPort) && !IsGiven(result, _connect))
+        if (IsGiven(result, _commandPort) && !IsGiven(result, _connect) && SourceOf(result)?.Server is null)
             result.AddError("--command-port needs --connect: it is a port of the server that --connect names.");
-        _play.RejectContradictions(result, _files.IsGiven(result), _connect, _udp, _demo, _diagnose, _once);
+        if (IsGiven(result, _localAddress) && !((Option[])[_connect, _udp, _diagnose]).Any(option => IsGiven(result, option)) && SourceOf(result) is null)
+            result.AddError("--local-address needs --connect, --udp or a source: it is the end of that connection on this computer.");
+        if (IsGiven(result, _calculationPort) && !((Option[])[_connect, _udp, _diagnose]).Any(option => IsGiven(result, option)) && SourceOf(result) is null)
+            result.AddError("--calculation-port needs --connect, --udp or a source: it is another port of the same server.");
+        _play.RejectContradictions(result, _files.IsGiven(result), _connect, _udp, _localAddress, _calculationPort, _demo, _diagnose, _once);
         _files.RejectContradictions(
             result,
-            [.. _play.Own, _connect, _udp, _demo, _allowSender, _diagnose, _commandPort, _once, _frames, _duration, _quiet, .. _commands.Own, .. _export.Own, .. _recording.Own],
+            [.. _play.Own, _connect, _udp, _demo, _allowSender, _localAddress, _diagnose, _commandPort, _calculationPort, _once, _frames, _duration, _quiet, .. _commands.Own, .. _export.Own, .. _recording.Own],
             _order,
             _json);
         if (!_files.IsGiven(result))
-            _commands.RejectContradictions(result, [_play.File, _connect, _udp, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
+            _commands.RejectContradictions(result, [_play.File, _connect, _udp, _localAddress, _calculationPort, _diagnose, _order, _once, _frames, _duration, _quiet], _json);
         _export.RejectContradictions(result, [_diagnose, _commands.Main]);
         _recording.RejectContradictions(result, [_diagnose, _commands.Main], _play.File);
         SameFile.Reject(result, _play.File, _export.File, _recording.Record);
@@ -271,6 +334,20 @@ internal sealed class CommandLine
             result.AddError("--overwrite needs --export, --record, --convert or --plot: there is no other file to replace.");
         if (IsGiven(result, _json) && IsGiven(result, _quiet))
             result.AddError("--json and --quiet exclude each other.");
+    }
+
+    private void RejectBesideSource(CommandResult result)
+    {
+        if (result.GetResult(_source) is not { Tokens: [var source, ..] })
+            return;
+
+        Option[] others = [_connect, _udp, _demo, _play.File, _commands.Main, .. _files.Tasks];
+        if (others.FirstOrDefault(option => IsGiven(result, option)) is { } other)
+            result.AddError($"'{source.Value}' and {other.Name} exclude each other: there is one source.");
+        else if (result.GetResult(_diagnose) is { Tokens.Count: > 0 })
+            result.AddError($"'{source.Value}' and --diagnose HOST exclude each other: there is one server.");
+        else if (IsGiven(result, _localAddress) && SourceOf(result)?.LocalAddress is not null)
+            result.AddError($"'{source.Value}' and --local-address exclude each other: both say where to receive.");
     }
 
     private void RejectForDiagnosis(CommandResult result)
@@ -286,12 +363,13 @@ internal sealed class CommandLine
             if (IsGiven(result, option) && result.GetResult(_diagnose)!.Tokens.Count > 0)
                 result.AddError($"--diagnose HOST and {option.Name} exclude each other: there is one server.");
         }
-
-        if (IsGiven(result, _duration) && result.GetValue(_duration) is { } duration && (duration < ShortestDiagnosis || duration > LongestDiagnosis))
-            result.AddError($"--duration: a diagnosis takes {ShortestDiagnosis.TotalSeconds} to {LongestDiagnosis.TotalSeconds} seconds.");
     }
 
     internal static bool IsGiven(CommandResult result, Option option) => result.GetResult(option) is { Implicit: false };
+
+    // Null without one, and where it is wrong.
+    private SourceAddress? SourceOf(CommandResult result) =>
+        result.GetResult(_source) is { Tokens: [var text, ..] } && SourceAddress.TryParse(text.Value, out SourceAddress source, out _) ? source : null;
 
     private MonitorOptions Read(ParseResult result) => new()
     {
@@ -300,11 +378,13 @@ internal sealed class CommandLine
         Commands = _commands.Read(result, isDemo: result.GetValue(_demo)),
         Recording = _recording.Read(result, result.GetValue(_overwrite)),
         Diagnose = result.GetResult(_diagnose) is { Implicit: false },
-        UdpPort = result.GetValue(_udp),
+        UdpPort = result.GetValue(_udp) ?? result.GetValue(_source)?.UdpPort,
+        LocalAddress = result.GetValue(_localAddress) ?? result.GetValue(_source)?.LocalAddress,
         AllowedSenders = result.GetValue(_allowSender) ?? [],
         RotationOrder = result.GetValue(_order),
         Play = _play.Read(result),
         CommandPort = result.GetValue(_commandPort),
+        CalculationPort = result.GetValue(_calculationPort),
         Export = _export.Read(result),
         Once = result.GetValue(_once),
         Frames = result.GetValue(_frames),
@@ -315,9 +395,10 @@ internal sealed class CommandLine
     // A diagnosis without a word about the server looks at this computer.
     private ServerAddress? FindServer(ParseResult result)
     {
+        ServerAddress? named = result.GetValue(_connect) ?? result.GetValue(_source)?.Server;
         if (result.GetResult(_diagnose) is not { Implicit: false } || result.GetValue(_demo))
-            return result.GetValue(_connect);
+            return named;
 
-        return result.GetValue(_diagnose) ?? result.GetValue(_connect) ?? new ServerAddress("127.0.0.1", ProtocolConstants.DefaultPort);
+        return result.GetValue(_diagnose) ?? named ?? new ServerAddress("127.0.0.1", ProtocolConstants.DefaultPort);
     }
 }

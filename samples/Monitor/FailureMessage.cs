@@ -3,20 +3,34 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor;
 
-/// <summary>Finds the one line on standard error for a run that ends without a frame.</summary>
+/// <summary>Finds the one line on standard error for a run that ends without a frame, or with frames that something is wrong with.</summary>
 internal sealed class FailureMessage
 {
     private readonly Lock _lock = new();
     private ConnectionStatus _problem;
+    private ConnectionStatus _receiving;
 
     /// <summary>Remembers what went wrong last: the run may end in the middle of the next attempt. Any thread.</summary>
     public void OnStatus(ConnectionStatus status)
     {
+        if (status.State == ConnectionState.Receiving)
+        {
+            lock (_lock)
+                _receiving = status;
+        }
+
         if (status.Reason is ConnectionReason.None or ConnectionReason.Requested)
             return;
 
         lock (_lock)
             _problem = status;
+    }
+
+    /// <summary>Says what was wrong when frames last arrived: the calculation port for example. Null when nothing was.</summary>
+    public string? DescribeReceiving()
+    {
+        lock (_lock)
+            return _receiving.Reason == ConnectionReason.None ? null : _receiving.Describe();
     }
 
     /// <summary>Says what to look at.</summary>
@@ -29,7 +43,7 @@ internal sealed class FailureMessage
             problem = _problem;
 
         if (problem.Reason == ConnectionReason.EndOfRecording)
-            return $"{TerminalText.Clean(problem.Message)} No frame is in it.";
+            return $"{problem.Describe()} No frame is in it.";
 
         // The run ended before the silence check of the reader could say what the bytes were.
         if (statistics.SkippedBytes > 0 && problem.Reason == ConnectionReason.None)
@@ -39,7 +53,7 @@ internal sealed class FailureMessage
         }
 
         return problem.Reason == ConnectionReason.None
-            ? $"No frame has arrived. {TerminalText.Clean(status.Message)} Check the server's address and port, and that its broadcasting is on."
-            : TerminalText.Clean(problem.Message);
+            ? $"No frame has arrived. {status.Describe()} Check the server's address and port, and that its broadcasting is on."
+            : problem.Describe();
     }
 }

@@ -14,7 +14,7 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
 
         Exit codes:
           0  done as asked, or ended by q, Ctrl+C or SIGTERM
-          1  nothing could be connected, bound, opened or received, or not be recorded; standard error says which setting to look at
+          1  nothing was received, or a file could not be read or written; standard error says which setting to look at
           2  wrong options
           Of --commands: 0 answered, 1 not, 2 wrong options, 130 ended by Ctrl+C or SIGTERM before it knew
           Of --info, --convert, --plot: 0 done, 1 not read or written, 2 wrong options, 130 ended by Ctrl+C or SIGTERM, nothing written
@@ -22,14 +22,16 @@ internal sealed class HelpExamples(SynchronousCommandLineAction help) : Synchron
 
         Examples:
           neuron-monitor                                        a moving skeleton, without suit or server
-          neuron-monitor --connect 192.168.1.20                 Axis Neuron on another computer, TCP port 7001
+          neuron-monitor 192.168.1.20                           Axis Neuron on another computer, TCP port 7001
           neuron-monitor --connect [::1]:7003 --order XYZ       IPv6, another port, another rotation order
           neuron-monitor --udp 7012                             Axis Neuron set to UDP, with this computer as destination
+          neuron-monitor udp://192.168.1.5:7012                 the same on one network of several; 192.168.1.5 is this computer
           neuron-monitor --udp 7012 --allow-sender 192.168.1.20 the same, and nobody else may send
+          neuron-monitor 192.168.1.20 --calculation-port 7003   calculation data as well, from their own port
           neuron-monitor --diagnose 192.168.1.20                no data? What is wrong, and which setting to change
           neuron-monitor --diagnose --udp 7012                  the same for UDP; with --demo it shows a healthy stream
           neuron-monitor --commands 192.168.1.20                bone sizes, rotation order and BVH header; port 8013
-          neuron-monitor --commands 192.168.1.20 --zero-out 0   avatar 0 faces front; all for all of them
+          neuron-monitor --commands 192.168.1.20 --zero-out 0   zeroes out avatar 0; all for all of them
           neuron-monitor --play take.nmrec --speed 0.5          a recording, half as fast
           neuron-monitor --play dump.bin --rate 60 --json       frames of bytes that somebody wrote to a file
           neuron-monitor --connect studio --export take.bvh     keep what is shown, until q or Ctrl+C

@@ -25,6 +25,8 @@ internal enum OutputKind
 /// <summary>What the command line asks for.</summary>
 internal sealed record MonitorOptions
 {
+    private static readonly TimeSpan ShortestDiagnosis = TimeSpan.FromSeconds(1);
+    private static readonly TimeSpan LongestDiagnosis = TimeSpan.FromMinutes(5);
     private static readonly TimeSpan LongestSilence = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan LongestConnect = TimeSpan.FromSeconds(5);
 
@@ -34,17 +36,29 @@ internal sealed record MonitorOptions
     /// <summary>The UDP port; null for TCP and for the demo.</summary>
     public int? UdpPort { get; init; }
 
+    /// <summary>Address of this computer to connect from or receive on; null for the system's choice.</summary>
+    public IPAddress? LocalAddress { get; init; }
+
     /// <summary>Addresses that may send over UDP; empty for all.</summary>
     public IReadOnlyList<IPAddress> AllowedSenders { get; init; } = [];
 
     /// <summary>Whether a simulator inside this process is the server.</summary>
     public bool IsDemo => Server is null && UdpPort is null && Play is null;
 
+    /// <summary>What is received from, as a word of the command line.</summary>
+    public string Source => Play is { } play ? play.File
+        : UdpPort is { } port ? $"udp://{(LocalAddress is null ? string.Empty : new IPEndPoint(LocalAddress, 0).ToString()[..^2])}:{port}"
+        : Server is { } server ? $"tcp://{server}"
+        : "demo";
+
     /// <summary>Null to find it out; the demo then has YXZ.</summary>
     public RotationOrder? RotationOrder { get; init; }
 
     /// <summary>Where to ask for what the stream does not say; null for nowhere.</summary>
     public int? CommandPort { get; init; }
+
+    /// <summary>Where calculation data come from besides; null for nowhere.</summary>
+    public int? CalculationPort { get; init; }
 
     /// <summary>The file to show; null for a server's stream.</summary>
     public PlaySettings? Play { get; init; }
@@ -74,6 +88,27 @@ internal sealed record MonitorOptions
 
     public OutputKind Output { get; init; }
 
+    /// <summary>What is wrong with values that are each right by themselves, in words of this program; null when nothing is.</summary>
+    public string? FindFault()
+    {
+        if (Files is { } files)
+            return files.From >= files.To ? "--from: the end, --to, is not later." : null;
+        if (Commands is not null)
+            return null;
+        if (Diagnose && (Duration < ShortestDiagnosis || Duration > LongestDiagnosis))
+            return $"--duration: a diagnosis takes {ShortestDiagnosis.TotalSeconds} to {LongestDiagnosis.TotalSeconds} seconds.";
+
+        try
+        {
+            using var reader = new NeuronReader(ToReaderOptions(Server));
+            return null;
+        }
+        catch (ArgumentException fault)
+        {
+            return OptionNames.Translate(fault);
+        }
+    }
+
     /// <summary>Options of the reader.</summary>
     /// <param name="server">The TCP server to connect to: <see cref="Server"/>, or the demo's.</param>
     public NeuronReaderOptions ToReaderOptions(ServerAddress? server)
@@ -82,6 +117,8 @@ internal sealed record MonitorOptions
         {
             RotationOrder = RotationOrder,
             CommandPort = CommandPort,
+            CalculationPort = CalculationPort,
+            LocalAddress = IsDemo ? null : LocalAddress,
             SilenceTimeout = WithinHalfOfDuration(LongestSilence),
             ConnectTimeout = WithinHalfOfDuration(LongestConnect),
             Reconnect = { Enabled = !Once },

@@ -23,15 +23,24 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
     {
         try
         {
-            using RecordingPlayer? player = options.Play?.Open(options.RotationOrder);
+            using RecordingPlayer? player = await OpenAsync(options.Play, cancelled);
             using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder ?? RotationOrder.YXZ) : null;
             return await RunAsync(demo?.Address ?? options.Server, player, cancelled);
         }
         catch (Exception exception) when (exception is BroadcasterException or ExportException or PlayException)
         {
-            return await FailAsync(exception.Message);
+            return await FailAsync(OptionNames.Translate(exception.Message));
+        }
+        catch (OperationCanceledException) when (cancelled.IsCancellationRequested)
+        {
+            return CommandLine.Done;
         }
     }
+
+    // A large file of bytes without times is read once when it is opened.
+    private async Task<RecordingPlayer?> OpenAsync(PlaySettings? play, CancellationToken cancelled) => play is null
+        ? null
+        : await Task.Run(() => play.Open(options.RotationOrder), CancellationToken.None).WaitAsync(cancelled);
 
     private async Task<int> RunAsync(ServerAddress? server, RecordingPlayer? player, CancellationToken cancelled)
     {
@@ -50,7 +59,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancelled, duration.Token);
         reader.Start();
         Task showing = output.RunAsync(stop.Token);
-        await Task.WhenAny(showing, reader.Completion, _enough.Task, export.Broken);
+        await Task.WhenAny(showing, reader.Completion, _enough.Task, NothingToDoAsync(export, recorder));
         bool asked = !duration.IsCancellationRequested && !reader.Completion.IsCompleted;
         ConnectionStatus status = reader.Status;
 
@@ -65,9 +74,13 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         if (recorder is not null)
             await streams.Error.WriteLineAsync($"neuron-monitor: {RecordingSummary.Describe(recorder)}");
         if (output.Failure is { } failure)
-            return await FailAsync($"standard output cannot be written: {failure.Message}");
+            return await FailAsync(FileFault.OfStandardOutput(failure));
         if (!isExported || recorder is { Failure: not null } or { Completion.IsCompleted: false })
             return CommandLine.NothingReceived;
+
+        // The lines of --json say it themselves.
+        if (options.Output != OutputKind.Json && _failure.DescribeReceiving() is { } doubt)
+            await streams.Error.WriteLineAsync($"neuron-monitor: {TerminalText.Clean(doubt)}");
         if (asked || statistics.MotionFrames + statistics.CalculationFrames + statistics.StudioCalculationFrames > 0)
             return CommandLine.Done;
 
@@ -76,20 +89,34 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
 
     private async Task<int> FailAsync(string message)
     {
-        await streams.Error.WriteLineAsync($"neuron-monitor: {message}");
+        await streams.Error.WriteLineAsync($"neuron-monitor: {TerminalText.Clean(message)}");
         return CommandLine.NothingReceived;
     }
 
     private MonitorOutput CreateOutput(NeuronReader reader, RecordingPlayer? player, StreamRecorder? recorder) => options.Output switch
     {
-        OutputKind.Json => new JsonOutput(streams.Output),
+        OutputKind.Json => new JsonOutput(streams.Output, options.Source),
         OutputKind.Quiet => new QuietOutput(streams.Output),
         _ when streams.IsTerminal && Screen.IsSupported => new LiveOutput(reader, player, recorder, options, streams.Output),
         _ => new LineOutput(reader, streams.Output),
     };
 
+    // Who shows nothing, and has no file left to write. What else is shown goes on when a file fails.
+    private Task NothingToDoAsync(ExportRun export, StreamRecorder? recorder)
+    {
+        Task?[] files = [export.Broken, recorder is null ? null : ExportRun.WaitForFailureAsync(recorder.Completion, () => recorder.Failure)];
+        return options.Output == OutputKind.Quiet && files.OfType<Task>().ToArray() is { Length: > 0 } asked
+            ? Task.WhenAll(asked)
+            : Task.Delay(Timeout.Infinite);
+    }
+
     private void Connect(NeuronReader reader, MonitorOutput output)
     {
+        reader.EventReported += news =>
+        {
+            if (FileFailure.Of(news) is { } failed && !output.OnFileFailed(failed))
+                streams.Error.WriteLine($"neuron-monitor: {failed.Text}");
+        };
         reader.StatusChanged += _failure.OnStatus;
         reader.StatusChanged += output.OnStatus;
         reader.MotionReceived += frame =>

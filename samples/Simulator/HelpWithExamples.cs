@@ -22,6 +22,8 @@ internal sealed class HelpWithExamples : SynchronousCommandLineAction
                   What neuron-monitor --record wrote, byte for byte, twice as fast, again and again.
               neuron-simulator --calc take_Char00.calc --calculation --loop
                   A calculation export: poses made of it, and its own values.
+              neuron-simulator --calculation-port
+                  Motion on port 7001 and calculation on port 7003, as servers normally send them.
               neuron-simulator --format text --rate 1
                   Lines to look at, with nc 127.0.0.1 7001.
               neuron-simulator --commands

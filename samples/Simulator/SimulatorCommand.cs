@@ -35,12 +35,15 @@ internal sealed class SimulatorCommand : RootCommand
         Format.CustomParser = ParseWord<BroadcastFormat>("binary", "text", "studio");
         Header.CustomParser = ParseWord<HeaderLayout>("new", "old");
         Decimals.CustomParser = ParseNumber(0, TextEncoder.MaxDecimals);
-        Commands.CustomParser = static result => result.Tokens.Count == 0 ? ProtocolConstants.DefaultCommandPort : ParseNumber(0, 65_535)(result);
+        Motion.CustomParser = ParseWord<OnOff>("on", "off");
+        CalculationPort.CustomParser = ParsePort(ProtocolConstants.DefaultCalculationPort);
+        Commands.CustomParser = ParsePort(ProtocolConstants.DefaultCommandPort);
         DataCommands.CustomParser = ParseWord<OnOff>("on", "off");
         foreach (Option option in (Option[])
             [
                 Bvh, Calc, Synthetic, Bind, Port, Udp, Avatars, Rate, Frames, Loop, WaitForClient,
-                Displacement, Reference, Order, Format, Header, Decimals, Calculation, Fragment, DataCommands, Commands,
+                Displacement, Reference, Order, Format, Header, Decimals, Calculation, CalculationPort, Motion,
+                Fragment, DataCommands, Commands,
             ])
         {
             Add(option);
@@ -105,7 +108,7 @@ internal sealed class SimulatorCommand : RootCommand
 
     public Option<bool> WaitForClient { get; } = new("--wait-for-client")
     {
-        Description = "Send nothing before the first TCP client, which then gets frame 0.",
+        Description = "Send nothing before the first TCP client, which then gets frame 0; with --calculation-port, before the first of each port.",
     };
 
     public Option<OnOff?> Displacement { get; } = new("--displacement")
@@ -130,7 +133,8 @@ internal sealed class SimulatorCommand : RootCommand
     {
         HelpName = "binary|text|studio",
         Description = "Packets of Axis Neuron, lines of text (its block type String), or packets of Axis Studio, version 1.1.0.1, "
-            + "with rotation order, timecode and its own calculation packets. Default: binary.",
+            + "with rotation order, timecode and its own calculation packets: programs with the vendor's b12 library crash on these by a fault of their own. "
+            + "Default: binary.",
     };
 
     public Option<HeaderLayout?> Header { get; } = new("--header")
@@ -148,6 +152,20 @@ internal sealed class SimulatorCommand : RootCommand
     public Option<bool> Calculation { get; } = new("--calculation")
     {
         Description = "Send a calculation packet, or line, after each motion packet.",
+    };
+
+    public Option<int?> CalculationPort { get; } = new("--calculation-port")
+    {
+        HelpName = "PORT",
+        Description = "Send calculation packets, or lines, on this port, 0 to 65535, and motion alone on the other: TCP clients connect to both, UDP receivers get "
+            + $"both from two sockets. Default without PORT: {ProtocolConstants.DefaultCalculationPort}.",
+        Arity = ArgumentArity.ZeroOrOne,
+    };
+
+    public Option<OnOff?> Motion { get; } = new("--motion")
+    {
+        HelpName = "on|off",
+        Description = "off: send calculation packets, or lines, alone, to --port and --udp. Default: on.",
     };
 
     public Option<int?> Fragment { get; } = new("--fragment")
@@ -172,10 +190,8 @@ internal sealed class SimulatorCommand : RootCommand
 
     public PlayArguments Play { get; } = new();
 
-    /// <summary>All options in one line, for those who made a mistake.</summary>
-    public string Usage => "Usage: neuron-simulator " + string.Join(' ', Options
-        .Where(option => option.Name is not ("--help" or "--version"))
-        .Select(option => option.HelpName is null ? $"[{option.Name}]" : $"[{option.Name} {option.HelpName}]"));
+    private static Func<ArgumentResult, int?> ParsePort(int whenLeftOut) =>
+        result => result.Tokens.Count == 0 ? whenLeftOut : ParseNumber(0, 65_535)(result);
 
     private static Func<ArgumentResult, T?> ParseNumber<T>(T from, T to)
         where T : struct, INumber<T> => result =>
@@ -231,7 +247,16 @@ internal sealed class SimulatorCommand : RootCommand
         if (result.GetResult(Calc) is not null && (result.GetResult(Bvh) ?? result.GetResult(Synthetic)) is not null)
             result.AddError("--calc, --bvh and --synthetic exclude each other.");
         Play.RejectContradictions(
-            result, [Bvh, Calc, Synthetic, Avatars, Frames, Displacement, Reference, Order, Format, Header, Decimals, Calculation, DataCommands, Commands]);
+            result,
+            [
+                Bvh, Calc, Synthetic, Avatars, Frames, Displacement, Reference, Order, Format, Header, Decimals, Calculation, Motion, DataCommands, Commands,
+            ]);
+        if (result.GetResult(CalculationPort) is not null && result.GetResult(Motion)?.Tokens is [{ Value: var motion }]
+            && motion.Equals("off", StringComparison.OrdinalIgnoreCase))
+        {
+            result.AddError("--motion off sends calculation alone, to --port and --udp: leave out --calculation-port.");
+        }
+
         if (result.GetResult(WaitForClient) is not null && result.GetResult(Udp) is not null && result.GetResult(Port) is null)
             result.AddError("--wait-for-client waits for a TCP client: give --port as well as --udp.");
     }

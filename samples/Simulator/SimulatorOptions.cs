@@ -22,15 +22,20 @@ internal static class SimulatorOptions
     {
         string[] udp = result.GetValue(command.Udp) ?? [];
         BroadcastFormat format = result.GetValue(command.Format) ?? BroadcastFormat.Binary;
-        bool calculation = result.GetValue(command.Calculation);
+        int? calculationPort = GetCalculationPort(command, result, udp);
+        bool motion = result.GetValue(command.Motion) != OnOff.Off;
+        bool calculation = result.GetValue(command.Calculation) || calculationPort is not null || !motion;
         int? port = result.GetValue(command.Port) ?? (udp.Length > 0 ? null : ProtocolConstants.DefaultPort);
         CheckFormat(command, result, format);
-        CheckPorts(port, result.GetResult(command.Commands) is null ? null : result.GetValue(command.Commands));
+        int? commands = result.GetResult(command.Commands) is null ? null : result.GetValue(command.Commands);
+        CheckPorts(("--port", port), ("--calculation-port", port is null ? null : calculationPort), ("--commands", commands));
         return new BroadcasterOptions
         {
             Sources = sources.Avatars,
             BindAddress = result.GetValue(command.Bind) ?? IPAddress.Loopback,
             Port = port,
+            CalculationPort = calculationPort,
+            Motion = motion,
             UdpDestinations = [.. udp.Select(Resolve)],
             Rate = result.GetValue(command.Rate),
             FrameLimit = result.GetValue(command.Frames),
@@ -58,18 +63,30 @@ internal static class SimulatorOptions
     public static BroadcasterOptions Create(SimulatorCommand command, ParseResult result, PlaySettings play)
     {
         string[] udp = result.GetValue(command.Udp) ?? [];
+        int? port = result.GetValue(command.Port) ?? (udp.Length > 0 ? null : ProtocolConstants.DefaultPort);
+        int? calculationPort = GetCalculationPort(command, result, udp);
+        CheckPorts(("--port", port), ("--calculation-port", port is null ? null : calculationPort));
         return new BroadcasterOptions
         {
+            CalculationPort = calculationPort,
             Recording = play.Path,
             RecordingSpeed = play.Speed,
             LoopRecording = play.Loop,
             Rate = result.GetValue(command.Rate),
             BindAddress = result.GetValue(command.Bind) ?? IPAddress.Loopback,
-            Port = result.GetValue(command.Port) ?? (udp.Length > 0 ? null : ProtocolConstants.DefaultPort),
+            Port = port,
             UdpDestinations = [.. udp.Select(Resolve)],
             WaitForClient = result.GetValue(command.WaitForClient),
             Fragment = result.GetValue(command.Fragment),
         };
+    }
+
+    private static int? GetCalculationPort(SimulatorCommand command, ParseResult result, string[] udp)
+    {
+        int? port = result.GetResult(command.CalculationPort) is null ? null : result.GetValue(command.CalculationPort);
+        return udp.Length > 0 && port == 0
+            ? throw new UsageException("--calculation-port 0 takes a free port to listen on; with --udp it is a port to send to, from 1 to 65535.")
+            : port;
     }
 
     private static void CheckFormat(SimulatorCommand command, ParseResult result, BroadcastFormat format)
@@ -83,10 +100,13 @@ internal static class SimulatorOptions
             throw new UsageException("--decimals is for --format text; packets carry every value as it is.");
     }
 
-    private static void CheckPorts(int? port, int? commands)
+    private static void CheckPorts(params (string Option, int? Port)[] ports)
     {
-        if (port == commands && port > 0)
-            throw new UsageException($"--port and --commands are both {port}; frames and commands have a port each.");
+        foreach (IGrouping<int?, string> same in ports.Where(port => port.Port > 0).GroupBy(port => port.Port, port => port.Option))
+        {
+            if (same.Count() > 1)
+                throw new UsageException($"{string.Join(" and ", same)} are both {same.Key}; each takes a port of its own.");
+        }
     }
 
     private static IPEndPoint Resolve(string destination)

@@ -11,7 +11,7 @@ internal sealed class SimulatorReport(Broadcaster broadcaster, CommandServer? co
     private static readonly TimeSpan Interval = TimeSpan.FromSeconds(1);
 
     /// <summary>Reports until the broadcast is over.</summary>
-    /// <exception cref="Exception">What a source threw.</exception>
+    /// <exception cref="SimulatorException">The file could not be read to its end.</exception>
     public void Run()
     {
         Console.WriteLine(Describe());
@@ -19,23 +19,41 @@ internal sealed class SimulatorReport(Broadcaster broadcaster, CommandServer? co
         // Scripts wait for these lines.
         if (broadcaster.LocalEndPoint is { } endPoint)
             Console.WriteLine($"Listening on {endPoint}");
+        if (broadcaster.CalculationEndPoint is { } calculationPoint)
+            Console.WriteLine($"Calculation on {calculationPoint}");
         if (commands?.LocalEndPoint is { } commandPoint)
             Console.WriteLine($"Commands on {commandPoint}");
         foreach (IPEndPoint destination in options.UdpDestinations)
+        {
             Console.WriteLine($"Sending to {destination}");
+            if (options.CalculationPort is int port)
+                Console.WriteLine($"Calculation to {new IPEndPoint(destination.Address, port)}");
+        }
 
         Console.Out.Flush();
         if (!Console.IsOutputRedirected)
             Watch();
 
-        broadcaster.Completion.GetAwaiter().GetResult();
-        Console.WriteLine(Summarize());
+        WaitForEnd();
+        Console.WriteLine(Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"{Count(broadcaster.Statistics.Accepted, "client")} served in all, "));
+    }
+
+    private void WaitForEnd()
+    {
+        try
+        {
+            broadcaster.Completion.GetAwaiter().GetResult();
+        }
+        catch (Exception exception)
+        {
+            throw new SimulatorException($"the broadcast ended early: {exception.Message}");
+        }
     }
 
     private void Watch()
     {
         while (Task.WaitAny([broadcaster.Completion], Interval) < 0)
-            Console.Write($"\r{Summarize()}   ");
+            Console.Write($"\r{Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"{Clients()}, ")}   ");
 
         Console.Write('\r');
     }
@@ -45,27 +63,41 @@ internal sealed class SimulatorReport(Broadcaster broadcaster, CommandServer? co
         $"Broadcasting {description}: {Count(options.Sources.Count, "avatar")}, {Rate()}, {broadcaster.Layout.ValueCount} values, "
         + $"{options.RotationOrder}, {Format()}");
 
-    private string Format()
+    private string Format() => options.Format switch
     {
-        bool hasCalculation = options.Calculation is not null || options.StudioCalculation is not null;
-        return options.Format switch
-        {
-            BroadcastFormat.Text => $"text with {Count(options.TextDecimals, "decimal")}{(hasCalculation ? ", calculation lines" : "")}",
-            BroadcastFormat.Studio => $"as Axis Studio, header {DataVersion.Studio}{(hasCalculation ? ", its calculation packets" : "")}",
-            _ => $"header {options.DataVersion ?? DataVersion.New}{(hasCalculation ? ", calculation packets" : "")}",
-        };
-    }
+        BroadcastFormat.Text => $"text with {Count(options.TextDecimals, "decimal")}{Calculation("calculation lines")}",
+        BroadcastFormat.Studio => $"as Axis Studio, header {DataVersion.Studio}{Calculation("its calculation packets")}",
+        _ => $"header {options.DataVersion ?? DataVersion.New}{Calculation("calculation packets")}",
+    };
+
+    private string Calculation(string packets) => options switch
+    {
+        { Calculation: null, StudioCalculation: null } => string.Empty,
+        { Motion: false } => $", {packets} alone",
+        { CalculationPort: not null } => $", {packets} on a port of their own",
+        _ => $", {packets}",
+    };
 
     private string Rate() => double.IsPositiveInfinity(broadcaster.Rate)
         ? "as fast as clients read"
         : string.Create(CultureInfo.InvariantCulture, $"{broadcaster.Rate:0.###} Hz");
 
-    private string Summarize()
+    private string Clients()
     {
         BroadcasterStatistics statistics = broadcaster.Statistics;
+        string ofCalculation = options.CalculationPort is null
+            ? string.Empty
+            : string.Create(CultureInfo.InvariantCulture, $" ({statistics.CalculationClients} of them for calculation)");
+        return Count(statistics.Clients, "client") + ofCalculation;
+    }
+
+    private string Summarize(string clients)
+    {
+        BroadcasterStatistics statistics = broadcaster.Statistics;
+        string calculation = statistics.CalculationFramesSent == 0 ? string.Empty : $" and {Count(statistics.CalculationFramesSent, "calculation frame")}";
         return string.Create(
             CultureInfo.InvariantCulture,
-            $"{Count(statistics.Clients, "client")}, {Count(statistics.FramesSent, "frame")} sent, "
+            $"{clients}{Count(statistics.FramesSent, "frame")}{calculation} sent, "
             + $"{Count(statistics.PacketsDropped, "packet")} dropped, {statistics.BytesSent / 1e6:0.0} MB{Commands(statistics)}");
     }
 

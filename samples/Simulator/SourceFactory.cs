@@ -60,7 +60,8 @@ internal static class SourceFactory
         CalculationDocument document = CalculationDocument.Load(file.FullName);
         var take = new CalculationSource(document);
         string repairs = document.RepairCount == 0 ? string.Empty : $", {document.RepairCount} repairs, first {document.Repairs[0]}";
-        return new SimulatorSources(Repeat(take, settings), Order: null, Describe(file, take) + repairs)
+        string doubts = string.Concat(take.Skeleton.Doubts.Select(static doubt => $" {doubt}"));
+        return new SimulatorSources(Repeat(take, settings), Order: null, Describe(file, take) + repairs + doubts)
         {
             WriteCalculation = take.WriteCalculation,
             CalculationValueCount = take.ValueCount,

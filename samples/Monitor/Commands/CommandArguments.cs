@@ -29,7 +29,7 @@ internal sealed class CommandArguments
     private readonly Option<ZeroOutTarget?> _zeroOut = new("--zero-out")
     {
         HelpName = "N|all",
-        Description = "With --commands: turn this avatar, or all of them, to face front, and print nothing else.",
+        Description = "With --commands: ask the server to zero out this avatar, or all of them, and print nothing else.",
         CustomParser = static result => string.Equals(result.Tokens[0].Value, "all", StringComparison.OrdinalIgnoreCase)
             ? new ZeroOutTarget(Avatar: null)
             : ParseAvatar(result, "a number of an avatar, from 0, or all") is { } avatar ? new ZeroOutTarget(avatar) : null,

@@ -22,7 +22,7 @@ internal sealed class CommandRun(MonitorOptions options, CommandSettings setting
         }
         catch (NeuronException exception)
         {
-            return await FailAsync(TerminalText.Clean(exception.Message));
+            return await FailAsync(OptionNames.Translate(exception.Message));
         }
         catch (OperationCanceledException)
         {
@@ -33,7 +33,7 @@ internal sealed class CommandRun(MonitorOptions options, CommandSettings setting
             // Whoever reads the output may leave when he has seen enough.
             return MonitorOutput.IsBrokenPipe(exception)
                 ? CommandLine.Done
-                : await FailAsync($"standard output cannot be written: {exception.Message}");
+                : await FailAsync(FileFault.OfStandardOutput(exception));
         }
     }
 
@@ -47,7 +47,10 @@ internal sealed class CommandRun(MonitorOptions options, CommandSettings setting
         }
 
         if (settings.WholeHeader)
-            return await client.GetBvhHeaderTextAsync(settings.Avatar, cancelled);
+        {
+            string text = await client.GetBvhHeaderTextAsync(settings.Avatar, cancelled);
+            return streams.IsTerminal ? CleanLines(text) : text;
+        }
 
         RotationOrder order = await client.GetRotationOrderAsync(cancelled);
         BoneDimensions sizes = await client.GetBoneDimensionsAsync(settings.Avatar, cancelled);
@@ -57,9 +60,13 @@ internal sealed class CommandRun(MonitorOptions options, CommandSettings setting
             : CommandText.Report(server, settings.Avatar, order, sizes, header);
     }
 
+    // A file or a program gets the header as it is; a terminal obeys what is in it.
+    private static string CleanLines(string text) =>
+        string.Join('\n', text.Replace("\t", "    ", StringComparison.Ordinal).Split('\n').Select(static line => TerminalText.Clean(line.TrimEnd('\r'))));
+
     private async Task<int> FailAsync(string message)
     {
-        await streams.Error.WriteLineAsync($"neuron-monitor: --commands: {message}");
+        await streams.Error.WriteLineAsync($"neuron-monitor: --commands: {TerminalText.Clean(message)}");
         return CommandLine.NothingReceived;
     }
 }

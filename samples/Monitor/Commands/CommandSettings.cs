@@ -3,7 +3,7 @@ namespace NeuronMocap.Monitor.Commands;
 /// <summary>What to ask of a command channel.</summary>
 /// <param name="Server">Where it is; null for the simulator inside this process.</param>
 /// <param name="Avatar">Index of the avatar that the questions are about.</param>
-/// <param name="ZeroOut">Whom to turn to face front instead of asking; null for nobody.</param>
+/// <param name="ZeroOut">Whom to zero out instead of asking; null for nobody.</param>
 /// <param name="WholeHeader">Whether to print the BVH header as it is.</param>
 internal sealed record CommandSettings(ServerAddress? Server, int Avatar, ZeroOutTarget? ZeroOut, bool WholeHeader);
 

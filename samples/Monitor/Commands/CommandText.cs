@@ -9,8 +9,8 @@ namespace NeuronMocap.Monitor.Commands;
 internal static class CommandText
 {
     public static string ZeroOut(ServerAddress server, ZeroOutTarget target) => target.Avatar is { } avatar
-        ? $"Avatar {avatar} of {server} faces front.\n"
-        : $"All avatars of {server} face front.\n";
+        ? $"Avatar {avatar} of {server} was zeroed out.\n"
+        : $"All avatars of {server} were zeroed out.\n";
 
     public static string Report(ServerAddress server, int avatar, RotationOrder order, BoneDimensions sizes, string header)
     {

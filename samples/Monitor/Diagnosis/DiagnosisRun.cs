@@ -18,7 +18,7 @@ internal sealed class DiagnosisRun(MonitorOptions options, StandardStreams strea
         }
         catch (BroadcasterException exception)
         {
-            return await FailAsync(exception.Message);
+            return await FailAsync(OptionNames.Translate(exception.Message));
         }
         catch (OperationCanceledException)
         {
@@ -29,7 +29,7 @@ internal sealed class DiagnosisRun(MonitorOptions options, StandardStreams strea
             // Whoever reads the output may leave when he has seen enough.
             return MonitorOutput.IsBrokenPipe(exception)
                 ? CommandLine.Interrupted
-                : await FailAsync($"standard output cannot be written: {exception.Message}");
+                : await FailAsync(FileFault.OfStandardOutput(exception));
         }
     }
 
@@ -60,7 +60,7 @@ internal sealed class DiagnosisRun(MonitorOptions options, StandardStreams strea
 
     private async Task<int> FailAsync(string message)
     {
-        await streams.Error.WriteLineAsync($"neuron-monitor: {message}");
+        await streams.Error.WriteLineAsync($"neuron-monitor: {TerminalText.Clean(message)}");
         return CommandLine.NothingReceived;
     }
 }

@@ -15,6 +15,7 @@ internal static class DiagnosisTitles
         DiagnosisVerdict.SeveralSenders => "FRAMES ARRIVE, FROM SEVERAL PROGRAMS",
         DiagnosisVerdict.LowRate => "FRAMES ARRIVE, BUT FEW",
         DiagnosisVerdict.LosingFrames => "FRAMES ARRIVE, BUT NOT ALL",
+        DiagnosisVerdict.CalculationUnavailable => "FRAMES ARRIVE, BUT NO CALCULATION DATA",
         DiagnosisVerdict.StandsStill => "FRAMES ARRIVE, BUT NOTHING MOVES",
         DiagnosisVerdict.HostNotFound => "NO SUCH COMPUTER",
         DiagnosisVerdict.Unreachable => "NO WAY TO THE COMPUTER",
@@ -38,6 +39,7 @@ internal static class DiagnosisTitles
         DiagnosisVerdict.IncompletePackets => "FRAMES THAT ARE CUT OFF",
         DiagnosisVerdict.CommandPort => "THE COMMAND PORT",
         DiagnosisVerdict.OtherProgram => "ANOTHER PROGRAM",
+        DiagnosisVerdict.AdvancedBvh => "ADVANCED BVH, WHICH IS NOT READ",
         DiagnosisVerdict.UnknownFormat => "DATA OF AN UNKNOWN FORMAT",
         _ => "NO CONNECTION",
     };

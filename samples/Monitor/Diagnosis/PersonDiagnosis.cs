@@ -30,7 +30,7 @@ internal sealed class PersonDiagnosis : DiagnosisOutput
 
     public void Begin(string target)
     {
-        _console.WriteLine($"Looking for frames from {target}.");
+        _console.WriteLine($"Looking for frames from {TerminalText.Clean(target)}.");
         _console.WriteLine();
     }
 
@@ -51,7 +51,7 @@ internal sealed class PersonDiagnosis : DiagnosisOutput
         _console.WriteLine();
         _console.Write(new Text(DiagnosisTitles.Of(diagnosis.Verdict), new Style(color, decoration: Decoration.Bold)));
         _console.WriteLine();
-        _console.Write(new Text(TerminalText.Clean(diagnosis.Summary)));
+        _console.Write(new Text(TerminalText.Clean(OptionNames.Translate(diagnosis.Summary))));
         _console.WriteLine();
         if (diagnosis.Code is not { } code)
             return;
@@ -60,7 +60,7 @@ internal sealed class PersonDiagnosis : DiagnosisOutput
         _console.Write(new Text(diagnosis.FramesArrive ? "To receive it:" : "To receive it as it is sent now:", Palette.DimStyle));
         _console.WriteLine();
         foreach (string line in code.Split('\n'))
-            _console.WriteLine($"    {line.TrimEnd()}");
+            _console.WriteLine($"    {TerminalText.Clean(line.TrimEnd())}");
     }
 
     private void WriteRow(Text outcome, string name, string detail)
@@ -69,14 +69,15 @@ internal sealed class PersonDiagnosis : DiagnosisOutput
             .AddColumn(new GridColumn { Width = 4, Padding = new Padding(2, 0, 1, 0), NoWrap = true })
             .AddColumn(new GridColumn { Width = NameWidth, Padding = new Padding(0, 0, 1, 0), NoWrap = true })
             .AddColumn(new GridColumn { Padding = new Padding(0, 0, 0, 0) });
+        string words = TerminalText.Clean(OptionNames.Translate(detail));
         if (_isTerminal)
         {
-            _console.Write(grid.AddRow(outcome, new Text(name), new Text(TerminalText.Clean(detail))));
+            _console.Write(grid.AddRow(outcome, new Text(name), new Text(words)));
             return;
         }
 
         // A grid pads its lines to their full width.
         _console.Write(outcome);
-        _console.WriteLine($"\t{name} {TerminalText.Clean(detail)}");
+        _console.WriteLine($"\t{name} {words}");
     }
 }

@@ -55,6 +55,7 @@ internal sealed class ExportArguments(Option<bool> overwrite)
         if (!IsGiven(result))
             return;
 
+        FileNames.Reject(result, _export, "a BVH file", ".bvh");
         foreach (Option option in others.Where(option => CommandLine.IsGiven(result, option)))
             result.AddError($"{option.Name} and --export exclude each other: there is no stream to write.");
     }

@@ -6,11 +6,12 @@ namespace NeuronMocap.Monitor.Export;
 internal sealed class ExportRun : IDisposable
 {
     private readonly BvhExport? _export;
+    private readonly string _path;
 
-    private ExportRun(BvhExport? export) => _export = export;
+    private ExportRun(BvhExport? export, string path) => (_export, _path) = (export, path);
 
-    /// <summary>Ends when the file cannot be written any more.</summary>
-    public Task Broken => _export is null ? Task.Delay(Timeout.Infinite) : WaitForFailureAsync(_export);
+    /// <summary>Ends when the file cannot be written any more; null where none was asked for.</summary>
+    public Task? Broken => _export is null ? null : WaitForFailureAsync(_export.Completion, () => _export.Failure);
 
     /// <summary>Begins before the reader is started, so that no frame is missing.</summary>
     /// <exception cref="ExportException">The file is there already, or cannot be written.</exception>
@@ -18,12 +19,12 @@ internal sealed class ExportRun : IDisposable
     {
         try
         {
-            return new ExportRun(settings is null ? null : reader.ExportBvh(settings.Path, settings.ToOptions(frames)));
+            return new ExportRun(settings is null ? null : reader.ExportBvh(settings.Path, settings.ToOptions(frames)), settings?.Path ?? string.Empty);
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or ArgumentException)
         {
             string hint = File.Exists(settings!.Path) && !settings.Overwrite ? " --overwrite replaces it." : "";
-            throw new ExportException($"--export: {exception.Message}{hint}", exception);
+            throw new ExportException($"--export: {FileFault.OfWriting(exception, settings.Path)}{hint}", exception);
         }
     }
 
@@ -38,22 +39,29 @@ internal sealed class ExportRun : IDisposable
         foreach (BvhExportFile file in _export.Files)
             messages.WriteLine($"neuron-monitor: {Describe(file)}");
 
-        if (_export.Files.Count == 0)
+        if (_export.Files.Count == 0 && _export.Failure is null)
             messages.WriteLine("neuron-monitor: no motion frame came, and no file was written.");
-        if (_export.FramesDropped > 0)
-            messages.WriteLine($"neuron-monitor: {_export.FramesDropped} frames are missing: the disk was too slow.");
+        if (_export.FramesDropped is > 0 and var missing)
+        {
+            string frames = missing == 1 ? "1 frame" : string.Create(CultureInfo.InvariantCulture, $"{missing} frames");
+            messages.WriteLine(_export.Failure is null
+                ? $"neuron-monitor: the export lacks {frames}: the disk was too slow."
+                : $"neuron-monitor: {frames} could not be written; later frames were not exported.");
+        }
+
         if (_export.Failure is { } failure)
-            messages.WriteLine($"neuron-monitor: the export ended early: {failure.Message}");
+            messages.WriteLine($"neuron-monitor: the export ended early: {FileFault.OfWriting(failure, _export.Files is [.., var last] ? last.Path : _path)}");
 
         return _export.Failure is null;
     }
 
     public void Dispose() => _export?.Dispose();
 
-    private static async Task WaitForFailureAsync(BvhExport export)
+    /// <summary>Ends when something has failed; never when it ended well.</summary>
+    public static async Task WaitForFailureAsync(Task completion, Func<Exception?> getFailure)
     {
-        await export.Completion;
-        if (export.Failure is null)
+        await completion;
+        if (getFailure() is null)
             await Task.Delay(Timeout.Infinite);
     }
 
@@ -70,6 +78,6 @@ internal sealed class ExportRun : IDisposable
         string late = file.LateFrames == 0 ? "" : $" {file.LateFrames} more came too late;";
         return string.Create(
             CultureInfo.InvariantCulture,
-            $"{file.FrameCount} frames of {TerminalText.Clean(file.AvatarName)} at {file.FrameRate:0.##} Hz in {file.Path};{repeated}{late} {body}.");
+            $"{file.FrameCount} frames of {TerminalText.Clean(file.AvatarName)} at {file.FrameRate:0.##} Hz in {TerminalText.Clean(file.Path)};{repeated}{late} {body}.");
     }
 }

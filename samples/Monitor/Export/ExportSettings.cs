@@ -13,7 +13,7 @@ internal sealed record ExportSettings(string Path, bool Overwrite, int? Avatar, 
     {
         AvatarIndex = Avatar,
         IsForEachAvatar = IsForEachAvatar,
-        IsOverwriting = Overwrite,
+        Overwrite = Overwrite,
         MaxFrames = frames,
     };
 }

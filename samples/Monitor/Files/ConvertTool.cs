@@ -13,39 +13,51 @@ namespace NeuronMocap.Monitor.Files;
 internal sealed class ConvertTool(FileSettings settings, StandardStreams streams)
 {
     private readonly TimeRange _range = new(settings.From, settings.To);
+    private readonly ConversionSummary _summary = new();
 
-    public void Run(CancellationToken cancelled)
+    public void Run(OutputFile output, CancellationToken cancelled)
     {
         FileKind to = FileKinds.OfName(settings.Output!)!.Value;
         FileKind from = settings.RecognizeInput();
-        using var output = new OutputFile(settings.Output!, settings.Overwrite);
-        using (var progress = new ProgressLine(streams, $"writing {Path.GetFileName(settings.Output)}"))
-            Write(from, to, output.TemporaryPath, progress, cancelled);
+        if (from == FileKind.Raw && settings.InputRate is null)
+            _summary.AddDoubt("the bytes have no times, and the rate of their timecodes, or 120 Hz, is assumed; --rate tells another one");
 
-        output.Keep();
+        output.Write(path =>
+        {
+            using var progress = new ProgressLine(streams, $"writing {Path.GetFileName(settings.Output)}");
+            Write(from, to, path, progress, cancelled);
+            if (from == FileKind.Recording)
+                StreamDoubts.AddDamage(_summary, settings.Input, cancelled);
+        });
+        streams.Error.WriteLine($"neuron-monitor: {TerminalText.Clean(_summary.Describe(Path.GetFileName(settings.Output!)))}");
     }
 
     private void Write(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancelled)
     {
         bool isStream = from is FileKind.Recording or FileKind.Raw;
+        if (to == FileKind.Calculation && settings.RotationOrder is not null)
+            throw new NeuronException("--order: a calculation export holds no angles, which have an order.");
+
         switch (to)
         {
             case FileKind.Bvh when from == FileKind.Bvh:
-                BvhEdit.Write(settings, _range, path, progress, cancelled);
+                BvhEdit.Write(settings, _range, path, _summary, progress, cancelled);
                 break;
             case FileKind.Recording or FileKind.Raw when isStream:
                 CopyStream(from, to, path, progress, cancelled);
+                StreamDoubts.AddStream(_summary, path, to == FileKind.Recording, cancelled);
                 break;
             case FileKind.Recording or FileKind.Raw when from == FileKind.Calculation:
                 RejectForCopy("the rows of a calculation export become packets as they are");
-                CalculationCopy.ToPackets(settings, _range, OpenSink(to, path, take: null), progress, cancelled);
+                CalculationCopy.ToPackets(settings, _range, OpenSink(to, path, take: null), _summary, progress, cancelled);
+                AddLossOfRaw(to);
                 break;
             case FileKind.Calculation when from == FileKind.Calculation:
                 RejectForCopy("the rows of a calculation export are copied as they are");
-                CalculationCopy.ToFile(settings, _range, path, progress, cancelled);
+                CalculationCopy.ToFile(settings, _range, path, _summary, progress, cancelled);
                 break;
             case FileKind.Calculation when isStream && settings.Rate is null
-                && CalculationCopy.TryFromStream(settings, _range, path, progress, cancelled):
+                && CalculationRows.TryWrite(settings, _range, path, _summary, progress, cancelled):
                 break;
             default:
                 WriteTake(from, to, path, progress, cancelled);
@@ -56,8 +68,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     private void WriteTake(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancelled)
     {
         InputTake take = InputTake.Load(settings, from, progress, cancelled);
-        bool isStream = from is FileKind.Recording or FileKind.Raw;
-        RotationOrder order = isStream ? take.Order : settings.RotationOrder ?? take.Order;
+        RotationOrder order = settings.RotationOrder ?? take.Order;
         MotionSource motion = _range.IsAll && settings.Rate is null ? take.Motion : new TakePart(take.Motion, _range, settings.Rate);
         switch (to)
         {
@@ -68,17 +79,29 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
             case FileKind.Calculation:
                 using (FileStream file = File.Create(path))
                     CalculationOutput.Write(motion, file, progress, cancelled);
+                _summary.AddLoss("the bones' rotations and lengths, of which an export has sensors and centres");
                 break;
             default:
                 using (IPacketSink sink = OpenSink(to, path, take with { Order = order }))
                     MotionPackets.Write(motion, take.Layout, order, new AvatarName(take.AvatarName), sink, progress, cancelled);
+                AddLossOfRaw(to);
                 break;
         }
+
+        TakeDoubts.Add(_summary, settings, take, motion, _range, cancelled);
+    }
+
+    private void AddLossOfRaw(FileKind to)
+    {
+        if (to == FileKind.Raw)
+            _summary.AddLoss("times, rotation order and body: the bytes have no place for them, so --rate and --input-order tell when they are read");
     }
 
     private void CopyStream(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancelled)
     {
         RejectForCopy("the bytes of a stream are copied as they were received");
+        if (settings.InputOrder is not null)
+            throw new NeuronException("--input-order: the bytes of a stream are copied as they were received.");
         if (settings.Avatar is not null)
             throw new NeuronException("--avatar: the bytes of a stream are copied as they were received, of all avatars.");
 

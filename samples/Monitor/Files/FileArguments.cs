@@ -11,6 +11,7 @@ internal sealed class FileArguments(Option<bool> overwrite)
     private const double LongestTime = 1_000_000;
     private const double LowestRate = 0.01;
     private const double HighestRate = 10_000;
+    private const int TwoFiles = 2;
 
     private readonly Option<string?> _info = new("--info")
     {
@@ -25,7 +26,7 @@ internal sealed class FileArguments(Option<bool> overwrite)
         HelpName = "IN OUT",
         Description = "Write a file as another kind of file, or a part of it. The name of OUT says which kind: .bvh, .nmrec (recording), .calc "
             + "(calculation export), .bin or .dat (the bytes of the stream).",
-        Arity = new ArgumentArity(2, 2),
+        Arity = new ArgumentArity(TwoFiles, TwoFiles),
         AllowMultipleArgumentsPerToken = true,
     };
 
@@ -33,7 +34,7 @@ internal sealed class FileArguments(Option<bool> overwrite)
     {
         HelpName = "FILE OUT.svg",
         Description = "Draw a file: skeletons at regular times, the way over the ground, heights of the feet and speeds.",
-        Arity = new ArgumentArity(2, 2),
+        Arity = new ArgumentArity(TwoFiles, TwoFiles),
         AllowMultipleArgumentsPerToken = true,
     };
 
@@ -42,6 +43,14 @@ internal sealed class FileArguments(Option<bool> overwrite)
         HelpName = "HZ",
         Description = $"With --convert: make this many frames per second, {LowestRate} to {HighestRate}; what lies between two frames is interpolated. Default: as many as IN has.",
         CustomParser = static result => NumberArgument.Parse(result, LowestRate, HighestRate, "a number from 0.01 to 10000"),
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    private readonly Option<RotationOrder?> _inputOrder = new("--input-order")
+    {
+        HelpName = string.Join('|', Enum.GetNames<RotationOrder>()),
+        Description = "With --convert of a recording or the bytes of a stream: the order that its rotation values have, where the file does not say it. Default: YXZ.",
+        CustomParser = static result => RotationOrderArgument.Parse(result),
         Arity = ArgumentArity.ExactlyOne,
     };
 
@@ -61,11 +70,12 @@ internal sealed class FileArguments(Option<bool> overwrite)
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    private Option[] Tasks => [_info, _convert, _plot];
+    /// <summary>The options that name a tool.</summary>
+    public Option[] Tasks => [_info, _convert, _plot];
 
     public void AddTo(RootCommand root)
     {
-        foreach (Option option in (Option[])[.. Tasks, _rate, _from, _to])
+        foreach (Option option in (Option[])[.. Tasks, _rate, _inputOrder, _from, _to])
             root.Options.Add(option);
     }
 
@@ -82,8 +92,8 @@ internal sealed class FileArguments(Option<bool> overwrite)
         Option[] tasks = [.. Tasks.Where(option => CommandLine.IsGiven(result, option))];
         if (tasks.Length == 0)
         {
-            foreach (Option option in ((Option[])[_rate, _from, _to]).Where(option => CommandLine.IsGiven(result, option)))
-                result.AddError($"{option.Name} needs {(option == _rate ? "--convert" : "--convert or --plot")}: it is about the file that is written.");
+            foreach (Option option in ((Option[])[_rate, _inputOrder, _from, _to]).Where(option => CommandLine.IsGiven(result, option)))
+                result.AddError($"{option.Name} needs {(option == _rate || option == _inputOrder ? "--convert" : "--convert or --plot")}: it is about the file that is written.");
 
             return;
         }
@@ -92,7 +102,7 @@ internal sealed class FileArguments(Option<bool> overwrite)
         if (tasks.Length > 1)
             result.AddError($"{task.Name} and {tasks[1].Name} exclude each other.");
 
-        Option[] foreign = task == _info ? [overwrite, _rate, _from, _to] : task == _plot ? [_rate, json] : [json];
+        Option[] foreign = task == _info ? [overwrite, _rate, _inputOrder, _from, _to] : task == _plot ? [_rate, _inputOrder, json] : [json];
         foreach (Option option in ((Option[])[.. ofServer, .. foreign]).Where(option => CommandLine.IsGiven(result, option)))
             result.AddError($"{task.Name} and {option.Name} exclude each other.");
 
@@ -106,8 +116,9 @@ internal sealed class FileArguments(Option<bool> overwrite)
         if (task == _plot && OutputOf(result, _plot) is { } drawn && !drawn.EndsWith(".svg", StringComparison.OrdinalIgnoreCase))
             result.AddError($"--plot: the name '{drawn}' does not end with .svg, the only kind of picture.");
 
-        if (CommandLine.IsGiven(result, _from) && CommandLine.IsGiven(result, _to) && result.GetValue(_from) >= result.GetValue(_to))
-            result.AddError("--from: the end, --to, is not later.");
+        // The parser counts the words of one option, but not those of an option that is given twice.
+        if (result.GetResult(task)?.Tokens is { Count: > TwoFiles })
+            result.AddError($"{task.Name} takes two files, and more are given.");
     }
 
     public FileSettings? Read(ParseResult result, Option<int?> avatar, Option<RotationOrder?> order, Option<double?> inputRate, Option<bool> json)
@@ -122,6 +133,7 @@ internal sealed class FileArguments(Option<bool> overwrite)
             Overwrite = result.GetValue(overwrite),
             Avatar = result.GetValue(avatar),
             RotationOrder = result.GetValue(order),
+            InputOrder = result.GetValue(_inputOrder),
             Rate = result.GetValue(_rate),
             InputRate = result.GetValue(inputRate),
             From = result.GetValue(_from),

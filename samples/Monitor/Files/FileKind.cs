@@ -2,6 +2,7 @@ using System.Text;
 using NeuronMocap.Calculation;
 using NeuronMocap.Playback;
 using NeuronMocap.Recording;
+using NeuronMocap.Samples;
 
 namespace NeuronMocap.Monitor.Files;
 
@@ -29,12 +30,8 @@ internal static class FileKinds
     /// <exception cref="UnauthorizedAccessException">It may not be read.</exception>
     public static FileKind Recognize(string path)
     {
-        if (Directory.Exists(path))
-            throw new IOException($"'{path}' is a folder.");
-
+        InputFile.Require(path);
         byte[] start = ReadStart(path);
-        if (start.Length == 0)
-            throw new NeuronException($"'{path}' is empty.");
         if (RecordingReader.IsRecording(start))
             return FileKind.Recording;
         if (IsBvh(start))
@@ -42,8 +39,8 @@ internal static class FileKinds
         if (IsText(start) && IsCalculation(path))
             return FileKind.Calculation;
 
-        return IsStream(path) ? FileKind.Raw : throw new NeuronException(
-            $"'{path}' is none of the files that are known: a BVH file, a recording, a calculation export, or the bytes of a stream.");
+        CheckStream(path);
+        return FileKind.Raw;
     }
 
     /// <summary>What a file is to become; null when its name says nothing that is known.</summary>
@@ -88,16 +85,16 @@ internal static class FileKinds
         }
     }
 
-    private static bool IsStream(string path)
+    // What no frame is in may still be known, such as lines of text that lack something.
+    private static void CheckStream(string path)
     {
         try
         {
             using RecordedFrameReader reader = RecordedFrameReader.Open(path);
-            return true;
         }
-        catch (PlaybackException)
+        catch (PlaybackException exception)
         {
-            return false;
+            throw new NeuronException($"{exception.Message} Nor is it a BVH file or a calculation export.", exception);
         }
     }
 }

@@ -29,8 +29,11 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     /// <summary>Which avatar of a recording; null for the first.</summary>
     public int? Avatar { get; init; }
 
-    /// <summary>Of the stream in a recording, whose values do not say it; else of the output. Null for what the file says, or YXZ.</summary>
+    /// <summary>With --convert, of the output; null for the input's. Otherwise of the stream in the input, see <see cref="InputOrder"/>.</summary>
     public RotationOrder? RotationOrder { get; init; }
+
+    /// <summary>With --convert, of the stream in the input, whose values do not say it; null for what the file says, or YXZ.</summary>
+    public RotationOrder? InputOrder { get; init; }
 
     /// <summary>Frames per second of the output; null for the input's.</summary>
     public double? Rate { get; init; }
@@ -48,10 +51,17 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     public bool Json { get; init; }
 
     /// <summary>How a stream in the input is to be read.</summary>
-    public PlaybackOptions Playback => new() { RotationOrder = RotationOrder, FrameRate = InputRate };
+    public PlaybackOptions Playback => new() { RotationOrder = Task == FileTask.Convert ? InputOrder : RotationOrder, FrameRate = InputRate };
 
     /// <summary>How a calculation export in the input is to be read.</summary>
-    public CalculationReadOptions Calculation => new() { FrameRate = InputRate ?? CalculationReadOptions.DefaultFrameRate };
+    public CalculationReadOptions Calculation => new() { FrameRate = InputRate };
+
+    /// <summary>The same with progress, and so that Ctrl+C ends it.</summary>
+    public CalculationReadOptions ReadCalculation(IProgress<double> progress, CancellationToken cancelled) => new()
+    {
+        FrameRate = InputRate,
+        Progress = new ReadProgress(new FileInfo(Input).Length, progress, cancelled),
+    };
 
     /// <summary>Looks into the input.</summary>
     /// <exception cref="NeuronException">It cannot be read, or not with these settings.</exception>
@@ -60,8 +70,17 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     public FileKind RecognizeInput()
     {
         FileKind kind = FileKinds.Recognize(Input);
-        return InputRate is null || kind is FileKind.Raw or FileKind.Calculation
-            ? kind
-            : throw new NeuronException($"--rate: {Path.GetFileName(Input)} has times of its own; --rate is for bytes without times and calculation exports.");
+        string name = Path.GetFileName(Input);
+        if (InputRate is not null && kind is not (FileKind.Raw or FileKind.Calculation))
+            throw new NeuronException($"--rate: {name} has times of its own; --rate is for bytes without times and calculation exports.");
+        if (kind is FileKind.Recording or FileKind.Raw)
+            return kind;
+
+        if (InputOrder is not null || (Task != FileTask.Convert && RotationOrder is not null))
+            throw new NeuronException($"{(InputOrder is null ? "--order" : "--input-order")}: {name} needs none; it is for streams, whose values do not tell their order.");
+        if (Avatar is not null)
+            throw new NeuronException($"--avatar: {name} holds one avatar; --avatar is for streams.");
+
+        return kind;
     }
 }

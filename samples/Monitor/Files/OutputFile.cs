@@ -1,43 +1,88 @@
+using NeuronMocap.Samples;
+
 namespace NeuronMocap.Monitor.Files;
 
 /// <summary>
 /// A file that is written beside its place and comes there when it is whole: what was there before stays until then, and a run that ends early
-/// leaves nothing.
+/// leaves nothing. Thread-safe, so that a run can be given up while a thread still writes.
 /// </summary>
-internal sealed class OutputFile : IDisposable
+/// <param name="path">Its place.</param>
+/// <param name="overwrite">Whether a file that is there is replaced.</param>
+internal sealed class OutputFile(string path, bool overwrite) : IDisposable
 {
-    private readonly string _path;
-    private readonly bool _overwrite;
-    private bool _isKept;
+    private readonly Lock _lock = new();
+    private readonly string _temporaryPath = $"{path}.{Environment.ProcessId}.part{Path.GetExtension(path)}";
+    private bool _isGivenUp;
+    private bool _isBegun;
 
-    /// <summary>Finds a place for the file.</summary>
-    /// <exception cref="IOException">It is there already and must not be replaced.</exception>
-    public OutputFile(string path, bool overwrite)
+    /// <summary>Writes the file and puts it into its place.</summary>
+    /// <param name="write">Writes a file at the path that it is given, and closes it.</param>
+    /// <exception cref="IOException">The file is there already and must not be replaced, or cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">The run was given up.</exception>
+    public void Write(Action<string> write)
     {
-        if (Directory.Exists(path))
-            throw new IOException($"'{path}' is a folder.");
-        if (!overwrite && File.Exists(path))
-            throw new IOException($"'{path}' is there already; --overwrite replaces it.");
+        Check();
+        try
+        {
+            lock (_lock)
+            {
+                Begin();
+            }
 
-        _path = path;
-        _overwrite = overwrite;
-        TemporaryPath = $"{path}.{Environment.ProcessId}.part{Path.GetExtension(path)}";
+            write(_temporaryPath);
+            Keep();
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException && exception.Message.Contains(TemporaryName, StringComparison.Ordinal))
+        {
+            // A name that nobody gave would only puzzle.
+            throw new IOException(FileFault.OfWriting(exception, path), exception);
+        }
+        finally
+        {
+            Dispose();
+        }
     }
 
-    /// <summary>Where to write.</summary>
-    public string TemporaryPath { get; }
-
-    /// <summary>Puts the file, which nobody has open any more, into its place.</summary>
-    /// <exception cref="IOException">In the meantime there is another one, which must not be replaced.</exception>
-    public void Keep()
-    {
-        File.Move(TemporaryPath, _path, _overwrite);
-        _isKept = true;
-    }
-
+    /// <summary>Gives up what is not in its place.</summary>
     public void Dispose()
     {
-        if (!_isKept)
-            File.Delete(TemporaryPath);
+        lock (_lock)
+        {
+            _isGivenUp = true;
+            if (_isBegun && File.Exists(_temporaryPath))
+                File.Delete(_temporaryPath);
+
+            _isBegun = false;
+        }
+    }
+
+    private string TemporaryName => Path.GetFileName(_temporaryPath);
+
+    private void Check()
+    {
+        if (InputFile.FindOddKind(path) is { } kind)
+            throw new IOException($"'{path}' is {kind}; only regular files are written.");
+        if (!overwrite && File.Exists(path))
+            throw new IOException($"'{path}' is there already; --overwrite replaces it.");
+    }
+
+    private void Begin()
+    {
+        if (_isGivenUp)
+            throw new OperationCanceledException();
+
+        _isBegun = true;
+    }
+
+    private void Keep()
+    {
+        lock (_lock)
+        {
+            if (_isGivenUp)
+                throw new OperationCanceledException();
+
+            File.Move(_temporaryPath, path, overwrite);
+            _isBegun = false;
+        }
     }
 }

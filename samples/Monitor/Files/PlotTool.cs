@@ -8,19 +8,19 @@ namespace NeuronMocap.Monitor.Files;
 /// <summary>--plot: draws a file.</summary>
 internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
 {
-    public void Run(CancellationToken cancelled)
+    public void Run(OutputFile output, CancellationToken cancelled)
     {
         FileKind kind = settings.RecognizeInput();
-        using var output = new OutputFile(settings.Output!, settings.Overwrite);
-        string name = Path.GetFileName(settings.Input);
-        using (var progress = new ProgressLine(streams, $"drawing {name}"))
-        {
-            (PointMotion motion, string subtitle) = Load(kind, progress, cancelled);
-            using FileStream file = File.Create(output.TemporaryPath);
-            new TakePlot(motion, name, subtitle).Write(file, progress, cancelled);
-        }
+        output.Write(path => Draw(kind, path, cancelled));
+    }
 
-        output.Keep();
+    private void Draw(FileKind kind, string path, CancellationToken cancelled)
+    {
+        string name = Path.GetFileName(settings.Input);
+        using var progress = new ProgressLine(streams, $"drawing {name}");
+        (PointMotion motion, string subtitle) = Load(kind, progress, cancelled);
+        using FileStream file = File.Create(path);
+        new TakePlot(motion, name, subtitle).Write(file, progress, cancelled);
     }
 
     private (PointMotion Motion, string Subtitle) Load(FileKind kind, IProgress<double> progress, CancellationToken cancelled)

@@ -14,6 +14,7 @@ internal sealed class ProgressLine(StandardStreams streams, string work) : IProg
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(100);
 
+    private readonly string _work = TerminalText.Clean(work);
     private readonly long _start = Stopwatch.GetTimestamp();
     private TimeSpan _next = Patience;
     private bool _isShown;
@@ -29,7 +30,7 @@ internal sealed class ProgressLine(StandardStreams streams, string work) : IProg
         _next = elapsed + Interval;
         _isShown = true;
         TimeSpan rest = value > 0 ? elapsed * ((1 - value) / value) : TimeSpan.Zero;
-        streams.Error.Write(Quantity.Format($"{Erase}{work} {value * 100:0} %, {Quantity.Duration(rest)} left"));
+        streams.Error.Write(Quantity.Format($"{Erase}{_work} {value * 100:0} %, {Quantity.Duration(rest)} left"));
         streams.Error.Flush();
     }
 

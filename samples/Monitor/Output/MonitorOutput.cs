@@ -30,6 +30,10 @@ internal abstract class MonitorOutput
     {
     }
 
+    /// <summary>A recording or an export has ended because its file cannot be written any more. Any thread.</summary>
+    /// <returns>Whether it is shown.</returns>
+    public virtual bool OnFileFailed(FileFailure failure) => false;
+
     /// <summary>Runs until it is stopped, or until whoever looks at the output has had enough.</summary>
     public virtual Task RunAsync(CancellationToken stop) => Until(stop);
 

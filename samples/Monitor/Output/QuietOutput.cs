@@ -5,12 +5,14 @@ namespace NeuronMocap.Monitor.Output;
 /// <summary>--quiet: the summary alone.</summary>
 internal sealed class QuietOutput(Stream output) : MonitorOutput
 {
+    // Its clock runs from here.
+    private readonly JsonLines _lines = new();
+
     public override void Finish(ReaderStatistics statistics)
     {
-        var lines = new JsonLines();
         try
         {
-            output.Write(lines.Summary(statistics));
+            output.Write(_lines.Summary(statistics));
         }
         catch (IOException exception)
         {

@@ -1,4 +1,5 @@
 using NeuronMocap.Playback;
+using NeuronMocap.Samples;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor.Playback;
@@ -17,6 +18,7 @@ internal sealed record PlaySettings(string File, double Speed, double? Rate, boo
     {
         try
         {
+            InputFile.Require(File);
             RecordingPlayer player = RecordingPlayer.Open(File, new PlaybackOptions { FrameRate = Rate, RotationOrder = order });
             player.Speed = Speed;
             player.Passes = Loop ? RecordingPlayer.Endless : 1;
@@ -24,11 +26,11 @@ internal sealed record PlaySettings(string File, double Speed, double? Rate, boo
         }
         catch (ArgumentException) when (Rate is not null)
         {
-            throw new PlayException($"--rate: {File} has times of its own; --speed makes it faster or slower.");
+            throw new PlayException($"--rate: {TerminalText.Clean(File)} has times of its own; --speed makes it faster or slower.");
         }
         catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException or ArgumentException)
         {
-            throw new PlayException($"--play: {exception.Message}");
+            throw new PlayException($"--play: {FileFault.OfReading(exception, File)}");
         }
     }
 }

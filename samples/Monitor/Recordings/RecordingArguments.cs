@@ -75,6 +75,7 @@ internal sealed class RecordingArguments
             return;
         }
 
+        FileNames.Reject(result, _record, "a recording", ".nmrec");
         foreach (Option option in others.Where(option => CommandLine.IsGiven(result, option)))
             result.AddError($"{option.Name} and --record exclude each other: there is no stream to record.");
         if (CommandLine.IsGiven(result, play))

@@ -7,10 +7,6 @@ namespace NeuronMocap.Monitor.Recordings;
 /// <param name="Options">How.</param>
 internal sealed record RecordingSettings(string Path, RecordingOptions Options)
 {
-    // EEXIST, and what Windows calls ERROR_FILE_EXISTS.
-    private const int FileExistsUnix = 17;
-    private const int FileExistsWindows = unchecked((int)0x80070050);
-
     /// <summary>Begins the recording.</summary>
     /// <param name="reader">What to record.</param>
     /// <param name="error">Why it cannot begin.</param>
@@ -22,11 +18,20 @@ internal sealed record RecordingSettings(string Path, RecordingOptions Options)
             error = null;
             return reader.StartRecording(Path, Options);
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            bool isThere = exception.HResult is FileExistsUnix or FileExistsWindows;
-            error = $"--record: {exception.Message}{(isThere ? " --overwrite replaces a file that is there." : string.Empty)}";
+            error = $"--record: {Describe(exception)}";
             return null;
         }
+    }
+
+    private string Describe(Exception exception)
+    {
+        if (!FileFault.IsExisting(exception))
+            return FileFault.OfWriting(exception, Path);
+
+        return Options.MaxFileSize is null && Options.MaxFileDuration is null
+            ? $"{FileFault.OfWriting(exception, Path)} --overwrite replaces it."
+            : $"files with numbers of '{TerminalText.Clean(Path)}' are there already. --overwrite replaces them.";
     }
 }

@@ -17,6 +17,7 @@ internal static class AvatarTable
     private const int Wide = 95;
     private const int Widest = 120;
     private const int WidestName = 40;
+    private const string Lifted = "·";
 
     // Their widths are fixed, so that the table stands still while its numbers change. A small screen has room for the essential ones.
     private static readonly Column[] Columns =
@@ -131,10 +132,11 @@ internal static class AvatarTable
         if (contacts is not { } feet)
             return new Paragraph("-");
 
+        // Letters, and not colours alone: NO_COLOR switches those off.
         return new Paragraph()
-            .Append("L", feet.Left ? new Style(Color.Black, Palette.Left) : Palette.DimStyle)
+            .Append(feet.Left ? "L" : Lifted, feet.Left ? new Style(Color.Black, Palette.Left) : Palette.DimStyle)
             .Append(" ")
-            .Append("R", feet.Right ? new Style(Color.Black, Palette.Right) : Palette.DimStyle);
+            .Append(feet.Right ? "R" : Lifted, feet.Right ? new Style(Color.Black, Palette.Right) : Palette.DimStyle);
     }
 
     private static StyledLine Totals(LiveState state)
@@ -146,8 +148,7 @@ internal static class AvatarTable
             .Add($"skipped {Quantity.Bytes(total.SkippedBytes)}", total.SkippedBytes > 0 ? new Style(Palette.Warning) : Palette.DimStyle)
             .Add(" · ", Palette.DimStyle)
             .Add($"{Quantity.Bytes(state.BytesPerSecond)}/s")
-            .AddRight($"allocated {Quantity.Bytes(state.BytesAllocatedElsewhere)}/s, ", Palette.DimStyle)
-            .AddRight($"view {Quantity.Bytes(state.BytesAllocatedByView)}/s · {state.Collections} GC", Palette.DimStyle);
+            .AddRight($"receiving allocates {Quantity.Bytes(state.BytesAllocatedByReceiving)}/s", Palette.DimStyle);
     }
 
     private readonly record struct Column(string Title, int Narrow, int Wide, Justify Alignment, int From = 0)

@@ -21,20 +21,17 @@ internal static class Dashboard
     public static IRenderable Create(LiveState state, int width, int height)
     {
         if (width < SmallestWidth || height < SmallestHeight)
-        {
-            return new Rows(
-                HeaderView.Create(state),
-                new StyledLine().Add($"{SmallestWidth} x {SmallestHeight} characters are needed; the window has {width} x {height}."));
-        }
+            return CompactView.Create(state, width, height);
 
         bool framed = width >= FramedWidth && height >= FramedHeight;
         int border = framed ? 2 : 0;
         int avatarRows = Math.Min(AvatarTable.CountRows(state), Math.Max(2, height / 6));
         int avatarHeight = avatarRows + AvatarTable.FixedHeight + border;
         int eventRows = framed ? Math.Max(3, height / 8) : height >= 30 ? 4 : 2;
-        int bodyHeight = height - HeaderView.Height - avatarHeight - eventRows - border - FooterHeight;
+        int headerHeight = HeaderView.HeightOf(state, width);
+        int bodyHeight = height - headerHeight - avatarHeight - eventRows - border - FooterHeight;
         return new Layout().SplitRows(
-            Fixed(HeaderView.Create(state), HeaderView.Height),
+            Fixed(HeaderView.Create(state, width), headerHeight),
             Fixed(Frame("avatars", AvatarTable.Create(state, avatarRows, framed ? width - 4 : width), framed), avatarHeight),
             CreateBody(state, width, bodyHeight, framed),
             Fixed(Frame("events", CreateEvents(state.Events, eventRows), framed), eventRows + border),
@@ -58,7 +55,7 @@ internal static class Dashboard
         if (state.ShowsHelp)
             return Fixed(Frame("help", HelpView.Create(state.Player is not null), framed), height);
         if (state.Pose is not { HasSkeleton: true } pose || state.Status.State != Transport.ConnectionState.Receiving)
-            return Fixed(ProblemView.Create(state, width), height);
+            return Fixed(ProblemView.Create(ProblemView.Find(state) ?? default, state, width, height), height);
 
         int inner = height - (framed ? 2 : 0);
         BonePage page = BoneSets.GetPage(state.BonePage, inner - BoneTable.HeadHeight - (framed ? 0 : 1));
@@ -90,18 +87,21 @@ internal static class Dashboard
     {
         IEnumerable<IRenderable> lines = log.Newest(rows).Select(entry => new StyledLine()
             .Add($"{entry.Time:HH:mm:ss} ", Palette.DimStyle)
-            .Add("● ", new Style(Palette.Of(entry.Status.State)))
+            .Add("● ", new Style(entry.Color))
             .Add(entry.Count > 1 ? $"{entry.Count} times: " : string.Empty)
-            .Add(entry.Status.Message, Palette.DimStyle));
+            .Add(entry.Text, Palette.DimStyle));
         return new Rows(lines);
     }
+
+    /// <summary>The keys, and what each does in a word.</summary>
+    public static IEnumerable<(string Key, string Action)> KeysOf(bool isPlayback) => isPlayback ? [Keys[0], .. PlaybackKeys.Hints, .. Keys[2..]] : Keys;
 
     private static StyledLine CreateFooter(bool isPlayback)
     {
         var line = new StyledLine();
-        foreach ((string key, string action) in isPlayback ? [Keys[0], .. PlaybackKeys.Hints, .. Keys[2..]] : Keys)
+        foreach ((string key, string action) in KeysOf(isPlayback))
             line.Add(key, Palette.StrongStyle).Add($" {action}   ", Palette.DimStyle);
 
-        return line.AddRight("■ left ", new Style(Palette.Left)).AddRight("■ right", new Style(Palette.Right));
+        return line.AddColouredRight("■ left ", new Style(Palette.Left)).AddColouredRight("■ right", new Style(Palette.Right));
     }
 }

@@ -2,18 +2,24 @@ using System.Diagnostics;
 using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
+using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 using Spectre.Console;
 using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Monitor.Terminal;
 
-/// <summary>Where from, in which state and since when, and what kind of stream: three lines.</summary>
+/// <summary>Where from, in which state and since when, why, and what kind of stream.</summary>
 internal static class HeaderView
 {
-    public const int Height = 3;
+    // Besides the reason, which has one line, and more where a file failed, or the skeleton is shown and something is wrong all the same.
+    private const int OtherLines = 2;
+    private const int MostReasonLines = 3;
 
-    public static IRenderable Create(LiveState state) => new Rows(Connection(state), Reason(state.Status, state.Now), Stream(state));
+    /// <summary>Lines that it takes.</summary>
+    public static int HeightOf(LiveState state, int width) => OtherLines + Reason(state, width).Count;
+
+    public static IRenderable Create(LiveState state, int width) => new Rows([Connection(state), .. Reason(state, width), Stream(state)]);
 
     /// <summary>"next attempt in 2.1 s", or nothing.</summary>
     public static string DescribeRetry(ConnectionStatus status, long now)
@@ -59,21 +65,44 @@ internal static class HeaderView
         line.AddRight("  ");
     }
 
-    private static string DescribeSource(LiveState state)
+    /// <summary>What is received from, in a few words.</summary>
+    public static string DescribeSource(LiveState state)
     {
         if (state.Player is { } player)
             return $"{TerminalText.Clean(player.FileName)}  {PlaybackKeys.Describe(player)}";
         if (state.Options.UdpPort is { } port)
-            return $"UDP port {port}";
+            return state.Status.ReceiveBufferSize is { } buffer ? $"UDP port {port}, buffer {Quantity.Memory(buffer)}" : $"UDP port {port}";
 
         return state.Options.Server is { } server ? $"TCP {server}" : $"TCP {state.Status.RemoteEndPoint?.ToString() ?? "loopback"} (demo)";
     }
 
-    private static StyledLine Reason(ConnectionStatus status, long now)
+    // A file that is not written any more must not be found out at the end.
+    private static IReadOnlyList<StyledLine> Reason(LiveState state, int width) =>
+    [
+        .. state.FileFailures.SelectMany(failure => Wrap(failure.Text, width, new Style(Palette.Bad, decoration: Decoration.Bold))),
+        .. StatusLines(state, width),
+    ];
+
+    private static IReadOnlyList<StyledLine> StatusLines(LiveState state, int width)
     {
-        Style style = status.State == ConnectionState.Receiving ? Palette.DimStyle : new Style(Palette.Of(status.State));
-        return new StyledLine().Add(status.Message, style).AddRight(DescribeRetry(status, now), new Style(Palette.Warning));
+        ConnectionStatus status = state.Status;
+        if (status.State != ConnectionState.Receiving)
+        {
+            return
+            [
+                new StyledLine().Add(status.Describe(), new Style(Palette.Of(status.State)))
+                    .AddRight(DescribeRetry(status, state.Now), new Style(Palette.Warning)),
+            ];
+        }
+
+        if (status.Reason == ConnectionReason.None)
+            return [new StyledLine().Add(status.Describe(), Palette.DimStyle)];
+
+        return Wrap(status.Describe(), width, new Style(Palette.Warning));
     }
+
+    private static IReadOnlyList<StyledLine> Wrap(string text, int width, Style style) =>
+        [.. WrappedText.Break(text, width, MostReasonLines).Select(line => new StyledLine().Add(line, style))];
 
     private static StyledLine Stream(LiveState state)
     {
@@ -82,19 +111,28 @@ internal static class HeaderView
 
         MotionHeader header = pose.Header;
         string version = header.Version == DataVersion.None ? "text" : $"{header.Version} {(header.Layout == HeaderLayout.New ? "NEW" : "OLD")}";
-        return new StyledLine()
+        StyledLine line = new StyledLine()
             .Add("stream ", Palette.DimStyle)
             .Add(version)
             .Add(" · ", Palette.DimStyle)
             .Add($"{header.ValueCount} values")
             .Add($" · displacement {OnOff(header.HasDisplacement)} · reference {OnOff(header.HasReference)}", Palette.DimStyle)
-            .Add($" · {DescribeOrder(state.Options.RotationOrder is not null, pose)}", Palette.DimStyle);
+            .Add($" · {DescribeOrder(state, pose)}", Palette.DimStyle);
+        return header.Timecode is { } timecode ? line.AddRight($"timecode {timecode}") : line;
     }
 
-    // Axis Studio's stream says its order; a wrong guess is what makes a body fold up.
-    private static string DescribeOrder(bool isOption, Pose pose) => isOption ? $"{pose.Format.RotationOrder} by --order"
-        : pose.Header.Version == DataVersion.Studio ? $"{pose.Format.RotationOrder} as the stream says"
-        : $"{pose.Format.RotationOrder} assumed";
+    // Axis Studio's stream says its order; a wrong guess is what makes a body fold up. Where others may say it, the status tells whether they did.
+    private static string DescribeOrder(LiveState state, Pose pose)
+    {
+        RotationOrder order = pose.Format.RotationOrder;
+        if (state.Options.RotationOrder is not null)
+            return $"{order} by --order";
+        if (pose.Header.Version == DataVersion.Studio)
+            return $"{order} as the stream says";
+
+        bool mayBeTold = state.Options.CommandPort is not null || state.Options.Play is not null;
+        return mayBeTold ? $"rotation order {order}" : $"{order} assumed";
+    }
 
     private static string OnOff(bool on) => on ? "on" : "off";
 }

@@ -22,6 +22,7 @@ internal static class HelpView
         ("age", "time since the newest frame"),
         ("dropped", "frames that found a queue of this program full"),
         ("skipped", "bytes that belong to no packet"),
+        ("feet", "L, R: this foot stands on the ground; a dot: it does not; -: not known"),
         ("ground", "the line at y = 0, with a mark every 50 cm"),
     ];
 

@@ -1,6 +1,7 @@
 using System.Runtime.InteropServices;
 using System.Text;
 using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
 using NeuronMocap.Monitor.Output;
 using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Playback;
@@ -18,6 +19,18 @@ internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, S
     private bool _quit;
 
     public override void OnStatus(ConnectionStatus status) => _state.Events.Add(DateTime.Now, status);
+
+    public override bool OnFileFailed(FileFailure failure)
+    {
+        _state.AddFailure(failure);
+        return true;
+    }
+
+    public override void OnMotion(MotionFrame frame) => _state.Allocations.OnFrame();
+
+    public override void OnCalculation(CalculationFrame frame) => _state.Allocations.OnFrame();
+
+    public override void OnStudioCalculation(StudioCalculationFrame frame) => _state.Allocations.OnFrame();
 
     public override Task RunAsync(CancellationToken stop) => Task.Factory.StartNew(
         () => Run(stop), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);

@@ -2,6 +2,7 @@ using System.Diagnostics;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Kinematics;
+using NeuronMocap.Monitor.Output;
 using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
@@ -16,10 +17,9 @@ internal sealed class LiveState(MonitorOptions options)
     private readonly Dictionary<int, FootContacts> _contacts = [];
     private readonly FootContactEstimator _feet = new();
     private readonly RateMeter _bytes = new();
-    private readonly RateMeter _allocatedHere = new();
-    private readonly RateMeter _allocatedElsewhere = new();
+    private readonly RateMeter _allocated = new();
+    private volatile FileFailure[] _failures = [];
     private readonly long _start = Stopwatch.GetTimestamp();
-    private int _collectionsAtReset;
 
     public MonitorOptions Options => options;
 
@@ -28,6 +28,9 @@ internal sealed class LiveState(MonitorOptions options)
 
     /// <summary>What records; null when nothing does.</summary>
     public StreamRecorder? Recorder { get; init; }
+
+    /// <summary>The files that cannot be written any more, a recording and an export at most. Any thread.</summary>
+    public IReadOnlyList<FileFailure> FileFailures => _failures;
 
     public EventLog Events { get; } = new();
 
@@ -62,13 +65,11 @@ internal sealed class LiveState(MonitorOptions options)
 
     public double BytesPerSecond => _bytes.PerSecond;
 
-    /// <summary>What drawing allocates.</summary>
-    public double BytesAllocatedByView => _allocatedHere.PerSecond;
+    /// <summary>What the receive thread allocates in a second.</summary>
+    public double BytesAllocatedByReceiving => _allocated.PerSecond;
 
-    /// <summary>What all other threads allocate: receiving, most of all.</summary>
-    public double BytesAllocatedElsewhere => Math.Max(_allocatedElsewhere.PerSecond, 0);
-
-    public int Collections => GC.CollectionCount(0) - _collectionsAtReset;
+    /// <summary>Measures what the receive thread allocates.</summary>
+    public ReceiveAllocations Allocations { get; } = new();
 
     /// <summary>Looks at the reader.</summary>
     public void Update(NeuronReader reader, LatestFrames latest)
@@ -82,9 +83,7 @@ internal sealed class LiveState(MonitorOptions options)
         ReaderStatistics total = reader.GetStatistics();
         Counters.Take(total, reader.GetAvatarStatistics());
         _bytes.Add(Now, total.BytesReceived);
-        long here = GC.GetAllocatedBytesForCurrentThread();
-        _allocatedHere.Add(Now, here);
-        _allocatedElsewhere.Add(Now, GC.GetTotalAllocatedBytes() - here);
+        _allocated.Add(Now, Allocations.Total);
         if (Pose is null && MotionAvatars() is [var first, ..])
             Avatar = first;
         if (latest.TryTakeMotion(Avatar, out MotionFrame? motion))
@@ -112,13 +111,19 @@ internal sealed class LiveState(MonitorOptions options)
         EstimatedContacts = _feet.Update(Pose.World, Pose.Body, frame.Timestamp / (double)Stopwatch.Frequency);
     }
 
+    /// <summary>Keeps a file that failed in view. Any thread, one call at a time.</summary>
+    public void AddFailure(FileFailure failure)
+    {
+        _failures = [.. _failures, failure];
+        Events.Add(DateTime.Now, failure);
+    }
+
     /// <summary>The feet on the ground, where a calculation frame of the avatar said so.</summary>
     public FootContacts? GetContacts(int avatar) => _contacts.TryGetValue(avatar, out FootContacts contacts) ? contacts : null;
 
     public void ResetCounters(NeuronReader reader)
     {
         Counters.Reset(reader.GetStatistics(), reader.GetAvatarStatistics());
-        _collectionsAtReset = GC.CollectionCount(0);
         Scale = new ViewScale();
     }
 

@@ -13,6 +13,14 @@ internal static class Quantity
         _ => Format($"{bytes / 1e9:0.0} GB"),
     };
 
+    /// <summary>As memory is counted, in powers of 1024.</summary>
+    public static string Memory(double bytes) => bytes switch
+    {
+        < 1024 => Format($"{bytes:0} B"),
+        < 1024 * 1024 => Format($"{bytes / 1024:0.#} KiB"),
+        _ => Format($"{bytes / (1024 * 1024):0.#} MiB"),
+    };
+
     public static string Duration(TimeSpan time) => time.TotalSeconds switch
     {
         < 1 => Format($"{Math.Max(time.TotalMilliseconds, 0):0} ms"),

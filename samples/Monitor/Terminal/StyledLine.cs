@@ -8,6 +8,7 @@ internal sealed class StyledLine : Renderable
 {
     private readonly List<Segment> _left = [];
     private readonly List<Segment> _right = [];
+    private readonly List<Segment> _colouredRight = [];
 
     public StyledLine Add(string text, Style? style = null)
     {
@@ -21,11 +22,18 @@ internal sealed class StyledLine : Renderable
         return this;
     }
 
+    /// <summary>Adds what means something by its colour alone: left out where there are no colours.</summary>
+    public StyledLine AddColouredRight(string text, Style style)
+    {
+        _colouredRight.Add(new Segment(TerminalText.Clean(text), style));
+        return this;
+    }
+
     protected override Measurement Measure(RenderOptions options, int maxWidth) => new(maxWidth, maxWidth);
 
     protected override IEnumerable<Segment> Render(RenderOptions options, int maxWidth)
     {
-        List<Segment> right = CutOff(_right, maxWidth);
+        List<Segment> right = CutOff(options.ColorSystem == ColorSystem.NoColors ? _right : [.. _right, .. _colouredRight], maxWidth);
         int room = maxWidth - Segment.CellCount(right);
         List<Segment> left = CutOff(_left, right.Count > 0 ? room - 1 : room);
         return [.. left, Segment.Padding(room - Segment.CellCount(left)), .. right, Segment.LineBreak];

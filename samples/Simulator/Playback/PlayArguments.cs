@@ -61,6 +61,11 @@ internal sealed class PlayArguments
         if (isMax && speed is not null)
             throw new UsageException("--speed and --rate max exclude each other: as fast as clients read is no speed.");
 
+        return SourceFile.Read(_play.Name, file, () => Open(file, rate, speed, isMax, loop));
+    }
+
+    private static PlaySettings Open(FileInfo file, double? rate, double? speed, bool isMax, bool loop)
+    {
         try
         {
             var options = new PlaybackOptions { FrameRate = isMax ? null : rate };
@@ -73,10 +78,6 @@ internal sealed class PlayArguments
         catch (ArgumentException)
         {
             throw new UsageException($"--rate: {file.Name} has times of its own; --speed makes it faster or slower, --rate max as fast as clients read.");
-        }
-        catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException)
-        {
-            throw new SimulatorException($"--play: {exception.Message}");
         }
     }
 

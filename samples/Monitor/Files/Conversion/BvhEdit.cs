@@ -5,9 +5,10 @@ namespace NeuronMocap.Monitor.Files.Conversion;
 /// <summary>From a BVH file to another one, of any skeleton: what is not to change is written as it was, digit by digit.</summary>
 internal static class BvhEdit
 {
-    public static void Write(FileSettings settings, TimeRange range, string output, IProgress<double> progress, CancellationToken cancelled)
+    public static void Write(FileSettings settings, TimeRange range, string output, ConversionSummary summary, IProgress<double> progress, CancellationToken cancelled)
     {
         BvhDocument document = BvhFile.Load(settings.Input, progress, cancelled);
+        summary.AddRepairs(document);
         if (settings.Rate is { } rate)
             document = document.Resample(rate);
         if (!range.IsAll)
@@ -21,5 +22,6 @@ internal static class BvhEdit
 
         cancelled.ThrowIfCancellationRequested();
         document.Save(output);
+        (summary.Frames, summary.Rate, summary.Seconds) = (document.FrameCount, document.FrameRate, document.FrameCount / document.FrameRate);
     }
 }

@@ -9,7 +9,8 @@ internal static class CalculationOutput
 {
     public static void Write(MotionSource take, Stream output, IProgress<double> progress, CancellationToken cancelled)
     {
-        using var writer = new CalculationFileWriter(output, CalculationFrame.FullValueCount);
+        using var writer = new CalculationFileWriter(
+            output, CalculationFrame.FullValueCount, CalculationTextFormat.AxisNeuron.WithFrameRate(take.FrameRate));
         float[] values = new float[writer.ValueCount];
         long count = take.FrameCount!.Value;
         for (long frame = 0; frame < count; frame++)

@@ -6,6 +6,10 @@ namespace NeuronMocap.Monitor.Files.Conversion;
 /// <summary>Copies what a recording holds, entry by entry: all bytes as they were received, those that no packet can be made of included.</summary>
 internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IProgress<double> progress, CancellationToken cancelled)
 {
+    // What is open in the copy: behind a damaged place a recording says again what was open, and an end may be lost there.
+    private readonly Dictionary<int, RecordedConnection> _open = [];
+    private readonly HashSet<(int Connection, int Sender)> _senders = [];
+
     /// <summary>Pieces of bytes that were copied.</summary>
     public long Pieces { get; private set; }
 
@@ -18,16 +22,10 @@ internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IPr
             switch (entry.Kind)
             {
                 case RecordingEntryKind.ConnectionOpened:
-                    writer.OpenConnection(time, entry.Opened! with { WasOpen = entry.Opened!.WasOpen || entry.Time < range.Start });
+                    Open(writer, time, entry.Opened! with { WasOpen = entry.Opened!.WasOpen || entry.Time < range.Start });
                     break;
-                case RecordingEntryKind.SenderAdded:
-                    writer.AddSender(time, entry.Connection, entry.Sender, entry.Text!);
-                    break;
-                case RecordingEntryKind.SenderRemoved:
-                    writer.RemoveSender(time, entry.Connection, entry.Sender);
-                    break;
-                case RecordingEntryKind.ConnectionClosed:
-                    writer.CloseConnection(time, entry.Connection, entry.Text!);
+                case RecordingEntryKind.Metadata:
+                    writer.SetMetadata(time, entry.Key!, entry.Text!);
                     break;
                 case RecordingEntryKind.Bytes:
                     writer.WriteBytes(time, entry.Connection, entry.Bytes, entry.Sender);
@@ -36,10 +34,9 @@ internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IPr
                 case RecordingEntryKind.BytesLost:
                     writer.WriteLoss(time, entry.Connection, entry.LostPieces, entry.LostBytes);
                     break;
-                case RecordingEntryKind.Metadata:
-                    writer.SetMetadata(time, entry.Key!, entry.Text!);
-                    break;
                 default:
+                    if (_open.ContainsKey(entry.Connection))
+                        CopyState(writer, time, entry);
                     break;
             }
         }
@@ -62,6 +59,47 @@ internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IPr
 
             output.Write(entry.Bytes);
             Pieces++;
+        }
+    }
+
+    private void Open(RecordingWriter writer, TimeSpan time, RecordedConnection connection)
+    {
+        if (_open.TryGetValue(connection.Number, out RecordedConnection? open))
+        {
+            if (open with { WasOpen = connection.WasOpen } == connection)
+                return;
+
+            Close(writer, time, connection.Number, "The end is in a damaged place.");
+        }
+
+        _open.Add(connection.Number, connection);
+        writer.OpenConnection(time, connection);
+    }
+
+    private void Close(RecordingWriter writer, TimeSpan time, int connection, string reason)
+    {
+        _open.Remove(connection);
+        _senders.RemoveWhere(sender => sender.Connection == connection);
+        writer.CloseConnection(time, connection, reason);
+    }
+
+    // Of a connection that is open.
+    private void CopyState(RecordingWriter writer, TimeSpan time, in RecordingEntry entry)
+    {
+        var sender = (entry.Connection, entry.Sender);
+        switch (entry.Kind)
+        {
+            case RecordingEntryKind.SenderAdded when _senders.Add(sender):
+                writer.AddSender(time, entry.Connection, entry.Sender, entry.Text!);
+                break;
+            case RecordingEntryKind.SenderRemoved when _senders.Remove(sender):
+                writer.RemoveSender(time, entry.Connection, entry.Sender);
+                break;
+            case RecordingEntryKind.ConnectionClosed:
+                Close(writer, time, entry.Connection, entry.Text!);
+                break;
+            default:
+                break;
         }
     }
 

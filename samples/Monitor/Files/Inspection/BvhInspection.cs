@@ -79,7 +79,11 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
         {
             section.Add("notNeuron", "not Neuron's", reason!);
             section.Add("rotationOrders", "rotation order", Orders(document), new JsonArray([.. OrdersOf(document).Select(static order => (JsonNode)order.Order)]));
-            section.Add("joinsNamed", "first joints", string.Join(", ", document.Joints.Take(MostNamed).Select(static joint => joint.Name)) + (document.Joints.Count > MostNamed ? ", …" : string.Empty));
+            section.Add(
+                "jointNames",
+                "first joints",
+                string.Join(", ", document.Joints.Take(MostNamed).Select(static joint => joint.Name)) + (document.Joints.Count > MostNamed ? ", …" : string.Empty),
+                new JsonArray([.. document.Joints.Select(static joint => (JsonNode)joint.Name)]));
             return;
         }
 

@@ -26,7 +26,7 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
         take.Add("bytes", string.Empty, null, reader.Length ?? 0);
         take.Add("seconds", "duration", Quantity.Format($"{duration:0.000} s"), duration);
         take.Add("frames", "frames", Quantity.Count(reader.FrameCount), reader.FrameCount);
-        take.Add("frameRate", "frame rate", Rate(reader.FrameRate), reader.FrameRate);
+        take.Add("frameRate", "frame rate", Rate(reader), reader.FrameRate);
         take.Add("columns", "columns", Quantity.Format($"{reader.ValueCount}: 16 for each of {bones} bones, and the contacts of both feet"), reader.ValueCount);
         take.Add("decimals", "text", Describe(reader.TextFormat), reader.TextFormat.Decimals);
         take.Add(
@@ -34,15 +34,48 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
             "feet on ground",
             Quantity.Format($"left {100.0 * left / reader.FrameCount:0.0} %, right {100.0 * right / reader.FrameCount:0.0} % of the frames, as the server measured"),
             new JsonObject { ["left"] = Math.Round((double)left / reader.FrameCount, 5), ["right"] = Math.Round((double)right / reader.FrameCount, 5) });
-        var source = new CalculationSource(CalculationDocument.Load(settings.Input, settings.Calculation));
-        BodySection.Add(report, source);
-        var motion = new BodyMotion(source);
-        MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancelled));
+        if (reader.InitialDirection is { } direction)
+        {
+            take.Add(
+                "initialDirection",
+                "faces at start",
+                Quantity.Format($"{direction.X:0.####} {direction.Y:0.####} {direction.Z:0.####} in the file's axes: Zd of its header"),
+                new JsonArray(direction.X, direction.Y, direction.Z));
+        }
+
+        AddPoses(report, oddities, cancelled);
+        if (oddities.IsEmpty)
+            oddities.Remark("none", "none");
+
         return report;
     }
 
-    private string Rate(double rate) =>
-        Quantity.Format($"{rate:0.###} Hz") + (settings.InputRate is null ? ", assumed: no export says; --rate gives another one" : ": as --rate says");
+    private void AddPoses(InfoReport report, InfoSection oddities, CancellationToken cancelled)
+    {
+        try
+        {
+            var source = new CalculationSource(CalculationDocument.Load(settings.Input, settings.ReadCalculation(progress, cancelled)));
+            foreach (string doubt in source.Skeleton.Doubts)
+                oddities.Remark("lengths", doubt);
+
+            BodySection.Add(report, source);
+            var motion = new BodyMotion(source);
+            MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancelled));
+        }
+        catch (CalculationFormatException exception)
+        {
+            oddities.Remark("noPoses", exception.Message);
+        }
+    }
+
+    private string Rate(CalculationFileReader reader)
+    {
+        string rate = Quantity.Format($"{reader.FrameRate:0.###} Hz");
+        if (settings.InputRate is not null)
+            return rate + ": as --rate says";
+
+        return rate + (reader.DeclaredFrameRate is null ? ", assumed: the export does not say; --rate gives another one" : ": as the header of the file says");
+    }
 
     private static string Describe(CalculationTextFormat format) => string.Create(
         System.Globalization.CultureInfo.InvariantCulture,
@@ -78,8 +111,6 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
             oddities.Remark("notNumbers", Quantity.Format($"{notNumbers:#,0} values are no finite numbers"));
         if (changes.Count(static changes => !changes) is > 0 and var constant)
             oddities.Remark("constantColumns", $"{constant} of the {values.Length} values never change");
-        if (oddities.IsEmpty)
-            oddities.Remark("none", "none");
 
         return (left, right);
     }

@@ -1,4 +1,3 @@
-using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 
@@ -7,7 +6,7 @@ namespace NeuronMocap.Monitor.Files.Inspection;
 /// <summary>A report for a program: one JSON object in one line.</summary>
 internal static class InfoJson
 {
-    private static readonly JsonSerializerOptions Options = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+    private static readonly JsonSerializerOptions Options = new() { Encoder = TerminalText.JsonEncoder };
 
     public static string Write(InfoReport report)
     {
@@ -22,10 +21,20 @@ internal static class InfoJson
     {
         var json = new JsonObject();
         foreach (InfoFact fact in section.Facts.Where(static fact => fact.Name.Length > 0))
-            json[fact.Name] = fact.Value?.DeepClone();
+            json[fact.Name] = Finite(fact.Value);
 
         return json;
     }
 
-    private static JsonArray Items(InfoSection section) => [.. section.Items.Select(static item => item.Json.DeepClone())];
+    private static JsonArray Items(InfoSection section) => [.. section.Items.Select(static item => Finite(item.Json))];
+
+    // A copy in which what is no number, as of a take that holds none, is null: JSON has no word for it.
+    private static JsonNode? Finite(JsonNode? node) => node switch
+    {
+        JsonObject json => new JsonObject(json.Select(static member => KeyValuePair.Create(member.Key, Finite(member.Value)))),
+        JsonArray list => new JsonArray([.. list.Select(Finite)]),
+        JsonValue value when value.TryGetValue(out double number) && !double.IsFinite(number) => null,
+        JsonValue value when value.TryGetValue(out float number) && !float.IsFinite(number) => null,
+        _ => node?.DeepClone(),
+    };
 }

@@ -29,12 +29,12 @@ internal sealed class InfoPage
     public void Write(InfoReport report)
     {
         int width = report.Sections.SelectMany(static section => section.Facts).Max(static fact => fact.Label.Length);
-        WriteLine(new Text(TerminalText.Clean(report.File), Palette.StrongStyle));
-        WriteLine(new Text(TerminalText.Clean(report.Summary)));
+        WriteLine(report.File, Palette.StrongStyle);
+        WriteLine(report.Summary);
         foreach (InfoSection section in report.Sections.Where(static section => !section.IsEmpty))
         {
             _console.WriteLine();
-            WriteLine(new Text(section.Title, Palette.StrongStyle));
+            WriteLine(section.Title, Palette.StrongStyle);
             foreach (InfoFact fact in section.Facts)
             {
                 if (fact.Text is { } text)
@@ -49,15 +49,15 @@ internal sealed class InfoPage
         }
     }
 
-    private void WriteLine(Text text)
+    private void WriteLine(string text, Style? style = null)
     {
-        _console.Write(text);
+        _console.Write(new Text(TerminalText.Clean(text), style));
         _console.WriteLine();
     }
 
     private void WriteRow(string label, int width, string text)
     {
-        string clean = TerminalText.Clean(text);
+        (label, string clean) = (TerminalText.Clean(label), TerminalText.Clean(text));
         if (!_isTerminal)
         {
             // A grid pads its lines to their full width.

@@ -9,6 +9,9 @@ internal static class RecordingSections
 {
     private const int LongestValue = 120;
 
+    // A file can hold millions of connections and senders, and nobody reads that many.
+    private const int MostEvents = 1000;
+
     public static void Add(InfoReport report, string path, long size, IProgress<double> progress, CancellationToken cancelled)
     {
         using RecordingReader reader = RecordingReader.Open(path);
@@ -22,7 +25,7 @@ internal static class RecordingSections
         recording.Add("seconds", "duration", Quantity.Format($"{reader.Duration.TotalSeconds:0.000} s"), reader.Duration.TotalSeconds);
         recording.Add("payloadBytes", "received", Quantity.Format($"{Quantity.Bytes(bytes)} in {pieces:#,0} pieces, kept in {Quantity.Bytes(size)}"), bytes);
         recording.Add("pieces", string.Empty, null, pieces).Add("lostBytes", string.Empty, null, lost);
-        recording.Add("complete", "closed", reader.IsComplete ? "yes" : "no: the recording program was killed, or still runs", reader.IsComplete);
+        recording.Add("complete", "closed", reader.IsComplete ? "yes" : "no: the recording program was killed or could not write any more, or it still runs", reader.IsComplete);
         if (reader.FileNumber > 1)
             recording.Add("fileNumber", "file", Quantity.Format($"number {reader.FileNumber} of recording {reader.RecordingId}"), reader.FileNumber);
 
@@ -49,6 +52,7 @@ internal static class RecordingSections
         RecordingReader reader, InfoSection connections, IProgress<double> progress, CancellationToken cancelled)
     {
         (long pieces, long bytes, long lost) = (0, 0, 0);
+        long events = 0;
         while (reader.TryRead(out RecordingEntry entry))
         {
             cancelled.ThrowIfCancellationRequested();
@@ -64,18 +68,24 @@ internal static class RecordingSections
                     break;
                 case RecordingEntryKind.ConnectionOpened:
                     RecordedConnection opened = entry.Opened!;
-                    Add(connections, entry, "opened", $"{opened.Transport.ToString().ToUpperInvariant()} {NameOf(opened)}");
+                    if (++events <= MostEvents)
+                        Add(connections, entry, "opened", $"{opened.Transport.ToString().ToUpperInvariant()} {NameOf(opened)}");
                     break;
                 case RecordingEntryKind.SenderAdded:
-                    Add(connections, entry, "sender", $"datagrams of {entry.Text}");
+                    if (++events <= MostEvents)
+                        Add(connections, entry, "sender", $"datagrams of {entry.Text}");
                     break;
                 case RecordingEntryKind.ConnectionClosed:
-                    Add(connections, entry, "closed", $"closed: {entry.Text}");
+                    if (++events <= MostEvents)
+                        Add(connections, entry, "closed", $"closed: {entry.Text}");
                     break;
                 default:
                     break;
             }
         }
+
+        if (events > MostEvents)
+            connections.Remark("more", Quantity.Format($"and {events - MostEvents:#,0} more, which are not listed"));
 
         return (pieces, bytes, lost);
     }

@@ -105,6 +105,9 @@ internal sealed class StreamContents
         SkipReason.TooLarge => "of packets that are too large",
         SkipReason.Incomplete => "of packets whose rest never came",
         SkipReason.MalformedLine => "of lines that are no frames",
+        SkipReason.MissingAvatar => "of lines without the avatar's number and name",
+        SkipReason.TooManySenders => "of more senders than 64 at a time",
+        SkipReason.NotCalculation => "of motion on the port of calculation data",
         _ => "of lines with ambiguous names",
     };
 
@@ -121,7 +124,7 @@ internal sealed class StreamContents
         if (avatar.Gaps > 0)
             text += Quantity.Format($" in {avatar.Gaps:#,0} gap{(avatar.Gaps == 1 ? string.Empty : "s")}");
         if (avatar.Restarts > 0)
-            text += Quantity.Format($", counted anew {avatar.Restarts:#,0} times");
+            text += Quantity.Format($", count restarted {(avatar.Restarts == 1 ? "once" : Quantity.Format($"{avatar.Restarts:#,0} times"))}");
 
         section.Item(text, new JsonObject
         {

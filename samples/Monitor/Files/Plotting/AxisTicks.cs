@@ -6,11 +6,22 @@ namespace NeuronMocap.Monitor.Files.Plotting;
 /// <summary>Round numbers along an axis: 1, 2 or 5 times a power of ten apart.</summary>
 internal static class AxisTicks
 {
+    // No axis is long enough for more.
+    private const int MostTicks = 100;
+
+    private const double LargestPlainLabel = 1e7;
+
+    // Longer than a TimeSpan is where a file has absurd frame times.
+    private const double LongestClockTime = 1e9;
+
     /// <summary>Finds the smallest round step of which no more than a number fit into a range.</summary>
     public static double Step(double range, int most)
     {
         double raw = range / Math.Max(most, 1);
         double power = Math.Pow(10, Math.Floor(Math.Log10(raw)));
+        if (!(power > 0) || !double.IsFinite(power))
+            return 1;
+
         double step = (raw / power) switch
         {
             <= 1.000001 => 1,
@@ -38,26 +49,33 @@ internal static class AxisTicks
         return step;
     }
 
+    /// <summary>The multiples of a step in a range; none where the range is so far from zero that its ends are one number.</summary>
     public static IEnumerable<double> Between(double from, double to, double step)
     {
-        long first = (long)Math.Ceiling((from / step) - 1e-6);
-        long last = (long)Math.Floor((to / step) + 1e-6);
-        for (long i = first; i <= last; i++)
-            yield return i * step;
+        double first = Math.Ceiling((from / step) - 1e-6);
+        double count = Math.Floor((to / step) + 1e-6) - first + 1;
+        if (!(count <= MostTicks) || first + 1 == first)
+            yield break;
+
+        for (int i = 0; i < count; i++)
+            yield return (first + i) * step;
     }
 
     /// <summary>A number of an axis, with as many decimals as its step has.</summary>
     public static string Label(double value, double step)
     {
-        int decimals = Math.Max(0, (int)Math.Ceiling(-Math.Log10(step) - 1e-6));
-        double rounded = Math.Round(value, Math.Min(decimals, 15));
+        if (Math.Max(Math.Abs(value), step) >= LargestPlainLabel)
+            return value.ToString("0.###e0", CultureInfo.InvariantCulture).Replace('-', '−');
+
+        int decimals = Math.Clamp((int)Math.Ceiling(-Math.Log10(step) - 1e-6), 0, 15);
+        double rounded = Math.Round(value, decimals);
         return Math.Abs(rounded).ToString($"F{decimals}", CultureInfo.InvariantCulture) is var text && rounded < 0 ? "−" + text : text;
     }
 
     /// <summary>Seconds as they stand under a time axis: 12.5, or 2:30 and 1:02:30 where the step is a part of minutes.</summary>
     public static string TimeLabel(double seconds, double step)
     {
-        if (step <= 10)
+        if (step <= 10 || seconds > LongestClockTime)
             return Label(seconds, step);
 
         var time = TimeSpan.FromSeconds(Math.Round(seconds));

@@ -90,7 +90,7 @@ internal sealed class JointMotion : PointMotion
         if (Find(part, JointNames.IsFoot) is not { } foot)
             return [];
 
-        var points = new List<int> { foot };
+        var points = new HashSet<int> { foot };
         foreach (WireframeLine line in _lines)
         {
             if (points.Contains(line.From))

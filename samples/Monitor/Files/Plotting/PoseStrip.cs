@@ -11,6 +11,9 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
     private const double LimbWidth = 2;
     private const double FineWidth = 0.9;
 
+    private const int MostHeights = 8;
+    private const double UsualHeightStep = 50; // cm
+
     // Of the height of the body: fingers are shorter than this, limbs longer.
     private const double FinePart = 0.065;
 
@@ -48,7 +51,7 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
 
             double middle = row.Left + ((i + 0.5) * cell);
             DrawFigure(
-                svg, points, point => (middle + ((across(point) - across(root)) * scale), groundY - ((point.Y - ground) * scale)), nearness, scale);
+                svg, points, point => (middle + (((double)across(point) - across(root)) * scale), groundY - (((double)point.Y - ground) * scale)), nearness, scale);
         }
     }
 
@@ -65,7 +68,7 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
             if (!parts.TryGetValue(line.Part, out Figure? figure))
                 parts.Add(line.Part, figure = new Figure());
 
-            bool isFine = line.Part != BodyPart.Middle && Vector3.Distance(points[line.From], points[line.To]) < FinePart * _height;
+            bool isFine = line.Part != BodyPart.Middle && Distance(points[line.From], points[line.To]) < FinePart * _height;
             (double x1, double y1) = project(points[line.From]);
             (double x2, double y2) = project(points[line.To]);
             (isFine ? figure.Fine : figure.Limbs).MoveTo(x1, y1).LineTo(x2, y2);
@@ -88,15 +91,16 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
             if (line.To != motion.Roles.HeadTop || !SampledPose.IsFinite(points[line.From]) || !SampledPose.IsFinite(points[line.To]))
                 continue;
 
-            (double x, double y) = project((points[line.From] + points[line.To]) / 2);
-            svg.Circle(x, y, Vector3.Distance(points[line.From], points[line.To]) / 2 * scale, PlotTheme.Paper, PlotTheme.Middle, LimbWidth);
+            (double x1, double y1) = project(points[line.From]);
+            (double x2, double y2) = project(points[line.To]);
+            svg.Circle((x1 + x2) / 2, (y1 + y2) / 2, Distance(points[line.From], points[line.To]) / 2 * scale, PlotTheme.Paper, PlotTheme.Middle, LimbWidth);
         }
     }
 
     private void DrawHeights(SvgDrawing svg, Box row, double groundY, double scale)
     {
         double top = (groundY - row.Top) / scale;
-        double step = motion.IsInCentimetres ? 50 : AxisTicks.Step(top, 3);
+        double step = motion.IsInCentimetres && top <= MostHeights * UsualHeightStep ? UsualHeightStep : AxisTicks.Step(top, 3);
         foreach (double height in AxisTicks.Between(0, top, step))
         {
             double y = groundY - (height * scale);
@@ -104,7 +108,7 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
             svg.Text(
                 row.Left - 8,
                 y + 4,
-                motion.IsInCentimetres ? AxisTicks.Label(height / 100, 0.1) : AxisTicks.Label(height, step),
+                motion.IsInCentimetres ? AxisTicks.Label(height / 100, Math.Max(0.1, step / 500)) : AxisTicks.Label(height, step),
                 PlotTheme.TickSize,
                 PlotTheme.Dim,
                 TextAnchor.End);
@@ -113,13 +117,19 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
 
     private static IEnumerable<double> HeightsOf(IReadOnlyList<SampledPose> poses, float ground) => poses
         .SelectMany(static pose => pose.Points)
-        .Select(point => (double)(point.Y - ground))
+        .Select(point => (double)point.Y - ground)
         .Where(double.IsFinite);
+
+    // Values of a damaged file may be too large to be subtracted as they are.
+    private static double Distance(Vector3 a, Vector3 b) =>
+        Math.Sqrt(Square((double)a.X - b.X) + Square((double)a.Y - b.Y) + Square((double)a.Z - b.Z));
+
+    private static double Square(double value) => value * value;
 
     private double Reach(SampledPose pose, Func<Vector3, float> across)
     {
-        float root = across(pose.Points[motion.Roles.Root]);
-        return pose.Points.Select(point => (double)MathF.Abs(across(point) - root)).Where(double.IsFinite).Append(0).Max();
+        double root = across(pose.Points[motion.Roles.Root]);
+        return pose.Points.Select(point => Math.Abs(across(point) - root)).Where(double.IsFinite).Append(0).Max();
     }
 
     private sealed class Figure

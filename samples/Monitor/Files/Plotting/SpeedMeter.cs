@@ -8,7 +8,9 @@ namespace NeuronMocap.Monitor.Files.Plotting;
 /// </summary>
 internal sealed class SpeedMeter(double frameRate, bool horizontal)
 {
-    private readonly int _reach = Math.Max(1, (int)Math.Round(frameRate / 60));
+    private const double LongestReach = 100_000; // frames
+
+    private readonly int _reach = (int)Math.Clamp(Math.Round(frameRate / 60), 1, LongestReach);
     private readonly Queue<Vector3> _places = new();
     private long _next;
 
@@ -16,13 +18,14 @@ internal sealed class SpeedMeter(double frameRate, bool horizontal)
     /// <returns>The frame that can now be told, and its speed per second; null at the beginning.</returns>
     public (long Frame, float Speed)? Add(Vector3 place)
     {
-        _places.Enqueue(horizontal ? place with { Y = 0 } : place);
+        place = horizontal ? place with { Y = 0 } : place;
+        _places.Enqueue(place);
         _next++;
         if (_places.Count <= 2 * _reach)
             return null;
 
         Vector3 before = _places.Dequeue();
-        double seconds = 2 * _reach / frameRate;
-        return (_next - 1 - _reach, (float)(Vector3.Distance(before, _places.Last()) / seconds));
+        double seconds = 2.0 * _reach / frameRate;
+        return (_next - 1 - _reach, (float)(Vector3.Distance(before, place) / seconds));
     }
 }

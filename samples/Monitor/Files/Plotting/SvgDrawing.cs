@@ -38,7 +38,7 @@ internal sealed class SvgDrawing : IDisposable
         Attribute("height", height);
         Attribute("viewBox", $"0 0 {Number(width)} {Number(height)}");
         Attribute("font-family", PlotTheme.Font);
-        _xml.WriteElementString("title", Namespace, Clean(title));
+        _xml.WriteElementString("title", Namespace, TerminalText.Clean(title));
         Rectangle(new Box(0.5, 0.5, width - 1, height - 1), PlotTheme.Paper, PlotTheme.Edge);
     }
 
@@ -74,7 +74,7 @@ internal sealed class SvgDrawing : IDisposable
         if (bold)
             Attribute("font-weight", "600");
 
-        _xml.WriteString(Clean(text));
+        _xml.WriteString(TerminalText.Clean(text));
         End();
     }
 
@@ -156,10 +156,6 @@ internal sealed class SvgDrawing : IDisposable
         _xml.WriteEndDocument();
         _xml.Dispose();
     }
-
-    // What XML cannot hold at all: the name of a file or of an avatar may.
-    private static string Clean(string text) =>
-        string.Concat(TerminalText.Clean(text).EnumerateRunes().Select(static rune => rune.Value is 0xFFFE or 0xFFFF ? "·" : rune.ToString()));
 
     private void Begin(string element) => _xml.WriteStartElement(element, Namespace);
 

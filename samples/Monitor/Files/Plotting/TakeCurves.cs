@@ -150,5 +150,6 @@ internal sealed class TakeCurves
         return lowest;
     }
 
-    private static float Lower(float a, float b) => !float.IsFinite(b) || a <= b ? a : b;
+    // One that is not finite counts for nothing.
+    private static float Lower(float a, float b) => !float.IsFinite(a) ? b : !float.IsFinite(b) || a <= b ? a : b;
 }
