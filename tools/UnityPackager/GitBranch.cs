@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using System.Globalization;
 
 namespace NeuronMocap.UnityPackager;
 
@@ -31,7 +30,9 @@ internal sealed class GitBranch(string repository)
 
     private string WriteTree(StagedPackage package)
     {
-        string index = Path.Combine(Path.GetTempPath(), $"unity-packager-{Environment.ProcessId.ToString(CultureInfo.InvariantCulture)}.index");
+        // A folder of this user's alone, with a name that nobody can foresee: git opens the index by its name.
+        DirectoryInfo folder = Directory.CreateTempSubdirectory("unity-packager-");
+        string index = Path.Combine(folder.FullName, "index");
         try
         {
             IEnumerable<string> entries = package.Files.Select(file => $"100644 {WriteBlob(file.Value)}\t{Folder}/{file.Key}\n");
@@ -40,7 +41,7 @@ internal sealed class GitBranch(string repository)
         }
         finally
         {
-            File.Delete(index);
+            folder.Delete(recursive: true);
         }
     }
 

@@ -1,5 +1,6 @@
 #nullable enable
 
+using System.Net;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Unity.EditorTools
@@ -12,6 +13,8 @@ namespace NeuronMocap.Unity.EditorTools
             Transport = source.Transport,
             Host = source.Transport == TransportKind.Udp && source.Address.Trim().Length == 0 ? "127.0.0.1" : source.Address.Trim(),
             Port = source.Port,
+            LocalAddress = IPAddress.TryParse(source.LocalAddress.Trim(), out IPAddress? address) ? address : null,
+            CalculationPort = source.CalculationPort > 0 ? source.CalculationPort : (int?)null,
             CommandPort = source.CommandPort > 0 ? source.CommandPort : (int?)null,
             RotationOrder = source.RotationOrder.ToOrder(),
             SkeletonVariant = source.SkeletonVariant.ToVariant(),

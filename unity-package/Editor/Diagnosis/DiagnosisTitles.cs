@@ -17,6 +17,7 @@ namespace NeuronMocap.Unity.EditorTools
             DiagnosisVerdict.SeveralSenders => "Frames arrive, from several programs",
             DiagnosisVerdict.LowRate => "Frames arrive, but few",
             DiagnosisVerdict.LosingFrames => "Frames arrive, but not all",
+            DiagnosisVerdict.CalculationUnavailable => "Frames arrive, but no calculation data",
             DiagnosisVerdict.StandsStill => "Frames arrive, but nothing moves",
             DiagnosisVerdict.HostNotFound => "No such computer",
             DiagnosisVerdict.Unreachable => "No way to the computer",
@@ -41,6 +42,7 @@ namespace NeuronMocap.Unity.EditorTools
             DiagnosisVerdict.IncompletePackets => "Frames that are cut off",
             DiagnosisVerdict.CommandPort => "The command port",
             DiagnosisVerdict.OtherProgram => "Another program",
+            DiagnosisVerdict.AdvancedBvh => "Advanced BVH, which is not read",
             DiagnosisVerdict.UnknownFormat => "Data of an unknown format",
             _ => "No connection",
         };

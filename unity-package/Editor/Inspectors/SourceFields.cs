@@ -9,7 +9,7 @@ namespace NeuronMocap.Unity.EditorTools
     // Which fields of a source mean something for its kind. Those that are not named here always do.
     internal static class SourceFields
     {
-        private static readonly string[] Network = { "_transport", "_address", "_port", "_reconnect", "_commandPort", "_rotationOrder", "_skeletonVariant" };
+        private static readonly string[] Network = { "_transport", "_address", "_port", "_calculationPort", "_localAddress", "_reconnect", "_commandPort", "_rotationOrder", "_skeletonVariant" };
         private static readonly string[] Simulator = { "_performerCount", "_motion", "_simulatedFrameRate" };
         private static readonly string[] BvhFile = { "_file", "_bvhAsset", "_loop", "_speed" };
         private static readonly string[] Recording = { "_file", "_loop", "_speed", "_rotationOrder", "_skeletonVariant" };

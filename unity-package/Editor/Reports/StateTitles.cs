@@ -11,6 +11,7 @@ namespace NeuronMocap.Unity.EditorTools
         {
             (SourceState.Receiving, ConnectionReason.RotationOrderMismatch) => "Receiving, in another rotation order",
             (SourceState.Receiving, ConnectionReason.SkeletonVariantMismatch) => "Receiving, of another skeleton variant",
+            (SourceState.Receiving, ConnectionReason.CalculationUnavailable) => "Receiving, without calculation data",
             (SourceState.Receiving, _) => "Receiving",
             (SourceState.Loading, _) => "Reading the file",
             (SourceState.Connecting, _) => "Connecting",
@@ -34,7 +35,7 @@ namespace NeuronMocap.Unity.EditorTools
         public static Severity SeverityOf(SourceState state, ConnectionReason reason) => state switch
         {
             SourceState.Receiving when reason is ConnectionReason.RotationOrderMismatch or ConnectionReason.SkeletonVariantMismatch => Severity.Error,
-            SourceState.Receiving when reason == ConnectionReason.NotDiscovered => Severity.Warning,
+            SourceState.Receiving when reason is ConnectionReason.NotDiscovered or ConnectionReason.CalculationUnavailable => Severity.Warning,
             SourceState.Receiving => Severity.Good,
             SourceState.Loading or SourceState.Connecting or SourceState.Connected => Severity.Waiting,
             SourceState.Silent => Severity.Warning,

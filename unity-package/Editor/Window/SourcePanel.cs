@@ -88,7 +88,7 @@ namespace NeuronMocap.Unity.EditorTools
 
                 using (new EditorGUI.DisabledScope(_source.Kind != SourceKind.Network || _source.CommandPort <= 0 || _zeroOutState.Severity == Severity.Waiting))
                 {
-                    if (GUILayout.Button(new GUIContent(ZeroOutAll, "Takes the performers' present directions as forward. Needs the command port.")))
+                    if (GUILayout.Button(new GUIContent(ZeroOutAll, "Asks the server to zero out all avatars. What that changes, the direction, the position or both, is not documented. Needs the command port.")))
                         _zeroOut = new ZeroOut(_source.Address, _source.CommandPort, avatar: null);
                 }
             }

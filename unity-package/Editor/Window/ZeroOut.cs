@@ -8,7 +8,7 @@ using NeuronMocap.Commands;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Asks the server, on the pool, to take the suit's present orientation as zero.
+    // Asks the server, on the pool, to zero out avatars.
     internal sealed class ZeroOut : IDisposable
     {
         private readonly CancellationTokenSource _stop = new CancellationTokenSource();

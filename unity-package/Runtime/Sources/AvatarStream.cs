@@ -4,6 +4,7 @@ using System;
 using System.Threading;
 using NeuronMocap.Frames;
 using NeuronMocap.Kinematics;
+using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Unity
@@ -13,6 +14,8 @@ namespace NeuronMocap.Unity
     {
         // Far beyond any stage, and still a number that Unity can work with.
         private const float FarthestPosition = 1e7f; // cm
+
+        private const long NoTimecode = -1;
 
         private readonly object _gate = new object();
         private readonly BodyLearner _learner = new BodyLearner();
@@ -24,6 +27,7 @@ namespace NeuronMocap.Unity
         private long _arrival;
         private long _frames;
         private long _rejected;
+        private long _timecode = NoTimecode;
 
         public AvatarStream(int sender, int avatarIndex, long timestamp)
         {
@@ -41,6 +45,18 @@ namespace NeuronMocap.Unity
         public SkeletonBody Body => _body;
 
         public ContactHistory Contacts { get; } = new ContactHistory();
+
+        // Four numbers in one, so that it is read as a whole.
+        public Timecode? Timecode
+        {
+            get
+            {
+                long packed = Interlocked.Read(ref _timecode);
+                return packed == NoTimecode
+                    ? (Timecode?)null
+                    : new Timecode((int)(packed >> 48), (int)(packed >> 40) & 0xFF, (int)(packed >> 32) & 0xFF, (int)packed);
+            }
+        }
 
         // Ticks of Stopwatch.
         public long LastArrival => Interlocked.Read(ref _arrival);
@@ -88,6 +104,7 @@ namespace NeuronMocap.Unity
             if (!string.Equals(_name, name, StringComparison.Ordinal))
                 _name = name;
 
+            Interlocked.Exchange(ref _timecode, Pack(frame.Timecode));
             Interlocked.Exchange(ref _arrival, frame.Timestamp);
             if (!IsUsable(pose))
             {
@@ -103,6 +120,10 @@ namespace NeuronMocap.Unity
             foreach (PoseBuffer buffer in _buffers)
                 buffer.Push(pose, seconds, frame.FrameIndex);
         }
+
+        private static long Pack(Timecode? timecode) => timecode is { } time
+            ? ((long)time.Hours << 48) | ((long)time.Minutes << 40) | ((long)time.Seconds << 32) | (uint)time.Frames
+            : NoTimecode;
 
         private static bool IsUsable(ReadOnlySpan<BoneTransform> pose)
         {

@@ -35,40 +35,46 @@ namespace NeuronMocap.Unity
 
         /// <summary>Finds a performer by its number on the server.</summary>
         /// <param name="avatarIndex">From 0.</param>
-        /// <param name="performer">The one that joined first, where two computers send the same number.</param>
+        /// <param name="performer">
+        /// Where two servers send the same number: the one whose frames arrive; of two that are live, the one that joined first; of two that are not, the
+        /// one that was heard last.
+        /// </param>
         /// <returns>Whether there is one.</returns>
         public bool TryGetPerformer(int avatarIndex, [NotNullWhen(true)] out Performer? performer)
         {
+            performer = null;
             for (int i = 0; i < _performers.Count; i++)
             {
                 if (_performers[i].AvatarIndex == avatarIndex)
-                {
-                    performer = _performers[i];
-                    return true;
-                }
+                    performer = Better(performer, _performers[i]);
             }
 
-            performer = null;
-            return false;
+            return performer != null;
         }
 
         /// <summary>Finds a performer by its name on the server.</summary>
         /// <param name="name">In any case.</param>
-        /// <param name="performer">The one that joined first, where two have the name.</param>
+        /// <param name="performer">Where two have the name, as for <see cref="TryGetPerformer(int, out Performer?)"/>.</param>
         /// <returns>Whether there is one.</returns>
         public bool TryGetPerformer(string name, [NotNullWhen(true)] out Performer? performer)
         {
+            performer = null;
             for (int i = 0; i < _performers.Count; i++)
             {
                 if (string.Equals(_performers[i].Name, name, StringComparison.OrdinalIgnoreCase))
-                {
-                    performer = _performers[i];
-                    return true;
-                }
+                    performer = Better(performer, _performers[i]);
             }
 
-            performer = null;
-            return false;
+            return performer != null;
+        }
+
+        // Live ones before others: a server that restarted elsewhere takes the place of the one that is silent, however long that stays.
+        private static Performer Better(Performer? first, Performer second)
+        {
+            if (first == null || (!first.IsLive && (second.IsLive || second.SecondsSinceFrame < first.SecondsSinceFrame)))
+                return second;
+
+            return first;
         }
 
         private void TakePerformers(SourceConnection connection)

@@ -130,6 +130,7 @@ namespace NeuronMocap.Unity
         private void OnValidate()
         {
             _port = Mathf.Clamp(_port, 1, 65535);
+            _calculationPort = Mathf.Clamp(_calculationPort, 0, 65535);
             _commandPort = Mathf.Clamp(_commandPort, 0, 65535);
             _isChanged = true;
         }
@@ -228,7 +229,9 @@ namespace NeuronMocap.Unity
                         Kind = _kind,
                         Address = _transport == TransportKind.Tcp || _commandPort > 0 ? _address.Trim() : "127.0.0.1",
                         Port = _port,
+                        CalculationPort = _calculationPort != 0 ? _calculationPort : (int?)null,
                         Transport = _transport,
+                        LocalAddress = _localAddress.Trim(),
                         Reconnect = _reconnect,
                         CommandPort = _commandPort > 0 ? _commandPort : (int?)null,
                         RotationOrder = _rotationOrder.ToOrder(),

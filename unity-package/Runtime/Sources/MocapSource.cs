@@ -35,9 +35,20 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private int _port = 7001;
 
+        [Tooltip("Port of the server's calculation data, which has measured foot contacts; usually 7003. 0: they come over Port, or not at all.")]
+        [Delayed]
+        [SerializeField]
+        private int _calculationPort;
+
         [Tooltip("TCP or UDP, as the server is set.")]
         [SerializeField]
         private TransportKind _transport;
+
+        [Tooltip("Address of this computer to connect from, or to receive UDP on; for a computer with several networks. Empty: the system chooses for TCP, and "
+            + "UDP is received on all IPv4 addresses.")]
+        [Delayed]
+        [SerializeField]
+        private string _localAddress = string.Empty;
 
         [Tooltip("Connect again after a connection failed or ended.")]
         [SerializeField]
@@ -142,11 +153,28 @@ namespace NeuronMocap.Unity
             set => Set(ref _port, value);
         }
 
+        /// <summary>
+        /// Port of the server's calculation data, over the same transport as <see cref="Port"/>, 1 to 65535; 0, the default, for none. Usually 7003. They carry
+        /// the foot contacts that the server measured.
+        /// </summary>
+        public int CalculationPort
+        {
+            get => _calculationPort;
+            set => Set(ref _calculationPort, value);
+        }
+
         /// <summary>TCP or UDP. TCP unless set.</summary>
         public TransportKind Transport
         {
             get => _transport;
             set => Set(ref _transport, value);
+        }
+
+        /// <summary>Address of this computer to connect from, or to receive UDP on; empty, the default, for the system's choice, and for UDP all IPv4 addresses.</summary>
+        public string LocalAddress
+        {
+            get => _localAddress;
+            set => Set(ref _localAddress, value ?? string.Empty);
         }
 
         /// <summary>Whether a connection that failed or ended is tried again. True unless set.</summary>

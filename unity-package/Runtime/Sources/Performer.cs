@@ -2,6 +2,7 @@
 
 using System;
 using NeuronMocap.Kinematics;
+using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using Quaternion = UnityEngine.Quaternion;
 using Vector3 = UnityEngine.Vector3;
@@ -48,6 +49,11 @@ namespace NeuronMocap.Unity
 
         /// <summary>Which sender the frames come from: over UDP, 0 for the first computer that sent; otherwise always 0.</summary>
         public int Sender => _stream.Sender;
+
+        /// <summary>
+        /// The timecode of the newest frame; null where the server sends none. Only Axis Studio does. How the sub-frame relates to a frame rate is not known.
+        /// </summary>
+        public Timecode? Timecode => _stream.Timecode;
 
         /// <summary>Whether frames arrive: the newest one is younger than the source's idle timeout.</summary>
         public bool IsLive { get; private set; }

@@ -1,6 +1,7 @@
 #nullable enable
 
 using System;
+using System.Net;
 using System.Threading.Tasks;
 using NeuronMocap.Playback;
 using NeuronMocap.Server;
@@ -141,6 +142,16 @@ namespace NeuronMocap.Unity
             }
         }
 
+        private static IPAddress? ParseLocalAddress(string text)
+        {
+            if (text.Length == 0)
+                return null;
+
+            return IPAddress.TryParse(text, out IPAddress? address)
+                ? address
+                : throw new ArgumentException($"LocalAddress is '{text}'; it must be an IP address of this computer, or empty.", nameof(text));
+        }
+
         private NeuronReaderOptions CreateOptions(Broadcaster? broadcaster)
         {
             var options = new NeuronReaderOptions
@@ -158,7 +169,9 @@ namespace NeuronMocap.Unity
             {
                 options.Host = Settings.Address;
                 options.Port = Settings.Port;
+                options.CalculationPort = Settings.CalculationPort;
                 options.Transport = Settings.Transport;
+                options.LocalAddress = ParseLocalAddress(Settings.LocalAddress);
                 options.CommandPort = Settings.CommandPort;
             }
 

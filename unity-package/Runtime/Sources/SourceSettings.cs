@@ -16,7 +16,11 @@ namespace NeuronMocap.Unity
 
         public int Port { get; set; }
 
+        public int? CalculationPort { get; set; }
+
         public TransportKind Transport { get; set; }
+
+        public string LocalAddress { get; set; } = string.Empty;
 
         public bool Reconnect { get; set; }
 

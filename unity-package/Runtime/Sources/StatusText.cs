@@ -20,6 +20,8 @@ namespace NeuronMocap.Unity
         {
             ("(CommandPort)", "(Command Port)"),
             ("CommandPort", "Command Port"),
+            ("CalculationPort", "Calculation Port"),
+            ("LocalAddress", "Local Address"),
             ("RotationOrder", "Rotation Order"),
             ("SkeletonVariant", "Skeleton Variant"),
             ("Host is empty", "Address is empty"),
