@@ -1,4 +1,6 @@
 using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
 using System.Runtime.InteropServices;
 using NeuronMocap.Fuzz.Inputs;
 using NeuronMocap.Fuzz.Running;
@@ -21,7 +23,20 @@ internal sealed class FuzzCommand : RootCommand
         DefaultValueFactory = _ => 50_000_000,
     };
 
-    private readonly Option<ulong> _seed = new("--seed") { HelpName = "S", Description = "Chooses the inputs.", DefaultValueFactory = _ => 1 };
+    private readonly Option<ulong> _seed = new("--seed")
+    {
+        HelpName = "S",
+        Description = "Chooses the inputs: a number, or today for one made of the date (UTC).",
+        DefaultValueFactory = _ => 1,
+        CustomParser = ParseSeed,
+    };
+
+    private readonly Option<int> _seeds = new("--seeds")
+    {
+        HelpName = "N",
+        Description = "Runs so many seeds, one after the other from --seed on, with --bytes for each.",
+        DefaultValueFactory = _ => 1,
+    };
 
     private readonly Option<string[]> _target = new("--target")
     {
@@ -57,10 +72,15 @@ internal sealed class FuzzCommand : RootCommand
             if (result.GetValue(_bytes) < 1)
                 result.AddError("--bytes: a number from 1 on.");
         });
+        _seeds.Validators.Add(result =>
+        {
+            if (result.GetValue(_seeds) < 1)
+                result.AddError("--seeds: a number from 1 on.");
+        });
         _target.AcceptOnlyFromAmong([.. targets.Select(target => target.Name)]);
         _data.AcceptExistingOnly();
         _replay.AcceptExistingOnly();
-        foreach (Option option in (Option[])[_bytes, _seed, _target, _list, _data, _output, _replay])
+        foreach (Option option in (Option[])[_bytes, _seed, _seeds, _target, _list, _data, _output, _replay])
             Options.Add(option);
 
         SetAction(Run);
@@ -92,30 +112,29 @@ internal sealed class FuzzCommand : RootCommand
 
         return options.GetValue(_replay) is { } file
             ? Replay(targets, File.ReadAllBytes(file.FullName))
-            : Fuzz(targets, options.GetValue(_bytes), options.GetValue(_seed), DataFolder(options), options.GetValue(_output)!);
+            : Fuzz(targets, options);
     }
 
-    private static int Fuzz(FuzzTarget[] targets, long bytes, ulong seed, string? data, string output)
+    private int Fuzz(FuzzTarget[] targets, ParseResult options)
     {
+        ulong first = options.GetValue(_seed);
+        int seeds = options.GetValue(_seeds);
         using var stop = new CancellationTokenSource();
         int signal = 0;
         using PosixSignalRegistration interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, context => Stop(context, Interrupted));
         using PosixSignalRegistration terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, context => Stop(context, Terminated));
 
-        var run = new FuzzRun(targets, bytes, seed, data, stop.Token);
-        Console.WriteLine(FuzzReport.DescribeCorpora(run, seed, data));
-        var report = new FuzzReport(run, bytes);
-        run.Run(report.Tick);
-        report.Summarize();
-        FuzzFinding[] findings = [.. run.Progress.Select(target => target.Finding).OfType<FuzzFinding>()];
-        foreach (FuzzFinding finding in findings)
+        int failedSeeds = 0;
+        int done = 0;
+        for (bool isCutShort = false; done < seeds && !isCutShort && signal == 0; done++)
         {
-            string path = FindingFiles.Write(finding, seed, output);
-            Console.Error.WriteLine($"{finding.Target}: {finding.Failure.Kind}, {finding.Smallest.Length} bytes in {path}");
-            Console.Error.WriteLine(finding.Failure.Description);
+            failedSeeds += Fuzz(targets, options, first + (ulong)done, stop.Token, out isCutShort) ? 0 : 1;
         }
 
-        return signal != 0 ? signal : findings.Length == 0 ? Clean : Failed;
+        if (seeds > 1)
+            Console.WriteLine($"{done} of {seeds} seeds run; {failedSeeds} of them failed");
+
+        return signal != 0 ? signal : failedSeeds == 0 ? Clean : Failed;
 
         void Stop(PosixSignalContext context, int code)
         {
@@ -123,6 +142,41 @@ internal sealed class FuzzCommand : RootCommand
             signal = code;
             stop.Cancel();
         }
+    }
+
+    // Whether nothing was found.
+    private bool Fuzz(FuzzTarget[] targets, ParseResult options, ulong seed, CancellationToken stop, out bool isCutShort)
+    {
+        long bytes = options.GetValue(_bytes);
+        string? data = DataFolder(options);
+        var run = new FuzzRun(targets, bytes, seed, data, stop);
+        Console.WriteLine(FuzzReport.DescribeCorpora(run, seed, data));
+        var report = new FuzzReport(run, bytes);
+        run.Run(report.Tick);
+        report.Summarize();
+        isCutShort = run.IsCutShort;
+        FuzzFinding[] findings = [.. run.Progress.SelectMany(target => target.Findings)];
+        foreach (FuzzFinding finding in findings)
+        {
+            string path = FindingFiles.Write(finding, seed, options.GetValue(_output)!);
+            Console.Error.WriteLine($"{finding.Target}: {finding.Failure.Kind}, {finding.Smallest.Length} bytes in {path}");
+            Console.Error.WriteLine(finding.Failure.Description);
+        }
+
+        return findings.Length == 0;
+    }
+
+    // 20261122 is the seed of that day, on every computer, and gives the same run again.
+    private static ulong ParseSeed(ArgumentResult result)
+    {
+        string text = result.Tokens.Count == 1 ? result.Tokens[0].Value : string.Empty;
+        if (string.Equals(text, "today", StringComparison.Ordinal))
+            text = DateTime.UtcNow.ToString("yyyyMMdd", CultureInfo.InvariantCulture);
+        if (ulong.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out ulong seed))
+            return seed;
+
+        result.AddError("--seed: a whole number from 0 on, or today.");
+        return 0;
     }
 
     private static int Replay(FuzzTarget[] targets, byte[] input)

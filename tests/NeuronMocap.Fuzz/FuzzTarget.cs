@@ -17,6 +17,21 @@ internal sealed record FuzzTarget(string Name, CorpusKind Corpus, Func<FuzzTest>
     /// <summary>Further bytes that it may allocate for each byte of the input.</summary>
     public long AllocatedPerByte { get; init; }
 
+    /// <summary>Whether it hands work to other threads, so that what the whole process allocates is counted.</summary>
+    public bool AllocatesOnOtherThreads { get; init; }
+
+    /// <summary>How many bytes it gets beside the others, whose share is 1: less for one that does much with each.</summary>
+    public double Share { get; init; } = 1;
+
+    /// <summary>Bytes that it may write to disk for an input of any length.</summary>
+    public long OutputPerInput { get; init; } = 64 * 1024 * 1024;
+
+    /// <summary>How many bytes it has written to disk for the input at hand, asked by another thread; null where it writes none.</summary>
+    public Func<long>? CountOutput { get; init; }
+
+    /// <summary>Asks the code that reads the input at hand to end, from another thread; null where nothing can. Called once, at the end of a run.</summary>
+    public Action? Stop { get; init; }
+
     /// <summary>An input that takes longer is a hang. Ten thousand times what one takes, so that a busy machine is none.</summary>
     public TimeSpan TimeLimit { get; init; } = TimeSpan.FromSeconds(60);
 }

@@ -15,12 +15,14 @@ public sealed class ReaderSettingsTests
             ("Name", "stage"), ("Transport", "udp"), ("Host", "studio"), ("Port", "7012"), ("LocalAddress", "::1"), ("SharePort", "true"),
             ("ConnectTimeout", "00:00:02"), ("SilenceTimeout", "1.5"), ("Reconnect:Enabled", "False"), ("Reconnect:InitialDelay", "0.25"),
             ("Reconnect:MaxDelay", "10"), ("RotationOrder", "XYZ"), ("SkeletonVariant", "Spine3"), ("MaxValues", "500"), ("CommandPort", "8013"),
+            ("CalculationPort", "7003"), ("ReceiveThread", "dedicated"),
             ("AllowedSenders", "192.168.1.20, ::1"));
 
         Assert.Equal(
             ("stage", TransportKind.Udp, "studio", 7012, IPAddress.IPv6Loopback, true),
             (options.Name, options.Transport, options.Host, options.Port, options.LocalAddress, options.SharePort));
         Assert.Equal([IPAddress.Parse("192.168.1.20"), IPAddress.IPv6Loopback], options.AllowedSenders);
+        Assert.Equal(ReceiveThread.Dedicated, options.ReceiveThread);
         Assert.Equal((2, 1.5), (options.ConnectTimeout.TotalSeconds, options.SilenceTimeout.TotalSeconds));
         Assert.Equal(
             (false, 0.25, 10),
@@ -28,6 +30,7 @@ public sealed class ReaderSettingsTests
         Assert.Equal(
             (RotationOrder.XYZ, SkeletonVariant.Spine3, 500, 8013),
             (options.RotationOrder, options.SkeletonVariant, options.MaxValues, options.CommandPort));
+        Assert.Equal(7003, options.CalculationPort);
     }
 
     [Fact]

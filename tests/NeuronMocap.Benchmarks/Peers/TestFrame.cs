@@ -16,7 +16,7 @@ internal static class TestFrame
     public static byte[] Create(int avatar = 0, int values = 0)
     {
         byte[] packet = new byte[Size];
-        var header = new MotionHeader { HasDisplacement = true, AvatarIndex = (uint)avatar, AvatarName = new AvatarName($"Char{avatar:00}") };
+        var header = new MotionHeader { HasDisplacement = true, AvatarIndex = avatar, AvatarName = new AvatarName($"Char{avatar:00}") };
         PacketEncoder.WriteMotion(packet, header, [.. Enumerable.Range(0, 354).Select(i => values * MathF.Sin(values + i))]);
         return packet;
     }

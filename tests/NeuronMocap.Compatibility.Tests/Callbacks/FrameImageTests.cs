@@ -1,9 +1,11 @@
+using System.Collections.Concurrent;
 using System.Net;
 using System.Net.Sockets;
 using System.Runtime.InteropServices;
 using NeuronDataReaderWraper;
 using NeuronMocap.Compatibility.Tests.Infrastructure;
 using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Compatibility.Tests.Callbacks;
@@ -11,6 +13,30 @@ namespace NeuronMocap.Compatibility.Tests.Callbacks;
 // What lies behind the pointers, byte for byte.
 public sealed class FrameImageTests
 {
+    // Programs may keep the address of the first frame and look there whenever they like.
+    [Fact]
+    public async Task Every_packet_of_a_connection_lies_at_one_address_however_large_it_is()
+    {
+        byte[][] packets =
+        [
+            TestPackets.Motion(1, count: 180), TestPackets.Motion(2), TestPackets.Calculation(3), TestPackets.Motion(4, count: 10_224),
+            DataReplies.BvhText(new string('x', ProtocolConstants.MaxCommandPayload)), TestPackets.Motion(5, count: 180),
+        ];
+        var addresses = new ConcurrentQueue<(IntPtr Header, IntPtr Data)>();
+        using var log = new CallbackLog();
+        NeuronDataReader.BRRegisterFrameDataCallback(IntPtr.Zero, Add);
+        NeuronDataReader.BRRegisterCalculationDataCallback(IntPtr.Zero, Add);
+        NeuronDataReader.BRRegisterCommandDataCallback(IntPtr.Zero, Add);
+        using PacketServer server = await PacketServer.ConnectAsync(log);
+
+        await server.SendAsync(packets);
+        await Limits.UntilAsync(() => addresses.Count == packets.Length);
+
+        Assert.Single(addresses.Distinct());
+
+        void Add(IntPtr customObject, IntPtr socket, IntPtr header, IntPtr data) => addresses.Enqueue((header, data));
+    }
+
     [Theory]
     [InlineData(180)]
     [InlineData(186)]

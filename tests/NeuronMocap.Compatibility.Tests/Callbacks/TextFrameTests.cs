@@ -67,7 +67,7 @@ public sealed class TextFrameTests
         Assert.Equal(calculation.Length, log.CalculationFrames.Count);
         foreach ((ExpectedPacket expected, LoggedFrame frame) in motion.Zip(log.Frames))
         {
-            Assert.Equal((expected.Avatar, expected.Name), (frame.Motion.AvatarIndex, frame.Motion.AvatarName));
+            Assert.Equal(((uint)expected.Avatar, expected.Name), (frame.Motion.AvatarIndex, frame.Motion.AvatarName));
             Assert.Equal(expected.Values, frame.Values);
             if (expected.Index is uint index)
                 Assert.Equal(index, frame.Motion.FrameIndex);
@@ -75,7 +75,7 @@ public sealed class TextFrameTests
 
         foreach ((ExpectedPacket expected, LoggedFrame frame) in calculation.Zip(log.CalculationFrames))
         {
-            Assert.Equal((expected.Avatar, expected.Name), (frame.Calculation.AvatarIndex, frame.Calculation.AvatarName));
+            Assert.Equal(((uint)expected.Avatar, expected.Name), (frame.Calculation.AvatarIndex, frame.Calculation.AvatarName));
             Assert.Equal(expected.Values, frame.Values);
         }
     }

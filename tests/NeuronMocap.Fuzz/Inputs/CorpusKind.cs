@@ -20,4 +20,7 @@ internal enum CorpusKind
 
     /// <summary>Rows of a calculation export.</summary>
     Calculation,
+
+    /// <summary>Files of every kind that the tools for files read.</summary>
+    Files,
 }

@@ -57,7 +57,7 @@ internal static class PacketFixtures
             Version = version,
             HasDisplacement = count >= 354,
             HasReference = count is 186 or 360,
-            AvatarIndex = (uint)count % 3,
+            AvatarIndex = count % 3,
             AvatarName = new AvatarName(count % 2 == 0 ? "Char00" : "演员一"),
             FrameIndex = 41,
             Reserved = 1,

@@ -34,14 +34,15 @@ internal static class RecordingFixtures
         var metadata = new RecordingMetadata().With(RecordingMetadata.Server, "studio:7001").With(RecordingMetadata.RotationOrderName, "YXZ");
         using (var writer = new RecordingWriter(file, metadata, options))
         {
-            byte[] piece = new byte[784];
+            // A motion packet of 180 values.
+            byte[] piece = PacketFixtures.Create()[1];
             for (int connection = 0; connection < 3; connection++)
             {
                 TimeSpan time = TimeSpan.FromSeconds(connection);
                 writer.OpenConnection(time, new RecordedConnection(connection, (TransportKind)(connection % 2), "127.0.0.1:50000", "127.0.0.1:7001"));
                 writer.AddSender(time, connection, 1, "192.168.1.20:4000");
                 for (int i = 0; i < 5; i++)
-                    writer.WriteBytes(time + TimeSpan.FromMilliseconds(8 * i), connection, piece.AsSpan(0, i == 3 ? 17 : 784), i % 2);
+                    writer.WriteBytes(time + TimeSpan.FromMilliseconds(8 * i), connection, piece.AsSpan(0, i == 3 ? 17 : piece.Length), i % 2);
 
                 writer.WriteLoss(time, connection, 3, 4_000);
                 writer.Flush();

@@ -10,7 +10,7 @@ internal static class FindingFiles
     public static string Write(FuzzFinding finding, ulong seed, string folder)
     {
         Directory.CreateDirectory(folder);
-        string name = string.Create(CultureInfo.InvariantCulture, $"{finding.Target}-{seed}-{finding.Number}");
+        string name = string.Create(CultureInfo.InvariantCulture, $"{finding.Target}-{seed}-{(finding.Number < 0 ? "kept" : "")}{Math.Abs(finding.Number)}");
         string path = Path.Combine(folder, name + ".bin");
         File.WriteAllBytes(path, finding.Smallest);
         File.WriteAllBytes(Path.Combine(folder, name + ".original"), finding.Original);
@@ -24,6 +24,7 @@ internal static class FindingFiles
         input    number {finding.Number}, {finding.Original.Length} bytes; {finding.Smallest.Length} are enough
         failure  {finding.Failure.Kind}
         again    dotnet run --project tests/NeuronMocap.Fuzz -- --target {finding.Target} --replay "{path}"
+        keep     cp "{path}" tests/NeuronMocap.Fuzz/corpus/{finding.Target}-what-is-wrong.bin
 
         {finding.Failure.Description}
 

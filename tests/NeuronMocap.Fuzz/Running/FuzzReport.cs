@@ -21,7 +21,7 @@ internal sealed class FuzzReport(FuzzRun run, long bytes)
                 CultureInfo.InvariantCulture,
                 $"{NameOf(corpus.Key)}: {corpus.Value.OwnCount} own fixtures, {corpus.Value.Fixtures.Count - corpus.Value.OwnCount} recorded"));
         string where = data is null ? "no folder of recordings, skipped" : $"recordings from {data}";
-        return string.Create(CultureInfo.InvariantCulture, $"seed {seed}; {string.Join("; ", counts)} ({where})");
+        return string.Create(CultureInfo.InvariantCulture, $"seed {seed}; {KeptInputs.All.Count} kept inputs; {string.Join("; ", counts)} ({where})");
     }
 
     public void Tick()
@@ -46,11 +46,11 @@ internal sealed class FuzzReport(FuzzRun run, long bytes)
             Console.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
                 $"{target.Target.Name,-12}{target.Inputs,10}{Megabytes(target.Bytes),10}{speed,8:0.0}{target.Runner.Found,10}"
-                + $"{target.Runner.Slowest.TotalMilliseconds,12:0}{(target.Finding is null ? 0 : 1),10}"));
+                + $"{target.Runner.Slowest.TotalMilliseconds,12:0}{target.Failures,10}"));
         }
 
         long done = run.Progress.Sum(target => target.Bytes);
-        int failures = run.Progress.Count(target => target.Finding is not null);
+        int failures = run.Progress.Count(target => target.Failures > 0);
         Console.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
             $"{done} bytes in {Elapsed.TotalSeconds:0.0} s, {done / 1e6 / Elapsed.TotalSeconds:0.0} MB/s; "
@@ -60,8 +60,7 @@ internal sealed class FuzzReport(FuzzRun run, long bytes)
     private static string NameOf(CorpusKind kind) => kind switch
     {
         CorpusKind.Bvh => "BVH",
-        CorpusKind.Recordings => "recordings",
-        _ => "packets",
+        _ => kind.ToString().ToLowerInvariant(),
     };
 
     private static string Megabytes(long count) => (count / 1e6).ToString("0.0", CultureInfo.InvariantCulture);

@@ -3,7 +3,7 @@ using NeuronMocap.Fuzz.Inputs;
 
 namespace NeuronMocap.Fuzz.Running;
 
-/// <summary>Feeds inputs to targets, a slice to each in turn, until so many bytes are through. A target that fails gets no more.</summary>
+/// <summary>Feeds inputs to targets, a slice to each in turn, until so many bytes are through. First come the inputs that were kept from before.</summary>
 internal sealed class FuzzRun
 {
     private const long Slice = 256 * 1024;
@@ -23,12 +23,16 @@ internal sealed class FuzzRun
     {
         _cancellation = cancellation;
         Corpora = targets.Select(target => target.Corpus).Distinct().ToDictionary(kind => kind, kind => Corpus.Load(kind, data));
-        Progress = [.. targets.Select(target => new TargetProgress(target, Corpora[target.Corpus], seed, bytes / targets.Count))];
+        double shares = targets.Sum(target => target.Share);
+        Progress = [.. targets.Select(target => new TargetProgress(target, Corpora[target.Corpus], seed, (long)(bytes * target.Share / shares), KeptInputs.All))];
     }
 
     public IReadOnlyDictionary<CorpusKind, Corpus> Corpora { get; }
 
     public IReadOnlyList<TargetProgress> Progress { get; }
+
+    /// <summary>Whether an input did not come to an end, and the thread that reads it still runs.</summary>
+    public bool IsCutShort { get; private set; }
 
     /// <summary>Runs to the end, to the cancellation, or to the first input that does not come back.</summary>
     /// <param name="report">Called now and then, on this thread.</param>
@@ -40,10 +44,11 @@ internal sealed class FuzzRun
         while (!worker.Join(Look))
         {
             report();
-            if (_running is { } running && running.Runner.Hanging is { } input)
+            if (_running is { } running && running.Runner.FindOverrun() is var (failure, input))
             {
-                var failure = new FuzzFailure("hang", $"An input of {input.Length} bytes takes longer than {running.Target.TimeLimit.TotalSeconds} s.");
-                running.Finding = new FuzzFinding(running.Target.Name, failure, running.Inputs, input, input);
+                IsCutShort = true;
+                running.AddOverrun(failure, input);
+                running.Target.Stop?.Invoke();
                 return;
             }
         }

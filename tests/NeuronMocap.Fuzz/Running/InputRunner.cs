@@ -20,14 +20,21 @@ internal sealed class InputRunner(FuzzTarget target)
     /// <summary>Things that were recognised in all inputs.</summary>
     public long Found { get; private set; }
 
-    /// <summary>The input that exceeds the time limit right now; null when there is none. Any thread.</summary>
-    public byte[]? Hanging
+    /// <summary>What the input at hand does right now that it may not, and the input; null when it does nothing such. Any thread.</summary>
+    public (FuzzFailure Failure, byte[] Input)? FindOverrun()
     {
-        get
-        {
-            long started = Volatile.Read(ref _started);
-            return started != 0 && Stopwatch.GetElapsedTime(started) > target.TimeLimit ? Volatile.Read(ref _current) : null;
-        }
+        long started = Volatile.Read(ref _started);
+        if (started == 0)
+            return null;
+
+        byte[] input = Volatile.Read(ref _current);
+        if (Stopwatch.GetElapsedTime(started) > target.TimeLimit)
+            return (new FuzzFailure("hang", $"An input of {input.Length} bytes takes longer than {target.TimeLimit.TotalSeconds} s."), input);
+
+        long output = target.CountOutput?.Invoke() ?? 0;
+        return output > target.OutputPerInput
+            ? (new FuzzFailure("output", $"{output} bytes are written for an input of {input.Length}; {target.OutputPerInput} are allowed."), input)
+            : null;
     }
 
     /// <summary>Runs one input.</summary>
@@ -76,10 +83,24 @@ internal sealed class InputRunner(FuzzTarget target)
             : failure;
     }
 
+    private long CountAllocated() => target.AllocatesOnOtherThreads ? GC.GetTotalAllocatedBytes(precise: false) : GC.GetAllocatedBytesForCurrentThread();
+
+    // The innermost method of the library: two faults with the same exception are two findings.
+    private static string PlaceOf(Exception exception)
+    {
+        foreach (StackFrame frame in new StackTrace(exception).GetFrames())
+        {
+            if (frame.GetMethod() is { DeclaringType: { } type } method && type.FullName?.StartsWith("NeuronMocap.", StringComparison.Ordinal) == true)
+                return $"{type.FullName}.{method.Name}";
+        }
+
+        return string.Empty;
+    }
+
     private FuzzFailure? CheckOnce(ReadOnlySpan<byte> input, Surroundings surroundings, out long allocated)
     {
         _input.Set(input, surroundings);
-        long before = GC.GetAllocatedBytesForCurrentThread();
+        long before = CountAllocated();
         allocated = 0;
         try
         {
@@ -89,16 +110,16 @@ internal sealed class InputRunner(FuzzTarget target)
         {
             return new FuzzFailure("wrong result", exception.Message);
         }
-        catch (Exception exception) when (exception.GetType() != target.Refusal)
+        catch (Exception exception) when (target.Refusal?.IsInstanceOfType(exception) != true)
         {
-            return new FuzzFailure(exception.GetType().Name, exception.ToString());
+            return new FuzzFailure(exception.GetType().Name, exception.ToString()) { Place = PlaceOf(exception) };
         }
         catch (Exception)
         {
             // The documented refusal.
         }
 
-        allocated = GC.GetAllocatedBytesForCurrentThread() - before;
+        allocated = CountAllocated() - before;
         return _input.IsTouched(input, surroundings) ? new FuzzFailure("written", "The input or bytes beside it were written to.") : null;
     }
 }

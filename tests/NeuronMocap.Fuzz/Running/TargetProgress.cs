@@ -3,9 +3,14 @@ using NeuronMocap.Fuzz.Inputs;
 namespace NeuronMocap.Fuzz.Running;
 
 /// <summary>How far one target has come. Written by the thread that runs it; the figures may be read by others.</summary>
-internal sealed class TargetProgress(FuzzTarget target, Corpus corpus, ulong seed, long budget)
+internal sealed class TargetProgress(FuzzTarget target, Corpus corpus, ulong seed, long budget, IReadOnlyList<(string Name, byte[] Bytes)> kept)
 {
-    private readonly Mutator _mutator = new(corpus, seed ^ Digest.Of(System.Text.Encoding.UTF8.GetBytes(target.Name)));
+    // A parser that is wrong about everything need not be made small for all of it.
+    private const int MostFindings = 8;
+
+    private readonly Mutator _mutator = new(corpus, target.Corpus, seed ^ Digest.Of(System.Text.Encoding.UTF8.GetBytes(target.Name)));
+    private readonly List<FuzzFinding> _findings = [];
+    private int _kept;
     private long _inputs;
     private long _bytes;
 
@@ -20,26 +25,52 @@ internal sealed class TargetProgress(FuzzTarget target, Corpus corpus, ulong see
     /// <summary>Time spent, of which <see cref="Bytes"/> give a speed.</summary>
     public TimeSpan Time { get; set; }
 
-    public FuzzFinding? Finding { get; set; }
+    /// <summary>One for each kind of failure, and for each place of an exception. Once the run is over.</summary>
+    public IReadOnlyList<FuzzFinding> Findings => _findings;
 
-    public bool IsDone => Finding is not null || Bytes >= budget;
+    /// <summary>Inputs that failed, also those that failed like one before.</summary>
+    public int Failures { get; private set; }
 
-    /// <summary>Makes and runs the next input; a failure is made small and kept.</summary>
+    /// <summary>Every input that was kept and every fixture as it is were read, and then as many others as there are bytes for.</summary>
+    public bool IsDone => (Bytes >= budget && _kept == kept.Count && Inputs >= corpus.Fixtures.Count) || _findings.Count == MostFindings;
+
+    /// <summary>Makes and runs the next input, first those that were kept; a failure is made small and kept.</summary>
     public void Step()
     {
+        if (_kept < kept.Count)
+        {
+            byte[] input = kept[_kept++].Bytes;
+            Explain(Runner.Run(input, isThorough: true), -_kept, input);
+            return;
+        }
+
         long number = _inputs;
-        ReadOnlySpan<byte> input = _mutator.Make(number);
-        FuzzFailure? failure = Runner.Run(input);
+        ReadOnlySpan<byte> made = _mutator.Make(number);
+        FuzzFailure? failure = Runner.Run(made);
         Volatile.Write(ref _inputs, number + 1);
-        Volatile.Write(ref _bytes, _bytes + input.Length);
+        Volatile.Write(ref _bytes, _bytes + made.Length);
         if (failure is not null)
-            Finding = Explain(target, Runner, number, input.ToArray(), failure);
+            Explain(failure, number, made.ToArray());
     }
 
-    public static FuzzFinding Explain(FuzzTarget target, InputRunner runner, long number, byte[] input, FuzzFailure failure)
+    /// <summary>Keeps an input that did not come to an end.</summary>
+    public void AddOverrun(FuzzFailure failure, byte[] input)
     {
-        byte[] smallest = Minimizer.Minimize(input, shorter => runner.Run(shorter, isThorough: true)?.Kind == failure.Kind);
-        FuzzFailure shown = runner.Run(smallest, isThorough: true) ?? failure;
-        return new FuzzFinding(target.Name, shown, number, input, smallest);
+        Failures++;
+        _findings.Add(new FuzzFinding(target.Name, failure, Inputs, input, input));
+    }
+
+    private void Explain(FuzzFailure? failure, long number, byte[] input)
+    {
+        if (failure is null)
+            return;
+
+        Failures++;
+        if (_findings.Exists(finding => finding.Failure.IsLike(failure)))
+            return;
+
+        byte[] smallest = Minimizer.Minimize(input, shorter => failure.IsLike(Runner.Run(shorter, isThorough: true)));
+        FuzzFailure shown = Runner.Run(smallest, isThorough: true) ?? failure;
+        _findings.Add(new FuzzFinding(target.Name, shown, number, input, smallest));
     }
 }

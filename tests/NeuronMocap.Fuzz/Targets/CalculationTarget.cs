@@ -27,6 +27,7 @@ internal static class CalculationTarget
         input.Found += document.FrameCount;
         Describe(document, input);
         CheckStrict(document, input);
+        CheckPieces(document, input);
         CheckWritten(document);
         CheckPoses(document, input);
     }
@@ -66,6 +67,19 @@ internal static class CalculationTarget
         }
     }
 
+    // Row by row, from a stream that gives them in pieces.
+    private static void CheckPieces(CalculationDocument document, FuzzInput input)
+    {
+        using var reader = new CalculationFileReader(new FuzzStream(input));
+        float[] row = new float[document.ValueCount];
+        for (int i = 0; i < document.FrameCount; i++)
+            WrongResultException.ThrowUnless(reader.TryReadFrame(row) && FloatBits.AreSame(row, document.GetValues(i)), "Pieces make another row.");
+
+        WrongResultException.ThrowUnless(!reader.TryReadFrame(row), "Pieces make more rows.");
+        WrongResultException.ThrowUnless(
+            reader.RepairCount == document.RepairCount && reader.Repairs.SequenceEqual(document.Repairs), "Pieces are repaired in another way.");
+    }
+
     private static void CheckWritten(CalculationDocument document)
     {
         using var text = new MemoryStream();
@@ -73,7 +87,7 @@ internal static class CalculationTarget
         var again = CalculationDocument.Parse(text.GetBuffer().AsSpan(0, (int)text.Length));
         WrongResultException.ThrowUnless(again.FrameCount == document.FrameCount, "What was written has another number of rows.");
         for (int i = 0; i < document.FrameCount; i++)
-            WrongResultException.ThrowUnless(AreSame(document.GetValues(i), again.GetValues(i)), "What was written has other values.");
+            WrongResultException.ThrowUnless(FloatBits.AreSame(document.GetValues(i), again.GetValues(i)), "What was written has other values.");
     }
 
     private static void CheckPoses(CalculationDocument document, FuzzInput input)
@@ -82,17 +96,5 @@ internal static class CalculationTarget
         Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
         skeleton.CopyLocalTransforms(document.GetValues(0), pose);
         input.Digest.Add(pose[(int)Bone.Head].Rotation.W);
-    }
-
-    // Bit for bit, save that there are many bit patterns for what is no number, and one text.
-    private static bool AreSame(ReadOnlySpan<float> first, ReadOnlySpan<float> second)
-    {
-        for (int i = 0; i < first.Length; i++)
-        {
-            if (BitConverter.SingleToInt32Bits(first[i]) != BitConverter.SingleToInt32Bits(second[i]) && !(float.IsNaN(first[i]) && float.IsNaN(second[i])))
-                return false;
-        }
-
-        return true;
     }
 }

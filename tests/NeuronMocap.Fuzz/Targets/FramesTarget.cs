@@ -28,7 +28,7 @@ internal sealed class FramesTarget
         while (_scanner.Scan(rest) is { Status: not ScanStatus.NeedMore } result)
         {
             if (result.Status == ScanStatus.Packet)
-                Read(new ReceivedPacket(result.Kind, rest.Slice(0, result.Length), timestamp: 1, source: 2), input);
+                Read(new ReceivedPacket(result.Kind, rest.Slice(0, result.Length), timestamp: 1, origin: 2), input);
 
             rest = rest.Slice(result.Length);
         }
@@ -119,7 +119,7 @@ internal sealed class FramesTarget
 
             Add(ref input.Digest, frame.GetPosition(bone));
             Add(ref input.Digest, frame.GetVelocity(bone));
-            Add(ref input.Digest, new BoneTransform(frame.GetAcceleration(bone), frame.GetRotation(bone)));
+            Add(ref input.Digest, new BoneTransform(frame.GetAcceleration(bone), frame.GetSensorRotation(bone)));
             Add(ref input.Digest, frame.GetAngularVelocity(bone));
         }
     }
@@ -140,7 +140,7 @@ internal sealed class FramesTarget
 
         foreach (Bone bone in BoneHierarchy.Bones)
         {
-            Add(ref input.Digest, new BoneTransform(frame.GetPosition(bone), frame.GetRotation(bone)));
+            Add(ref input.Digest, new BoneTransform(frame.GetPosition(bone), frame.GetBoneRotation(bone)));
             Add(ref input.Digest, new BoneTransform(frame.GetVelocity(bone), frame.GetSensorRotation(bone)));
             Add(ref input.Digest, frame.GetAcceleration(bone));
             Add(ref input.Digest, frame.GetAngularVelocity(bone));

@@ -1,4 +1,3 @@
-using System.Buffers.Binary;
 using NeuronMocap.Fuzz.Inputs;
 using NeuronMocap.Recording;
 
@@ -19,7 +18,7 @@ internal sealed class RecordingTarget
     {
         input.Bytes.CopyTo(_file);
         if (input.Random.Below(8) > 0)
-            Mend(_file.AsSpan(0, input.Bytes.Length));
+            RecordingChecksums.Mend(_file.AsSpan(0, input.Bytes.Length));
 
         using RecordingReader reader = RecordingReader.Open(new MemoryStream(_file, 0, input.Bytes.Length, writable: false));
         input.Digest.Add(reader.StartTime.Ticks);
@@ -35,7 +34,7 @@ internal sealed class RecordingTarget
         input.Digest.Add(first);
         foreach (RecordingProblem problem in reader.Problems)
         {
-            bool isInside = problem.Offset >= 64 && problem.Length > 0 && problem.Offset + problem.Length <= input.Bytes.Length;
+            bool isInside = problem.Offset >= 64 && problem.Length >= 0 && problem.Offset + problem.Length <= input.Bytes.Length;
             WrongResultException.ThrowUnless(isInside, "A problem lies outside the file.");
             input.Digest.Add(problem.Offset);
         }
@@ -70,30 +69,5 @@ internal sealed class RecordingTarget
         }
 
         return (digest.Value, found);
-    }
-
-    // Head and blocks get the checksums that belong to what they hold now.
-    private static void Mend(Span<byte> file)
-    {
-        if (file.Length < RecordingLayout.FileHeaderSize)
-            return;
-
-        const int HeadChecksum = RecordingLayout.FileHeaderSize - sizeof(uint);
-        uint seed = Crc32C.Append(0, file[..HeadChecksum]);
-        BinaryPrimitives.WriteUInt32LittleEndian(file[HeadChecksum..], seed);
-        int place = RecordingLayout.FileHeaderSize;
-        int found;
-        while ((found = file[place..].IndexOf(BlockHeader.Marker)) >= 0 && file.Length - place - found >= RecordingLayout.BlockHeaderSize)
-        {
-            place += found;
-            Span<byte> header = file[place..];
-            int length = BinaryPrimitives.ReadInt32LittleEndian(header[12..]);
-            int room = header.Length - RecordingLayout.BlockHeaderSize;
-            if (length >= 0 && length <= room)
-                BinaryPrimitives.WriteUInt32LittleEndian(header[24..], Crc32C.Append(0, header.Slice(RecordingLayout.BlockHeaderSize, length)));
-
-            BinaryPrimitives.WriteUInt32LittleEndian(header[28..], Crc32C.Append(seed, header[..28]));
-            place += RecordingLayout.BlockHeaderSize;
-        }
     }
 }

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Net;
 using NeuronMocap.Fuzz.Inputs;
 using NeuronMocap.Protocol;
@@ -10,17 +11,16 @@ internal sealed class UdpTarget
 {
     private const int MostSenders = 80;
 
-    // As many as the joiner keeps: their datagrams push everybody else's unfinished packets out.
-    private const int Flushers = 64;
+    /// <summary>What it takes to remember all senders, the smallest tail of each, and a datagram that waits.</summary>
+    public const long AllocatedForSenders = (MostSenders * 8 * 1024) + (64 * 1024);
 
-    /// <summary>What it takes to remember all senders, and the smallest tail of each.</summary>
-    public const long AllocatedForSenders = (MostSenders + Flushers) * 5 * 1024;
-
+    // Of computers of their own, and of a few that have several.
     private static readonly SocketAddress[] Addresses =
-        [.. Enumerable.Range(1, MostSenders + Flushers).Select(port => new IPEndPoint(IPAddress.Loopback, port).Serialize())];
+        [.. Enumerable.Range(1, MostSenders).Select(number => new IPEndPoint(new IPAddress([127, 0, 0, (byte)(1 + (number % 50))]), number).Serialize())];
+
+    private static readonly byte[] Frame = CreateFrame();
 
     private readonly PacketScanner _scanner = new();
-    private readonly byte[] _noise = [0];
 
     public void Run(FuzzInput input)
     {
@@ -28,20 +28,34 @@ internal sealed class UdpTarget
         var joiner = new UdpSenders(_scanner, counts, new SenderFilter([]));
         int senders = input.Random.Below(4) == 0 ? MostSenders : input.Random.Between(1, 3);
         int largest = input.Random.Choose([64, 200, 1_024, 1_472, 9_000]);
+        long now = 1;
         for (ArraySegment<byte> rest = input.Segment; rest.Count > 0;)
         {
             int size = Math.Min(rest.Count, input.Random.Between(1, largest));
-            joiner.Push(Addresses[input.Random.Below(senders)], rest.Slice(0, size), timestamp: 0);
+            now += input.Random.Below(16) == 0 ? Stopwatch.Frequency : Stopwatch.Frequency / 100;
+            joiner.Push(Addresses[input.Random.Below(senders)], rest.Slice(0, size), now);
             rest = rest.Slice(size);
         }
 
         input.Digest.Add(counts.Digest);
         input.Found += counts.Packets;
-        for (int i = 0; i < Flushers; i++)
-            joiner.Push(Addresses[MostSenders + i], _noise, timestamp: 0);
 
+        // Whoever has an unfinished packet gives it up for a whole one.
+        joiner.Settle(now, isLast: true);
+        foreach (SocketAddress address in Addresses)
+            joiner.Push(address, Frame, now);
+
+        joiner.Settle(now, isLast: true);
+        long flushed = (long)Addresses.Length * Frame.Length;
         WrongResultException.ThrowUnless(
-            counts.Bytes == input.Segment.Count + Flushers, "{0} bytes came out of {1}.", counts.Bytes - Flushers, input.Segment.Count);
+            counts.Bytes == input.Segment.Count + flushed, "{0} bytes came out of {1}.", counts.Bytes - flushed, input.Segment.Count);
+    }
+
+    private static byte[] CreateFrame()
+    {
+        byte[] frame = new byte[ProtocolConstants.HeaderSize];
+        new MotionHeader { Version = DataVersion.New }.Write(frame);
+        return frame;
     }
 
     private sealed class Counts : IPacketReceiver

@@ -29,7 +29,9 @@ public sealed class CommandChannelTests
         Assert.Equal("0", await program.CallAsync($"zero-out {pipe} -1"));
         Assert.Equal("1", await program.CallAsync($"zero-out-all {pipe}"));
         Assert.Equal("1 order 4", await program.CallAsync($"rotation {pipe}"));
-        Assert.Equal("1 0.100000001 0.200000003 0.300000012 0.400000006 0.5 0.600000024 0.699999988 0.800000012 0.899999976 1 1.10000002 1.20000005", await program.CallAsync($"bone-size {pipe} 1"));
+        string sizes = await program.CallAsync($"bone-size {pipe} 1");
+        Assert.Equal("1 0.100000001 0.200000003 0.300000012 0.400000006 0.5 0.600000024 0.699999988 0.800000012 0.899999976 1 1.10000002 1.20000005", sizes);
+        Assert.Equal(sizes, await program.CallAsync($"bone-size-by-heading {pipe} 1"));
 
         // Languages that take a bool for an int read four bytes.
         Assert.Equal("1", await program.CallAsync($"zero-out-as-int {pipe} 0"));
@@ -118,8 +120,26 @@ public sealed class CommandChannelTests
             string line = string.Format(CultureInfo.InvariantCulture, call, pipe);
             Assert.Equal((line, result), (line, await program.CallAsync(line)));
         }
+    }
 
-        Assert.Equal("No error.", await program.CallAsync("error"));
+    // A root whose offset stands directly behind its brace, and other text that nobody would send. The program is told, and lives.
+    [Theory]
+    [InlineData("HIERARCHY\nROOT i\n{OFFSET")]
+    [InlineData("HIERARCHY")]
+    [InlineData("\x01\xFF{")]
+    public async Task A_header_that_is_none_is_false_with_a_last_error(string hostile)
+    {
+        using CommandScript server = CommandScript.InTurn(
+            request => request.ReplyAsync(Encoding.Latin1.GetBytes(hostile)), static request => request.ReplyAsync([1, 0, 0, 0]));
+        await using NativeProgram program = NativeProgram.Start("channel");
+        string pipe = await program.CallAsync($"connect-commands 127.0.0.1 {server.Port}");
+
+        Assert.Equal("0 xxxx", await program.CallAsync($"header {pipe} 0 4"));
+
+        Assert.NotEqual("No error.", await program.CallAsync("error"));
+        Assert.Equal("1", await program.CallAsync($"zero-out {pipe} 0"));
+        Assert.Equal(0, await program.EndAsync());
+        Assert.Empty(program.Errors);
     }
 
     // The vendor's library takes another command's answer for its own, and gives its dead handle again.

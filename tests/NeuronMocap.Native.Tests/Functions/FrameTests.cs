@@ -148,5 +148,8 @@ public sealed class FrameTests
             Assert.NotEqual("main", frame.Thread);
             Assert.Equal((0ul, 64ul), (frame.HeaderAddress % 16, frame.DataAddress - frame.HeaderAddress));
         });
+
+        // Programs may keep it.
+        Assert.Single(frames.Select(static frame => frame.HeaderAddress).Distinct());
     }
 }

@@ -41,7 +41,7 @@ public sealed class PythonTests
         Assert.Equal("answer 4 5 3 None", await program.ReadAsync());
         Assert.Equal("calculation 2 True 14 946 14.9228515625", await program.ReadAsync());
         Assert.Equal("frame 1 True 1.1.0.0 0 Char00 0 1 0 354 1.0 1.3447265625", await program.ReadAsync());
-        Assert.Contains("ZeroDivisionError: of the callback", program.Errors, StringComparison.Ordinal);
+        await Limits.UntilAsync(() => program.Errors.Contains("ZeroDivisionError: of the callback", StringComparison.Ordinal));
 
         program.Write("go on");
         Assert.Equal("commands True False True 4 True True True HIERARCHY False", await program.ReadAsync());

@@ -26,7 +26,7 @@ public sealed class StagedFolderTests
     [Fact]
     public void Headers_symbols_and_notices_are_there()
     {
-        string[] files = ["include/NeuronDataReader.h", "include/DataType.h", "symbols/libNeuronDataReader.so.dbg", "share/doc/NeuronDataReader/LICENSE",
+        string[] files = ["include/NeuronDataReader.h", "include/DataType.h", "include/SocketCommand.h", "symbols/libNeuronDataReader.so.dbg", "share/doc/NeuronDataReader/LICENSE",
             "share/doc/NeuronDataReader/THIRD-PARTY-NOTICES.txt", "share/doc/NeuronDataReader/dotnet/LICENSE.TXT", "share/doc/NeuronDataReader/dotnet/THIRD-PARTY-NOTICES.TXT"];
         Assert.All(files, static file => Assert.True(new FileInfo(Path.Combine(Folder, file)).Length > 0, file));
     }

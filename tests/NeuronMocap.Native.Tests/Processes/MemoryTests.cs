@@ -6,6 +6,7 @@ public sealed class MemoryTests
     [Theory]
     [InlineData("misuse")]
     [InlineData("floating")]
+    [InlineData("late")]
     public Task The_address_sanitizer_finds_nothing(string name)
     {
         ProgramRun.PathOf(name);

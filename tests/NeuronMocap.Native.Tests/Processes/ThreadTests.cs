@@ -10,6 +10,13 @@ public sealed class ThreadTests
     [InlineData("random")]
     public Task Any_thread_may_call(string how) => ProgramRun.SucceedsAsync("threads", how);
 
+    // As callbacks do that ask the thread of a window for something.
+    [Theory]
+    [InlineData("read")]
+    [InlineData("two")]
+    [InlineData("exit")]
+    public Task Closing_lets_go_of_callbacks_that_wait_for_the_thread_that_closes(string how) => ProgramRun.SucceedsAsync("late", how);
+
     [Fact]
     public Task Children_and_other_programs_may_be_started() => ProgramRun.SucceedsAsync("forks");
 

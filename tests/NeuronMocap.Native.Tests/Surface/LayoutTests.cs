@@ -43,6 +43,21 @@ public sealed class LayoutTests
         await CompileAsync(compiler, standard, generation, [.. Windows, "-DLAYOUT_WINDOWS_LAST"]);
     }
 
+    // With programs' own definitions of what others have too, without ours, and whichever header comes first.
+    [Theory]
+    [InlineData("B18")]
+    [InlineData("B12")]
+    [InlineData("B10")]
+    public async Task The_names_of_the_vendors_headers_are_there(string generation)
+    {
+        foreach (string standard in (string[])["c99", "c2x", "c++98", "c++23"])
+        {
+            string compiler = standard.StartsWith("c++", StringComparison.Ordinal) ? "g++" : "gcc";
+            foreach (string option in (string[])["-DPLAIN", "-DHOST_DEFINES", "-DNEURONDATAREADER_NO_BOOL", "-DCOMMANDS_FIRST"])
+                await CompileFileAsync("names", compiler, standard, generation, option);
+        }
+    }
+
     [Fact]
     public async Task A_compilers_option_that_changes_the_layout_is_an_error_in_the_header_itself()
     {
@@ -52,9 +67,12 @@ public sealed class LayoutTests
         Assert.Contains("NeuronDataReader_RotateOrders_differs", errors, StringComparison.Ordinal);
     }
 
-    private static async Task CompileAsync(string compiler, string standard, string generation, params string[] options)
+    private static Task CompileAsync(string compiler, string standard, string generation, params string[] options) =>
+        CompileFileAsync("layout", compiler, standard, generation, options);
+
+    private static async Task CompileFileAsync(string program, string compiler, string standard, string generation, params string[] options)
     {
-        string source = Path.Combine(NativeFiles.Sources, compiler.EndsWith("++", StringComparison.Ordinal) ? "layout.cpp" : "layout.c");
+        string source = Path.Combine(NativeFiles.Sources, program + (compiler.EndsWith("++", StringComparison.Ordinal) ? ".cpp" : ".c"));
         (int code, string output, string errors) = await SystemTool.RunAsync(
             compiler, [.. Strict, "-std=" + standard, "-DNEURONDATAREADER_" + generation, .. options, source]);
         Assert.Equal("", output + errors);

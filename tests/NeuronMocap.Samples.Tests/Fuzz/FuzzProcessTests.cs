@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using NeuronMocap.Fuzz;
+using NeuronMocap.Fuzz.Targets;
 using NeuronMocap.Samples.Tests.Infrastructure;
 
 namespace NeuronMocap.Samples.Tests.Fuzz;
@@ -16,16 +17,42 @@ public sealed class FuzzProcessTests
 
         Assert.Equal(0, await fuzz.WaitForExitAsync());
         Assert.StartsWith("seed 3; ", output, StringComparison.Ordinal);
-        foreach (string target in (string[])["scanner", "assembler", "text", "udp", "udp-text", "headers", "frames", "commands", "bvh", "recording", "dump", "calc"])
-            Assert.Contains($"\n{target} ", output, StringComparison.Ordinal);
+        foreach (FuzzTarget target in TargetList.All)
+            Assert.Contains($"\n{target.Name} ", output, StringComparison.Ordinal);
 
-        Assert.Contains("0 of 12 targets failed", output, StringComparison.Ordinal);
+        Assert.Contains($"0 of {TargetList.All.Count} targets failed", output, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Several_seeds_run_one_after_the_other()
+    {
+        using var fuzz = new SampleProcess(Program, "--bytes", "100000", "--seed", "5", "--seeds", "2", "--target", "scanner");
+        string output = await fuzz.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.Equal(0, await fuzz.WaitForExitAsync());
+        Assert.StartsWith("seed 5; ", output, StringComparison.Ordinal);
+        Assert.Contains("\nseed 6; ", output, StringComparison.Ordinal);
+        Assert.EndsWith("2 of 2 seeds run; 0 of them failed\n", output, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Seed_of_the_day_is_printed_and_is_the_date()
+    {
+        DateTime before = DateTime.UtcNow;
+        using var fuzz = new SampleProcess(Program, "--bytes", "1000", "--seed", "today", "--target", "scanner");
+        string? line = await fuzz.Output.ReadLineAsync(TestContext.Current.CancellationToken);
+
+        Assert.Equal(0, await fuzz.WaitForExitAsync());
+        string[] days = [$"seed {before:yyyyMMdd};", $"seed {DateTime.UtcNow:yyyyMMdd};"];
+        Assert.Contains(line![..14], days);
     }
 
     [Theory]
     [InlineData("--target", "nothing")]
     [InlineData("--bytes", "0")]
     [InlineData("--seed", "x")]
+    [InlineData("--seed", "-1")]
+    [InlineData("--seeds", "0")]
     [InlineData("--data", "/no/such/folder")]
     public async Task Bad_usage_ends_with_2(params string[] args)
     {
@@ -50,7 +77,7 @@ public sealed class FuzzProcessTests
         string rest = await fuzz.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
 
         Assert.Equal(code, await fuzz.WaitForExitAsync());
-        Assert.Contains("0 of 12 targets failed", rest, StringComparison.Ordinal);
+        Assert.Contains($"0 of {TargetList.All.Count} targets failed", rest, StringComparison.Ordinal);
     }
 
     [Fact]

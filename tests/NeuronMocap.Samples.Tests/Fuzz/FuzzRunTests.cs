@@ -1,4 +1,5 @@
 using NeuronMocap.Fuzz;
+using NeuronMocap.Fuzz.Grammar;
 using NeuronMocap.Fuzz.Inputs;
 using NeuronMocap.Fuzz.Running;
 using NeuronMocap.Fuzz.Targets;
@@ -23,10 +24,10 @@ public sealed class FuzzRunTests
     {
         FuzzRun run = Run(PlantedFaults.Get(fault), PlantedFaults.Get("none"));
 
-        FuzzFinding finding = Assert.IsType<FuzzFinding>(run.Progress[0].Finding);
+        FuzzFinding finding = Assert.Single(run.Progress[0].Findings);
         Assert.Equal((fault, kind), (finding.Target, finding.Failure.Kind));
         Assert.Equal(PlantedFaults.Trigger, finding.Smallest);
-        Assert.Null(run.Progress[1].Finding);
+        Assert.Empty(run.Progress[1].Findings);
         Assert.InRange(run.Progress[1].Bytes, Bytes / 2, Bytes);
     }
 
@@ -34,7 +35,7 @@ public sealed class FuzzRunTests
     [InlineData("none")]
     [InlineData("refusal")]
     public void A_parser_that_does_as_documented_is_left_in_peace(string name) =>
-        Assert.Null(Run(PlantedFaults.Get(name)).Progress[0].Finding);
+        Assert.Empty(Run(PlantedFaults.Get(name)).Progress[0].Findings);
 
     [Fact]
     public void An_input_that_does_not_come_back_ends_the_run_and_is_kept()
@@ -43,9 +44,67 @@ public sealed class FuzzRunTests
         FuzzRun run = Run(PlantedFaults.Hang(end));
         end.Set();
 
-        FuzzFinding finding = Assert.IsType<FuzzFinding>(run.Progress[0].Finding);
+        FuzzFinding finding = Assert.Single(run.Progress[0].Findings);
         Assert.Equal("hang", finding.Failure.Kind);
         Assert.True(finding.Original.AsSpan().IndexOf(PlantedFaults.Trigger) >= 0);
+    }
+
+    [Fact]
+    public void An_input_that_writes_without_end_ends_the_run_and_is_kept()
+    {
+        using var end = new ManualResetEventSlim();
+        FuzzRun run = Run(PlantedFaults.Hang(end) with { TimeLimit = TimeSpan.FromHours(1), CountOutput = () => 100, OutputPerInput = 99 });
+        end.Set();
+
+        Assert.Equal("output", Assert.Single(run.Progress[0].Findings).Failure.Kind);
+        Assert.True(run.IsCutShort);
+    }
+
+    [Fact]
+    public void Two_faults_of_one_parser_are_two_findings()
+    {
+        FuzzRun run = Run(PlantedFaults.Get("two exceptions"));
+        Assert.Equal(["FormatException", "InvalidDataException"], run.Progress[0].Findings.Select(static finding => finding.Failure.Kind).Order(StringComparer.Ordinal));
+        Assert.True(run.Progress[0].Failures > 2, "The run ended with the second finding.");
+    }
+
+    // What the library or a tool was once wrong about stays mended.
+    [Fact]
+    public void Every_kept_input_is_read_by_every_target()
+    {
+        Assert.NotEmpty(KeptInputs.All);
+        foreach (FuzzTarget target in TargetList.All)
+        {
+            var runner = new InputRunner(target);
+            foreach ((string name, byte[] bytes) in KeptInputs.All)
+                Assert.True(runner.Run(bytes, isThorough: true) is null, $"{target.Name} fails with {name}.");
+        }
+    }
+
+    [Theory]
+    [InlineData(nameof(CorpusKind.Bvh))]
+    [InlineData(nameof(CorpusKind.Calculation))]
+    [InlineData(nameof(CorpusKind.Recordings))]
+    public void Parts_of_a_file_are_swapped_doubled_and_removed(string name)
+    {
+        CorpusKind kind = Enum.Parse<CorpusKind>(name);
+        byte[] fixture = Corpus.Load(kind, data: null).Fixtures[0];
+        var grammar = new Grammars();
+        var lengths = new List<int>();
+        bool hasSwapped = false;
+        for (ulong seed = 0; seed < 500; seed++)
+        {
+            var buffer = new InputBuffer();
+            buffer.Append(fixture);
+            var random = new FuzzRandom(seed);
+            new GrammarMutator(buffer).Change(grammar.Of(kind, fixture)!, ref random);
+            lengths.Add(buffer.Length);
+            hasSwapped |= buffer.Length == fixture.Length && !buffer.Bytes.SequenceEqual(fixture);
+        }
+
+        Assert.True(hasSwapped, "Nothing was swapped.");
+        Assert.Contains(lengths, length => length < fixture.Length);
+        Assert.Contains(lengths, length => length > fixture.Length);
     }
 
     [Fact]
@@ -62,8 +121,8 @@ public sealed class FuzzRunTests
     public void Every_target_of_the_program_is_clean_and_recognises_something()
     {
         FuzzRun run = Run([.. TargetList.All]);
-        Assert.All(run.Progress, target => Assert.Null(target.Finding));
-        Assert.All(run.Progress, target => Assert.True(target.Runner.Found > 10, $"{target.Target.Name} found {target.Runner.Found}."));
+        Assert.All(run.Progress, target => Assert.Empty(target.Findings));
+        Assert.All(run.Progress, target => Assert.True(target.Runner.Found > 5, $"{target.Target.Name} found {target.Runner.Found}."));
     }
 
     private static FuzzRun Run(params FuzzTarget[] targets)

@@ -13,6 +13,7 @@ internal static class PlantedFaults
         "none" => Create(fault, _ => { }),
         "refusal" => Create(fault, _ => throw new FormatException()) with { Refusal = typeof(FormatException) },
         "exception" => Create(fault, input => _ = input.Bytes.ToArray()[input.Bytes.Length]),
+        "two exceptions" => Create(fault, input => throw (input.Bytes.Length % 2 == 0 ? new FormatException() : new InvalidDataException())),
         "another exception than the refusal" => Create(fault, _ => throw new InvalidDataException()) with { Refusal = typeof(FormatException) },
         "wrong result" => Create(fault, input => WrongResultException.ThrowUnless(input.Found < 0, "{0}", input.Found)),
         "allocation" => Create(fault, input => input.Digest.Add((long)new byte[1 << 20].Length)),

@@ -29,7 +29,7 @@ internal sealed class SampleProcess : IDisposable
 
     public int Id => _process.Id;
 
-    // As it was built, in its own folder: this one lacks what the tests' own frameworks bring and the program's does not.
+    // As it was built, in its own folder: this one lacks what the tests' own frameworks bring and the program's does not. A project of tests may hold a copy.
     public static string PathOf(string program)
     {
         var output = new DirectoryInfo(AppContext.BaseDirectory);
@@ -37,7 +37,7 @@ internal sealed class SampleProcess : IDisposable
             .Concat(Directory.GetDirectories(Repository.PathOf("tests")))
             .Where(folder => !output.FullName.StartsWith(folder, StringComparison.Ordinal))
             .Select(sample => Path.Combine(sample, "bin", output.Parent!.Name, output.Name, program + ".dll"))
-            .Single(File.Exists);
+            .First(File.Exists);
     }
 
     // A shell that runs the tests in the background switches SIGINT off. Bit 1 of the mask of ignored signals is SIGINT, number 2.

@@ -89,6 +89,42 @@ public sealed class ExportTests : IDisposable
         Assert.False(File.Exists(Target));
     }
 
+    // The file is a device that is always full.
+    [Theory]
+    [InlineData("--json")]
+    [InlineData("--quiet")]
+    [InlineData("--once")]
+    public async Task A_full_disk_is_told_with_its_reason_and_ends_with_code_1(string output)
+    {
+        Assert.SkipUnless(File.Exists("/dev/full"), "There is no /dev/full.");
+        File.CreateSymbolicLink(Target, "/dev/full");
+        using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)), FrameServer.Motion(2, Values(2)));
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--once", output, "--overwrite", "--export", Target);
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains(result.Error, line => line.Contains($"the export ended early: '{Target}': the disk is full.", StringComparison.Ordinal));
+        Assert.Contains("neuron-monitor: 2 frames could not be written; later frames were not exported.", result.Error);
+        Assert.DoesNotContain(result.Error, line => line.Contains("no motion frame came", StringComparison.Ordinal));
+        string told = output switch
+        {
+            "--json" => Assert.Single(result.OfType("fileFailed")),
+            "--quiet" => result.Error[0],
+            _ => Assert.Single(result.Output, line => line.Contains("Export failed: the disk is full.", StringComparison.Ordinal)),
+        };
+        Assert.Contains("the disk is full.", told, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_file_that_is_being_written_already_is_left_alone()
+    {
+        string recorded = Path.Combine(_folder.FullName, "take.nmrec");
+        File.CreateSymbolicLink(Target, recorded);
+        MonitorResult result = await MonitorRunner.RunAsync("--demo", "--quiet", "--frames", "1", "--overwrite", "--export", Target, "--record", recorded);
+        Assert.Equal(1, result.ExitCode);
+        string line = Assert.Single(result.Error);
+        Assert.Contains($"'{recorded}' is being written already", line, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("--diagnose and --export", "--export", "a.bvh", "--diagnose")]
     [InlineData("--commands and --export", "--export", "a.bvh", "--commands")]

@@ -1,3 +1,4 @@
+using System.Net;
 using NeuronMocap.Monitor;
 
 namespace NeuronMocap.Samples.Tests.Monitor;
@@ -11,6 +12,7 @@ public sealed class MonitorOptionsTests
         NeuronReaderOptions options = new MonitorOptions { Server = server, CommandPort = 8014 }.ToReaderOptions(server);
 
         Assert.Equal(("studio", 7003, 8014), (options.Host, options.Port, options.CommandPort));
+        Assert.Equal(IPAddress.Loopback, new MonitorOptions { Server = server, LocalAddress = IPAddress.Loopback }.ToReaderOptions(server).LocalAddress);
         Assert.Null(new MonitorOptions { Server = server }.ToReaderOptions(server).CommandPort);
     }
 }

@@ -30,6 +30,17 @@ public sealed class MonitorProcessTests
         Assert.Equal(2, await wrong.WaitForExitAsync());
     }
 
+    [Fact]
+    public async Task Both_programs_say_their_version_alike()
+    {
+        using var monitor = new SampleProcess("neuron-monitor", "--version");
+        using var simulator = new SampleProcess("neuron-simulator", "--version");
+        string version = await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.Matches("^[0-9]+\\.[0-9]+\\.[0-9]+\\s*$", version);
+        Assert.Equal(version, await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken));
+    }
+
     [Theory]
     [InlineData("INT")]
     [InlineData("TERM")]

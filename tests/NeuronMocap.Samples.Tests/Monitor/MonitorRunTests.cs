@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
+using System.Text.Json;
 using NeuronMocap.Samples.Tests.Infrastructure;
 
 namespace NeuronMocap.Samples.Tests.Monitor;
@@ -11,7 +12,7 @@ public sealed class MonitorRunTests
     public async Task Json_prints_every_frame_in_order_and_a_summary_last()
     {
         using FrameServer server = FrameServer.Sending(
-            FrameServer.Motion(7, 1.5f, -0f), FrameServer.Calculation(7, 2), "noise"u8.ToArray(), FrameServer.Motion(9, 3));
+            FrameServer.Motion(7, 1.5f, -0f), FrameServer.Calculation(7, 2), "noise"u8.ToArray(), FrameServer.Motion(9, 3, 4));
 
         MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--once", "--json");
 
@@ -19,12 +20,19 @@ public sealed class MonitorRunTests
         Assert.Empty(result.Error);
         Assert.Equal(
             [
-                """{"type":"frame","avatar":0,"name":"Char00","index":7,"displacement":true,"reference":false,"values":[1.5,-0.0]}""",
-                """{"type":"calculation","avatar":0,"name":"Char00","index":7,"values":[2]}""",
-                """{"type":"frame","avatar":0,"name":"Char00","index":9,"displacement":true,"reference":false,"values":[3]}""",
+                """{"type":"start","program":"neuron-monitor",""",
+                """{"type":"skeleton","avatar":0,"name":"Char00","index":7,"sender":0,""",
+                """{"type":"frame","avatar":0,"name":"Char00","index":7,"displacement":true,"reference":false,"sender":0,""",
+                """{"type":"calculation","avatar":0,"name":"Char00","index":7,"sender":0,""",
+                """{"type":"frame","avatar":0,"name":"Char00","index":9,"displacement":true,"reference":false,"sender":0,""",
             ],
-            result.Output.Where(line => !line.Contains("\"status\"", StringComparison.Ordinal) && !line.Contains("\"summary\"", StringComparison.Ordinal)),
+            result.Output
+                .Where(line => !line.Contains("\"status\"", StringComparison.Ordinal) && !line.Contains("\"summary\"", StringComparison.Ordinal))
+                .Select(line => line[..(line.IndexOf(line.Contains("\"sender\"", StringComparison.Ordinal) ? "\"time\"" : "\"version\"", StringComparison.Ordinal))]),
             StringComparer.Ordinal);
+        Assert.Equal(
+            ["[1.5,-0.0]}", "[2]}", "[3,4]}"],
+            result.Output.Where(line => line.Contains("\"values\":", StringComparison.Ordinal)).Select(line => line.Split("\"values\":")[1]));
         Assert.StartsWith(
             """{"type":"summary","frames":2,"calculationFrames":1,"lost":1,"dropped":0,"skippedBytes":5,"seconds":""",
             result.Output[^1],
@@ -71,6 +79,35 @@ public sealed class MonitorRunTests
 
         Assert.Equal(0, result.ExitCode);
         Assert.StartsWith("""{"type":"summary","frames":2,"calculationFrames":0,"lost":0,"dropped":0,"skippedBytes":0,"seconds":""", Assert.Single(result.Output), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--quiet")]
+    [InlineData("--once")]
+    public async Task A_calculation_port_that_brings_nothing_is_told_while_motion_arrives(string output)
+    {
+        using FrameServer server = FrameServer.Pacing(static number => FrameServer.Motion((uint)number, 1));
+
+        // Bound and not listening: it refuses, and nobody else gets the port meanwhile.
+        using var refusing = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+        refusing.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+        int port = ((IPEndPoint)refusing.LocalEndPoint!).Port;
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--calculation-port", $"{port}", "--duration", "6", output);
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Contains("calculation", Assert.Single(result.Error), StringComparison.OrdinalIgnoreCase);
+        if (output != "--quiet")
+            Assert.Contains(result.Output, static line => line.Contains(" Receiving: ", StringComparison.Ordinal) && line.Contains("refused", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public async Task The_time_of_a_quiet_summary_is_that_of_the_run()
+    {
+        using FrameServer server = FrameServer.Pacing(static number => FrameServer.Motion((uint)number, 1));
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--duration", "0.5", "--quiet");
+        using var summary = JsonDocument.Parse(Assert.Single(result.Output));
+        double frames = summary.RootElement.GetProperty("seconds").GetDouble();
+        Assert.InRange(frames, 1e-6, summary.RootElement.GetProperty("time").GetDouble());
     }
 
     [Theory]
@@ -149,7 +186,7 @@ public sealed class MonitorRunTests
         if (exitCode != 0)
         {
             Assert.Contains("127.0.0.1", Assert.Single(result.Error), StringComparison.Ordinal);
-            Assert.Contains("AllowedSenders", Assert.Single(result.Error), StringComparison.Ordinal);
+            Assert.Contains("--allow-sender", Assert.Single(result.Error), StringComparison.Ordinal);
         }
     }
 

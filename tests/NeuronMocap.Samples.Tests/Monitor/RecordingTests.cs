@@ -29,6 +29,46 @@ public sealed class RecordingTests : IDisposable
         Assert.EndsWith($"to {Take}; lost 0 pieces.", line, StringComparison.Ordinal);
     }
 
+    // The second file is a device that is always full.
+    [Theory]
+    [InlineData("--json")]
+    [InlineData("--quiet")]
+    [InlineData("--once")]
+    public async Task A_full_disk_is_told_with_its_reason_and_ends_with_code_1(string output)
+    {
+        Assert.SkipUnless(File.Exists("/dev/full"), "There is no /dev/full.");
+        File.CreateSymbolicLink(Path.Combine(_folder.FullName, "take.0002.nmrec"), "/dev/full");
+        byte[] frame = FrameServer.Motion(1, new float[354]);
+        using FrameServer server = FrameServer.Sending([.. Enumerable.Range(0, 2000).Select(_ => frame)]);
+        MonitorResult result = await MonitorRunner.RunAsync(
+            "--connect", server.Address, "--once", output, "--overwrite", "--record", Take, "--record-size", "2");
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains(result.Error, line => line.Contains("the recording ended early: ", StringComparison.Ordinal));
+        string told = output switch
+        {
+            "--json" => Assert.Single(result.OfType("fileFailed")),
+            "--quiet" => result.Error[0],
+            _ => Assert.Single(result.Output, line => line.Contains("Recording failed: the disk is full.", StringComparison.Ordinal)),
+        };
+        Assert.Contains("the disk is full.", told, StringComparison.Ordinal);
+
+        // What is told is what the file holds.
+        using RecordingReader reader = RecordingReader.Open(Path.Combine(_folder.FullName, "take.0001.nmrec"));
+        Assert.Contains(result.Error, line => line.Contains($"recorded ", StringComparison.Ordinal) && line.Contains($" {reader.Totals!.Value.Bytes:#,0} bytes in", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public async Task Nobody_waits_for_a_stream_that_is_neither_shown_nor_written_any_more()
+    {
+        Assert.SkipUnless(File.Exists("/dev/full"), "There is no /dev/full.");
+        File.CreateSymbolicLink(Path.Combine(_folder.FullName, "take.0002.nmrec"), "/dev/full");
+        using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, new float[354]));
+        MonitorResult result = await MonitorRunner.RunAsync(
+            "--connect", server.Address, "--quiet", "--overwrite", "--record", Take, "--record-size", "2");
+        Assert.Equal(1, result.ExitCode);
+    }
+
     [Fact]
     public async Task The_demo_is_recorded_and_its_metadata_with_it()
     {

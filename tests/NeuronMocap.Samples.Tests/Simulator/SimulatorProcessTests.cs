@@ -5,6 +5,7 @@ using System.Net.Sockets;
 using System.Text;
 using NeuronMocap.Protocol;
 using NeuronMocap.Samples.Tests.Infrastructure;
+using NeuronMocap.Server;
 
 namespace NeuronMocap.Samples.Tests.Simulator;
 
@@ -30,12 +31,61 @@ public sealed class SimulatorProcessTests
     [InlineData("--commands", "65536")]
     [InlineData("--commands", "7001")]
     [InlineData("--commands", "--port", "8013")]
+    [InlineData("--calculation-port", "65536")]
+    [InlineData("--calculation-port", "--port", "7003")]
+    [InlineData("--calculation-port", "--commands", "7003")]
+    [InlineData("--calculation-port", "--motion", "off")]
+    [InlineData("--calculation-port", "0", "--udp", "127.0.0.1:7002")]
+    [InlineData("--motion", "perhaps")]
     [InlineData("--unknown")]
-    public async Task Bad_usage_ends_with_2_and_the_usage_line(params string[] args)
+    public async Task Bad_usage_is_one_line_that_says_where_help_is_and_ends_with_2(params string[] args)
     {
         using var simulator = new SampleProcess(Program, args);
         Assert.Equal(2, await simulator.WaitForExitAsync());
-        Assert.Contains("neuron-simulator [", await simulator.ReadErrorAsync(), StringComparison.Ordinal);
+        string line = Assert.Single((await simulator.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
+        Assert.StartsWith("neuron-simulator: ", line, StringComparison.Ordinal);
+        Assert.EndsWith(" neuron-simulator --help lists the options.", line.TrimEnd(), StringComparison.Ordinal);
+    }
+
+    // Every option that --help lists, so that a new one is looked at, too.
+    [Fact]
+    public async Task Every_option_with_a_wrong_or_a_second_value_is_one_line_and_ends_with_2()
+    {
+        using var helper = new SampleProcess(Program, "--help");
+        string help = await helper.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+        string[] options = [.. help.Split('\n').Where(static line => line.StartsWith("  --", StringComparison.Ordinal) && line.Contains('<', StringComparison.Ordinal)).Select(static line => line.Split(' ')[2])];
+        Assert.True(options.Length > 15, "The options are not found in the help.");
+        foreach (string option in options)
+        {
+            // A file may have any name, and a destination may be given again.
+            bool isFile = option is "--bvh" or "--calc" or "--play";
+            string[][] commands = isFile ? [[option, "x", option, "x"]] : option is "--udp" ? [[option, "x"]] : [[option, "x"], [option, "x", option, "x"]];
+            foreach (string[] args in commands)
+            {
+                using var simulator = new SampleProcess(Program, args);
+                Assert.True(await simulator.WaitForExitAsync() == 2, string.Join(' ', args));
+                string line = Assert.Single((await simulator.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
+                Assert.Contains(option, line, StringComparison.Ordinal);
+            }
+        }
+    }
+
+    [Fact]
+    public async Task An_option_that_is_not_there_is_told_with_the_one_that_was_meant()
+    {
+        using var simulator = new SampleProcess(Program, "--avatar", "2");
+        Assert.Equal(2, await simulator.WaitForExitAsync());
+        Assert.Contains("unknown option --avatar: did you mean --avatars?", await simulator.ReadErrorAsync(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Over_udp_alone_no_clients_are_counted()
+    {
+        using var simulator = new SampleProcess(Program, "--udp", "127.0.0.1:9", "--frames", "2");
+        string report = await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+        Assert.Equal(0, await simulator.WaitForExitAsync());
+        Assert.Contains("\n2 frames sent, ", report, StringComparison.Ordinal);
+        Assert.DoesNotContain("client", report, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -77,6 +127,58 @@ public sealed class SimulatorProcessTests
     public async Task A_file_that_is_no_take_ends_with_1_and_one_line_that_names_the_option() =>
         await AssertFailsAsync("--bvh", "--bvh", typeof(SimulatorProcessTests).Assembly.Location);
 
+    [Theory]
+    [InlineData("--bvh")]
+    [InlineData("--calc")]
+    [InlineData("--play")]
+    public async Task What_is_no_file_is_told_in_words_of_the_program(string option)
+    {
+        string folder = Path.GetTempPath();
+        Assert.Contains("is a folder", await FailAsync(option, folder), StringComparison.Ordinal);
+        Assert.Contains("there is no file", await FailAsync(option, Path.Combine(folder, Path.GetRandomFileName())), StringComparison.Ordinal);
+        string empty = Path.GetTempFileName();
+        Assert.Contains("is empty", await FailAsync(option, empty), StringComparison.Ordinal);
+        File.Delete(empty);
+        if (OperatingSystem.IsWindows())
+            return;
+
+        Assert.Contains("device", await FailAsync(option, "/dev/zero"), StringComparison.Ordinal);
+        string pipe = Path.Combine(folder, Path.GetRandomFileName());
+        using (Process make = Process.Start("mkfifo", [pipe]))
+            await make.WaitForExitAsync(TestContext.Current.CancellationToken);
+
+        string link = pipe + ".bvh";
+        File.CreateSymbolicLink(link, pipe);
+        Assert.Contains("a pipe", await FailAsync(option, pipe), StringComparison.Ordinal);
+        Assert.Contains("a pipe", await FailAsync(option, link), StringComparison.Ordinal);
+        File.Delete(link);
+        File.Delete(pipe);
+    }
+
+    [Fact]
+    public async Task An_address_of_another_machine_is_told_in_words_of_the_program() =>
+        await AssertFailsAsync("--bind", "--bind", "192.0.2.1", "--port", "0");
+
+    [Fact]
+    public async Task The_version_is_that_of_the_other_programs()
+    {
+        using var simulator = new SampleProcess(Program, "--version");
+        using var monitor = new SampleProcess("neuron-monitor", "--version");
+        Assert.Equal(
+            await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken),
+            await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken));
+    }
+
+    [Fact]
+    public async Task Help_names_the_ports_and_says_which_clients_a_format_is_not_for()
+    {
+        using var simulator = new SampleProcess(Program, "--help");
+        string help = string.Join(' ', (await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken)).Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
+        Assert.Contains("--calculation-port", help, StringComparison.Ordinal);
+        Assert.Contains("Default without PORT: 7003.", help, StringComparison.Ordinal);
+        Assert.Contains("b12 library crash on these", help, StringComparison.Ordinal);
+    }
+
     [Fact]
     public async Task Frames_of_all_avatars_reach_the_monitor_and_both_programs_end()
     {
@@ -111,6 +213,49 @@ public sealed class SimulatorProcessTests
         Assert.Contains("\"lost\":0,\"dropped\":0,\"skippedBytes\":0,", summary, StringComparison.Ordinal);
         Assert.Equal(0, await monitor.WaitForExitAsync());
         Assert.Equal(0, await simulator.WaitForExitAsync());
+    }
+
+    [Theory]
+    [InlineData("binary", "header 1.1.0.0, calculation packets on a port of their own")]
+    [InlineData("text", "text with 2 decimals, calculation lines on a port of their own")]
+    [InlineData("studio", "as Axis Studio, header 1.1.0.1, its calculation packets on a port of their own")]
+    public async Task Calculation_has_a_port_of_its_own_that_the_program_names(string format, string description)
+    {
+        using var simulator = new SampleProcess(
+            Program, "--port", "0", "--calculation-port", "0", "--rate", "max", "--frames", "100", "--avatars", "2", "--format", format);
+        Assert.EndsWith(description, await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken), StringComparison.Ordinal);
+        string motion = await ReadAddressAsync(simulator);
+        string? line = await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken);
+        Assert.StartsWith("Calculation on ", line, StringComparison.Ordinal);
+        long motionBytes = await CountBytesAsync(motion);
+        long calculationBytes = await CountBytesAsync(line!["Calculation on ".Length..]);
+        string report = await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.StartsWith("2 clients served in all, 200 frames and 200 calculation frames sent, 0 packets dropped", report, StringComparison.Ordinal);
+        if (format != "text")
+            Assert.Equal((200L * 1480, format == "studio" ? 200L * 5020 : 200L * 3848), (motionBytes, calculationBytes));
+        Assert.True(calculationBytes > motionBytes);
+        Assert.Equal(0, await simulator.WaitForExitAsync());
+    }
+
+    [Fact]
+    public async Task Calculation_is_sent_alone_when_motion_is_off()
+    {
+        using var simulator = new SampleProcess(Program, "--port", "0", "--motion", "off", "--rate", "max", "--frames", "100");
+        long bytes = await CountBytesAsync(await ReadAddressAsync(simulator));
+        string report = await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.Equal(100L * 3848, bytes);
+        Assert.StartsWith("1 client served in all, 0 frames and 100 calculation frames sent", report, StringComparison.Ordinal);
+        Assert.Equal(0, await simulator.WaitForExitAsync());
+    }
+
+    [Fact]
+    public async Task A_calculation_port_in_use_ends_with_1_and_one_line_that_names_the_option()
+    {
+        using var other = new TcpListener(IPAddress.Loopback, 0);
+        other.Start();
+        await AssertFailsAsync("--calculation-port", "--port", "0", "--calculation-port", $"{((IPEndPoint)other.LocalEndpoint).Port}");
     }
 
     [Theory]
@@ -161,7 +306,36 @@ public sealed class SimulatorProcessTests
         using var simulator = new SampleProcess(Program, args);
         Assert.Equal(1, await simulator.WaitForExitAsync());
         string line = Assert.Single((await simulator.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
-        Assert.Contains(option, line, StringComparison.Ordinal);
+        Assert.StartsWith($"neuron-simulator: {option}: ", line, StringComparison.Ordinal);
+        AssertNamesNoMember(line);
+    }
+
+    private static async Task<string> FailAsync(string option, string path)
+    {
+        using var simulator = new SampleProcess(Program, "--port", "0", option, path);
+        Assert.Equal(1, await simulator.WaitForExitAsync());
+        string line = Assert.Single((await simulator.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
+        Assert.StartsWith($"neuron-simulator: {option}: ", line, StringComparison.Ordinal);
+        Assert.Contains(path, line, StringComparison.Ordinal);
+        return line;
+    }
+
+    // What a user of the program can change are options.
+    private static void AssertNamesNoMember(string line) => Assert.All(
+        typeof(BroadcasterOptions).GetProperties().Where(property => property.Name is not ("Port" or "Format" or "Motion" or "Rate" or "Sources" or "Recording")),
+        property => Assert.DoesNotContain(property.Name, line, StringComparison.Ordinal));
+
+    private static async Task<long> CountBytesAsync(string address)
+    {
+        using var client = new TcpClient();
+        await client.ConnectAsync(IPEndPoint.Parse(address), TestContext.Current.CancellationToken);
+        byte[] buffer = new byte[65_536];
+        long count = 0;
+        int read;
+        while ((read = await client.GetStream().ReadAsync(buffer, TestContext.Current.CancellationToken)) > 0)
+            count += read;
+
+        return count;
     }
 
     private static async Task<string> ReadAddressAsync(SampleProcess simulator)

@@ -11,6 +11,7 @@ public sealed class DependencyTests
     private static readonly DependencyRules Client = new("NeuronMocap", new Dictionary<string, string[]>(StringComparer.Ordinal)
     {
         ["Protocol"] = [],
+        ["Files"] = [],
         ["Skeleton"] = [],
         ["Kinematics"] = ["Skeleton"],
         ["Frames"] = ["Protocol", "Skeleton"],
@@ -20,9 +21,9 @@ public sealed class DependencyTests
         ["Telemetry"] = ["Delivery", "Recording", "Transport", "Protocol"],
         // Text that a server sends is BVH; how to connect, and why that failed, is the same as for a stream.
         ["Commands"] = ["Bvh", "Delivery", "Protocol", "Skeleton", "Transport"],
-        ["Bvh"] = ["Frames", "Skeleton", "Protocol"],
-        ["Calculation"] = ["Frames", "Skeleton", "Protocol"],
-        ["Recording"] = ["Protocol", "Skeleton", "Transport"],
+        ["Bvh"] = ["Files", "Frames", "Skeleton", "Protocol"],
+        ["Calculation"] = ["Files", "Frames", "Skeleton", "Protocol"],
+        ["Recording"] = ["Files", "Protocol", "Skeleton", "Transport"],
         ["Playback"] = ["Delivery", "Frames", "Protocol", "Recording", "Skeleton", "Transport"],
         ["Retargeting"] = ["Skeleton"],
     });

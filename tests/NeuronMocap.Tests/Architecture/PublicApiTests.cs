@@ -13,6 +13,21 @@ public sealed class PublicApiTests
     [Theory, MemberData(nameof(Assemblies))]
     public void The_public_surface_is_the_one_on_file(string name) => PublicSurfaceFile.Check(Assembly.Load(name));
 
+    /// <summary>
+    /// A type of the framework in a signature would differ between the builds, and a library compiled on one would not find the member in the other.
+    /// </summary>
+    [Theory, MemberData(nameof(Assemblies))]
+    public void Both_builds_have_the_same_signatures_of_init_accessors(string name)
+    {
+        var assembly = Assembly.Load(name);
+        IEnumerable<string?> scopes = assembly.GetExportedTypes()
+            .SelectMany(static type => type.GetProperties(BindingFlags.DeclaredOnly | BindingFlags.Public | BindingFlags.Instance))
+            .SelectMany(static property => property.SetMethod?.ReturnParameter.GetRequiredCustomModifiers() ?? [])
+            .Select(static modifier => modifier.Assembly.GetName().Name)
+            .Distinct();
+        Assert.All(scopes, scope => Assert.Equal(name, scope));
+    }
+
     [Fact]
     public void Every_kind_of_member_is_written()
     {

@@ -70,8 +70,7 @@ public class BvhFrameRateTests
         Assert.Equal(0, document.DeclaredFrameTime);
         Assert.Equal(
             [
-                new BvhRepair(18, 13, $"'{frameTime}' is not a frame time; it is ignored."),
-                new BvhRepair(16, 1, "There is no usable frame time; 120 Hz is assumed."),
+                new BvhRepair(18, 13, $"'{frameTime}' is not a frame time; 120 Hz is assumed unless another one follows."),
             ],
             document.Repairs);
     }

@@ -40,9 +40,12 @@ public class BvhHierarchyTextTests
         Assert.StartsWith(
             "HIERARCHY\r\nROOT Hips\r\n{\r\n    OFFSET 0.000 84.102 0.000\r\n"
             + "    CHANNELS 6 Xposition Yposition Zposition Yrotation Xrotation Zrotation\r\n    JOINT RightUpLeg\r\n    {\r\n"
-            + "        OFFSET -9.500 0.000 0.000\r\n        CHANNELS 3 Yrotation Xrotation Zrotation\r\n",
+            + "        OFFSET -9.500 -0.000 0.000\r\n        CHANNELS 3 Yrotation Xrotation Zrotation\r\n",
             text,
             StringComparison.Ordinal);
+        Assert.Equal(
+            ManualTables.AppendixB.Select(static row => FormattableString.Invariant($"OFFSET {row.X:F3} {row.Y:F3} {row.Z:F3}")).Order(StringComparer.Ordinal),
+            OffsetsOfJoints(text).Order(StringComparer.Ordinal));
         Assert.EndsWith("OFFSET 1.598 0.000 0.000", text.TrimEnd('}', ' ', '\r', '\n'), StringComparison.Ordinal);
         Assert.Equal(
             ManualTables.AppendixB.Select(row => (row.Name, row.Parent, new Vector3(row.X, row.Y, row.Z))),
@@ -52,6 +55,12 @@ public class BvhHierarchyTextTests
                 (left, right) => string.CompareOrdinal(left.Name, right.Name))),
             document.Joints.Where(joint => joint.EndSite is not null).Select(joint => (joint.Name, joint.EndSite!.Value)).Order(
                 Comparer<(string Name, Vector3)>.Create((left, right) => string.CompareOrdinal(left.Name, right.Name))));
+    }
+
+    private static IEnumerable<string> OffsetsOfJoints(string text)
+    {
+        string[] lines = [.. text.Split("\r\n").Select(static line => line.Trim())];
+        return lines.Where((line, i) => line.StartsWith("OFFSET", StringComparison.Ordinal) && !lines[i - 2].StartsWith("End Site", StringComparison.Ordinal));
     }
 
     [Fact]

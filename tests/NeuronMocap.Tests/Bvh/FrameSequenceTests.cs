@@ -84,6 +84,20 @@ public class FrameSequenceTests
         Assert.Equal(60, _sequence.Measure().FrameRate, 1e-6);
     }
 
+    // Its clock starts, and then it makes up for what its start took.
+    [Fact]
+    public void Servers_that_start_in_the_middle_of_a_take_do_not_move_the_rate()
+    {
+        for (int run = 0; run < 3; run++)
+        {
+            _sequence.Restart();
+            for (uint i = 0; i < 100; i++)
+                _sequence.Next(i, Ticks((10 * run) + Math.Max(0.07, i / 60.0)));
+        }
+
+        Assert.Equal(60, _sequence.Measure().FrameRate, 1e-6);
+    }
+
     [Fact]
     public void Losses_pauses_and_restarts_do_not_move_the_rate()
     {

@@ -90,7 +90,7 @@ public sealed class CalculationAxesTests
         for (int i = 0; i < document.FrameCount; i++)
         {
             CalculationFrame frame = document.GetFrame(i);
-            sum += CalculationAxes.Export.ToBvh(Vector3.Transform(frame.GetAcceleration(Bone.Hips), frame.GetRotation(Bone.Hips)));
+            sum += CalculationAxes.Export.ToBvh(Vector3.Transform(frame.GetAcceleration(Bone.Hips), frame.GetSensorRotation(Bone.Hips)));
         }
 
         // One g downwards, save for what the actor's own motion adds.
@@ -132,8 +132,8 @@ public sealed class CalculationAxesTests
             double measured = 0;
             for (int i = 1; i < document.FrameCount - 1; i++)
             {
-                Quaternion before = CalculationAxes.Export.ToBvh(document.GetFrame(i - 1).GetRotation(bone));
-                Quaternion after = CalculationAxes.Export.ToBvh(document.GetFrame(i + 1).GetRotation(bone));
+                Quaternion before = CalculationAxes.Export.ToBvh(document.GetFrame(i - 1).GetSensorRotation(bone));
+                Quaternion after = CalculationAxes.Export.ToBvh(document.GetFrame(i + 1).GetSensorRotation(bone));
                 Quaternion turn = Quaternion.Conjugate(before) * after;
                 turn = turn.W < 0 ? -turn : turn;
                 Vector3 velocity = new Vector3(turn.X, turn.Y, turn.Z) * 2 * (float)(document.FrameRate / 2);

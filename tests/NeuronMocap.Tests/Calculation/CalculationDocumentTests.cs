@@ -68,7 +68,7 @@ public sealed class CalculationDocumentTests
         Assert.Equal(1u, frame.FrameIndex);
         Assert.Equal(59, frame.BoneCount);
         Assert.Equal(CalculationText.Value(1, 15 * 16), frame.GetPosition(Bone.Head).X);
-        Assert.Equal(CalculationText.Value(1, (58 * 16) + 2 + 6), frame.GetRotation(Bone.LeftHandPinky3).W);
+        Assert.Equal(CalculationText.Value(1, (58 * 16) + 2 + 6), frame.GetSensorRotation(Bone.LeftHandPinky3).W);
         Assert.Equal(frame.LeftFootContact, CalculationText.Value(1, 336) == 1);
     }
 

@@ -122,6 +122,7 @@ public class CommandAnswerTests
     [InlineData("BVH")]
     [InlineData("HIERARCHY")]
     [InlineData(" ")]
+    [InlineData("HIERARCHY\nROOT i\n{OFFSET")]
     public async Task Text_that_is_not_bvh_is_no_answer(string text)
     {
         using var server = CommandScript.Always(Encoding.ASCII.GetBytes(text));

@@ -38,10 +38,10 @@ public sealed class DataCommandsTests : IDisposable
         reader.DataCommands.Received += _ => throw new InvalidOperationException("A handler of the user's.");
         reader.DataCommands.Received += reply => received.Add(reply.Id);
 
-        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.FetchBoneSizesAsync();
-        Task<int> count = reader.DataCommands.FetchAvatarCountAsync();
-        Task<string> text = reader.DataCommands.FetchBvhTextAsync();
-        Task<SensorCombination> mode = reader.DataCommands.FetchCombinationModeAsync(avatar: 1);
+        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.GetBoneSizesAsync();
+        Task<int> count = reader.DataCommands.GetAvatarCountAsync();
+        Task<string> text = reader.DataCommands.GetBvhTextAsync();
+        Task<SensorCombination> mode = reader.DataCommands.GetCombinationModeAsync(avatar: 1);
         await connection.SendPiecesAsync(
             TestPackets.Join(
                 DataReplies.CombinationMode(avatar: 0, mode: 1),
@@ -71,7 +71,7 @@ public sealed class DataCommandsTests : IDisposable
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
 
-        Task<int>[] frequencies = [.. Enumerable.Range(0, Avatars).Select(avatar => Task.Run(() => reader.DataCommands.FetchFrequencyAsync(avatar)))];
+        Task<int>[] frequencies = [.. Enumerable.Range(0, Avatars).Select(avatar => Task.Run(() => reader.DataCommands.GetFrequencyAsync(avatar)))];
         for (int i = 0; i < Avatars; i++)
             await ReadRequestAsync(connection);
         await connection.SendAsync(TestPackets.Join(Enumerable.Range(0, Avatars).Reverse().Select(avatar => DataReplies.Frequency(avatar, 1000 + avatar))));
@@ -86,12 +86,12 @@ public sealed class DataCommandsTests : IDisposable
         using TestConnection connection = await _server.AcceptAsync();
         reader.DataCommands.Timeout = TimeSpan.FromMilliseconds(50);
 
-        NeuronCommandException exception = await Assert.ThrowsAsync<NeuronCommandException>(() => reader.DataCommands.FetchAvatarCountAsync().Soon());
+        NeuronCommandException exception = await Assert.ThrowsAsync<NeuronCommandException>(() => reader.DataCommands.GetAvatarCountAsync().Soon());
         Assert.Equal(CommandFailure.TimedOut, exception.Reason);
         Assert.Contains("8013", exception.Message, StringComparison.Ordinal);
 
         reader.DataCommands.Timeout = TimeSpan.FromMinutes(1);
-        Task<int> count = reader.DataCommands.FetchAvatarCountAsync();
+        Task<int> count = reader.DataCommands.GetAvatarCountAsync();
         await connection.SendAsync(DataReplies.AvatarCount(4));
         Assert.Equal(4, await count.Soon());
     }
@@ -103,12 +103,12 @@ public sealed class DataCommandsTests : IDisposable
         using TestConnection connection = await _server.AcceptAsync();
         using var cancellation = new CancellationTokenSource();
 
-        Task<string> text = reader.DataCommands.FetchBvhTextAsync(cancellationToken: cancellation.Token);
+        Task<string> text = reader.DataCommands.GetBvhTextAsync(cancellationToken: cancellation.Token);
         await ReadRequestAsync(connection);
         cancellation.Cancel();
 
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() => text.Soon());
-        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => reader.DataCommands.FetchBvhTextAsync(cancellationToken: cancellation.Token).Soon());
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => reader.DataCommands.GetBvhTextAsync(cancellationToken: cancellation.Token).Soon());
     }
 
     [Fact]
@@ -121,7 +121,7 @@ public sealed class DataCommandsTests : IDisposable
 
         await using var udp = new NeuronReader(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = 0 });
         await udp.StartAsync(TestContext.Current.CancellationToken).Soon();
-        NeuronCommandException exception = await Assert.ThrowsAsync<NeuronCommandException>(() => udp.DataCommands.FetchAvatarCountAsync().Soon());
+        NeuronCommandException exception = await Assert.ThrowsAsync<NeuronCommandException>(() => udp.DataCommands.GetAvatarCountAsync().Soon());
         Assert.Equal(CommandFailure.NotConnected, exception.Reason);
     }
 
@@ -187,7 +187,7 @@ public sealed class DataCommandsTests : IDisposable
         await using NeuronReader reader = await ConnectAsync(reconnect);
         reader.DataCommands.Timeout = TimeSpan.FromMinutes(10);
         TestConnection connection = await _server.AcceptAsync();
-        Task[] fetches = [reader.DataCommands.FetchAvatarCountAsync(), reader.DataCommands.FetchBoneSizesAsync(), reader.DataCommands.FetchFrequencyAsync()];
+        Task[] fetches = [reader.DataCommands.GetAvatarCountAsync(), reader.DataCommands.GetBoneSizesAsync(), reader.DataCommands.GetFrequencyAsync()];
         for (int i = 0; i < fetches.Length; i++)
             await ReadRequestAsync(connection);
 
@@ -201,7 +201,7 @@ public sealed class DataCommandsTests : IDisposable
         // Nothing of the old connection is left to wait for.
         using TestConnection second = await _server.AcceptAsync();
         await Limits.UntilAsync(() => reader.Status.IsConnected);
-        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.FetchBoneSizesAsync(avatar: 1);
+        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.GetBoneSizesAsync(avatar: 1);
         Assert.Equal(Request(id: 0, parameter: 1), await ReadRequestAsync(second));
         await second.SendAsync(DataReplies.BoneSizes(("Hips", 0.5f)));
         Assert.Equal([new BoneSize("Hips", 0.5f)], await sizes.Soon());
@@ -213,7 +213,7 @@ public sealed class DataCommandsTests : IDisposable
         NeuronReader reader = await ConnectAsync();
         reader.DataCommands.Timeout = TimeSpan.FromMinutes(10);
         using TestConnection connection = await _server.AcceptAsync();
-        Task<string> text = reader.DataCommands.FetchBvhTextAsync();
+        Task<string> text = reader.DataCommands.GetBvhTextAsync();
         await ReadRequestAsync(connection);
         await reader.DisposeAsync();
         Assert.Equal(CommandFailure.Closed, (await Assert.ThrowsAsync<NeuronCommandException>(() => text.Soon())).Reason);
@@ -224,7 +224,7 @@ public sealed class DataCommandsTests : IDisposable
     {
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
-        Task<IReadOnlyList<BoneSize>>[] sizes = [.. Enumerable.Range(0, 3).Select(avatar => reader.DataCommands.FetchBoneSizesAsync(avatar))];
+        Task<IReadOnlyList<BoneSize>>[] sizes = [.. Enumerable.Range(0, 3).Select(avatar => reader.DataCommands.GetBoneSizesAsync(avatar))];
         for (int avatar = 0; avatar < sizes.Length; avatar++)
         {
             Assert.Equal(Request(id: 0, avatar), await ReadRequestAsync(connection));
@@ -242,11 +242,11 @@ public sealed class DataCommandsTests : IDisposable
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
         reader.DataCommands.Timeout = TimeSpan.FromMilliseconds(20);
-        await Assert.ThrowsAsync<NeuronCommandException>(() => reader.DataCommands.FetchBoneSizesAsync(avatar: 0).Soon());
+        await Assert.ThrowsAsync<NeuronCommandException>(() => reader.DataCommands.GetBoneSizesAsync(avatar: 0).Soon());
         Assert.Equal(Request(id: 0, parameter: 0), await ReadRequestAsync(connection));
 
         reader.DataCommands.Timeout = TimeSpan.FromMinutes(10);
-        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.FetchBoneSizesAsync(avatar: 1);
+        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.GetBoneSizesAsync(avatar: 1);
         if (isLate)
             await connection.SendAsync(DataReplies.BoneSizes(("Hips", 0.25f)));
 

@@ -6,7 +6,7 @@ namespace NeuronMocap.Tests.Delivery;
 
 public sealed class AvatarTrackerTests
 {
-    private readonly AvatarTracker _tracker = new(PacketKind.Motion, source: 0, avatar: 2);
+    private readonly AvatarTracker _tracker = new(PacketKind.Motion, origin: 0, avatar: 2);
 
     [Theory]
     [InlineData(new uint[] { 5, 6, 7 }, 0, 0)]

@@ -17,7 +17,7 @@ internal static class CheckedPacket
         bytes.Fill(FillingOf(number));
         BinaryPrimitives.WriteInt32LittleEndian(bytes, number);
         bytes[^1] = (byte)~FillingOf(number);
-        return new ReceivedPacket(PacketKind.Motion, new ArraySegment<byte>(buffer, 0, size), timestamp: -number, source: number % 7);
+        return new ReceivedPacket(PacketKind.Motion, new ArraySegment<byte>(buffer, 0, size), timestamp: -number, origin: number % 7);
     }
 
     public static byte[] CreateBuffer() => new byte[Largest];

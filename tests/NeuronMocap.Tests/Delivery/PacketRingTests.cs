@@ -66,7 +66,7 @@ public sealed class PacketRingTests
     {
         var ring = new PacketRing(1, slotSize: 8);
         byte[] large = TestPackets.Calculation(frame: 3);
-        Assert.True(ring.TryEnqueue(new ReceivedPacket(PacketKind.Calculation, large, timestamp: 42, source: 7)));
+        Assert.True(ring.TryEnqueue(new ReceivedPacket(PacketKind.Calculation, large, timestamp: 42, origin: 7)));
 
         Assert.True(ring.TryPeek(out ReceivedPacket packet));
         Assert.Equal(large, packet.Bytes.ToArray());

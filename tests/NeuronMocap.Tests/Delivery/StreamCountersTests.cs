@@ -87,6 +87,60 @@ public sealed class StreamCountersTests
         Allocations.AssertNone(() => _counters.CountMotion(packet));
     }
 
+    [Fact]
+    public void Every_source_gets_some_trackers_whatever_others_make_up()
+    {
+        Flood(first: 5000, count: 2 * StreamCounters.MaxTrackers, seconds: 0);
+        for (int avatar = 0; avatar < 20; avatar++)
+            _counters.CountMotion(Packet(frame: 1, avatar, seconds: 1, source: 1));
+
+        Assert.Equal(StreamCounters.MaxTrackers, _counters.Trackers.Count(tracker => tracker.Source == 0));
+        Assert.Equal(StreamCounters.TrackersOfSource, _counters.Trackers.Count(tracker => tracker.Source == 1));
+    }
+
+    [Fact]
+    public void Another_sender_of_a_source_counts_anew_and_goes_on_in_its_figures()
+    {
+        for (int frame = 100; frame < 130; frame++)
+            _counters.CountMotion(Packet(frame, avatar: 0, seconds: frame / 100.0));
+        for (int frame = 90; frame < 130; frame++)
+            _counters.CountMotion(Packet(frame, avatar: 0, seconds: 3 + (frame / 100.0), run: 1));
+
+        AvatarStatistics avatar = Assert.Single(_counters.Trackers).Snapshot;
+        Assert.Equal((70L, 1L, 0L, 0L), (avatar.Frames, avatar.Restarts, avatar.Disordered, avatar.Lost));
+    }
+
+    // Datagrams that waited keep the time of their arrival.
+    [Fact]
+    public void The_time_of_the_newest_frame_does_not_go_back_when_an_older_one_is_delivered()
+    {
+        Deliver(frame: 1, avatar: 0, seconds: 2);
+        Deliver(frame: 1, avatar: 1, seconds: 1.5);
+        Assert.Equal(2 * Stopwatch.Frequency, _counters.Snapshot().LastFrameTimestamp - 1);
+        Assert.True(_counters.Snapshot().Duration >= TimeSpan.Zero);
+    }
+
+    [Theory]
+    [InlineData(true, true, 0)]
+    [InlineData(true, false, 2)]
+    [InlineData(false, false, 0)]
+    public void Only_the_connection_that_brings_calculation_data_excuses_its_gap(bool hasCalculationPort, bool isCalculation, int lost)
+    {
+        _counters.Resume();
+        if (hasCalculationPort)
+            _counters.Resume(isCalculation: true);
+
+        for (int frame = 0; frame < 20; frame++)
+        {
+            if (frame == 10)
+                _counters.Resume(isCalculation);
+            if (frame is not (10 or 11))
+                _counters.CountCalculation(new ReceivedPacket(PacketKind.Calculation, TestPackets.Calculation(frame), frame + 1, origin: 0));
+        }
+
+        Assert.Equal(lost, _counters.Snapshot().Lost);
+    }
+
     private void Flood(int first, int count, double seconds)
     {
         for (int i = 0; i < count; i++)
@@ -95,6 +149,6 @@ public sealed class StreamCountersTests
 
     private void Deliver(int frame, int avatar, double seconds) => _counters.CountMotion(Packet(frame, avatar, seconds));
 
-    private static ReceivedPacket Packet(int frame, int avatar, double seconds) =>
-        new(PacketKind.Motion, TestPackets.Motion(frame, avatar, count: 6), (long)(seconds * Stopwatch.Frequency) + 1, source: 0);
+    private static ReceivedPacket Packet(int frame, int avatar, double seconds, int source = 0, int run = 0) =>
+        new(PacketKind.Motion, TestPackets.Motion(frame, avatar, count: 6), (long)(seconds * Stopwatch.Frequency) + 1, PacketOrigin.Create(source, run));
 }

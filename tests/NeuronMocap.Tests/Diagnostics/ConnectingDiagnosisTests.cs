@@ -153,7 +153,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         int taken = 0;
         var link = new LinkOptions("127.0.0.1", _refusing.Number)
         {
-            TakeReceiver = () =>
+            TakeReceiver = _ =>
             {
                 Interlocked.Increment(ref taken);
                 return TcpReceivers.Shared.Take();
@@ -245,18 +245,6 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         Assert.Contains("Port is 0", reader.Message, StringComparison.Ordinal);
         foreach (DiagnosisOptions wrong in (DiagnosisOptions[])[new() { Timeout = TimeSpan.Zero }, new() { Wanted = PacketKind.Command }])
             await Assert.ThrowsAsync<ArgumentException>(() => NeuronDiagnostics.DiagnoseAsync(new NeuronReaderOptions(), wrong));
-    }
-
-    // A port of this test's own on which nothing listens: bound, so that nobody else gets it.
-    private sealed class RefusingPort : IDisposable
-    {
-        private readonly Socket _socket = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
-
-        public RefusingPort() => _socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
-
-        public int Number => ((IPEndPoint)_socket.LocalEndPoint!).Port;
-
-        public void Dispose() => _socket.Dispose();
     }
 
     private sealed class CancelAt(string step, CancellationTokenSource cancellation) : IProgress<DiagnosisStep>

@@ -147,7 +147,7 @@ public sealed class RateExaminationTests
     }
 
     private static void Deliver(StreamSample sample, byte[] packet, double time) =>
-        sample.OnPacket(new ReceivedPacket(PacketKind.Motion, packet, (long)(time * Stopwatch.Frequency) + 1, source: 0));
+        sample.OnPacket(new ReceivedPacket(PacketKind.Motion, packet, (long)(time * Stopwatch.Frequency) + 1, origin: 0));
 
     private static IEnumerable<DiagnosisVerdict> Verdicts(Conclusion conclusion) => conclusion.Findings.Select(static finding => finding.Verdict);
 }

@@ -27,6 +27,39 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
+    public async Task A_calculation_port_is_looked_at_too()
+    {
+        using ScriptedServer motion = ScriptedServer.Streaming(static i => TestPackets.Motion(i));
+        using ScriptedServer calculation = ScriptedServer.Streaming(PacketKind.Calculation);
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(
+            new NeuronReaderOptions { Port = motion.Port, CalculationPort = calculation.Port }, Diagnosing.With(Diagnosing.Patient));
+
+        Assert.True(diagnosis.FramesArrive);
+        Assert.DoesNotContain(DiagnosisVerdict.CalculationUnavailable, diagnosis.Findings);
+        Assert.Contains($"Calculation port {calculation.Port}: frames arrive.", diagnosis.Summary, StringComparison.Ordinal);
+        Assert.Contains($"CalculationPort = {calculation.Port}", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Equal(StepOutcome.Ok, diagnosis.Step("calculation first bytes").Outcome);
+        Assert.Equal([PacketKind.Motion, PacketKind.Calculation], diagnosis.Avatars.Select(static avatar => avatar.Kind));
+    }
+
+    [Fact]
+    public async Task A_calculation_port_that_refuses_is_said_and_is_no_fault_of_the_motion()
+    {
+        using ScriptedServer motion = ScriptedServer.Streaming(static i => TestPackets.Motion(i));
+        var closed = new TestServer();
+        int port = closed.Port;
+        closed.Dispose();
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = motion.Port, CalculationPort = port }, Diagnosing.With(Diagnosing.Patient));
+
+        Assert.True(diagnosis.FramesArrive);
+        Assert.Contains(DiagnosisVerdict.CalculationUnavailable, diagnosis.Findings);
+        Assert.Contains($"Calculation port {port}: connection refused.", diagnosis.Summary, StringComparison.Ordinal);
+        Assert.Contains($"tick Enable under Calculation, with port {port}. In Axis Studio switch the broadcasting of calculation data on", diagnosis.Summary, StringComparison.Ordinal);
+        Assert.DoesNotContain("BVH Broadcasting", diagnosis.Summary, StringComparison.Ordinal);
+        Assert.Equal(StepOutcome.Failed, diagnosis.Step("calculation port").Outcome);
+    }
+
+    [Fact]
     public async Task The_old_header_works_and_is_said()
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Motion(i, layout: HeaderLayout.Old));
@@ -48,6 +81,7 @@ public sealed class StreamDiagnosisTests
         StreamDiagnosis calculation = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = server.Port }, how);
 
         motion.AssertFault(DiagnosisVerdict.CalculationOnly, "token", "calculation data", "tick Enable under BVH");
+        Assert.EndsWith($"set CalculationPort to {server.Port}.", motion.Advice, StringComparison.Ordinal);
         Assert.True(calculation.FramesArrive);
         Assert.Contains("ReadCalculationAsync", calculation.Code, StringComparison.Ordinal);
     }
@@ -82,6 +116,8 @@ public sealed class StreamDiagnosisTests
     [InlineData("HTTP/1.1 400 Bad Request\r\n\r\n", DiagnosisVerdict.OtherProgram, "token", "web server")]
     [InlineData("\u0015\u0003\u0003\0\u0002\u0002\u0046", DiagnosisVerdict.OtherProgram, "token", "TLS")]
     [InlineData("220 mail.example ESMTP\r\n", DiagnosisVerdict.OtherProgram, "token", "mail or FTP")]
+    [InlineData("CCCC\u0010\u0027\0\0\u001F\u008B\u0008\0\0\0\0\0", DiagnosisVerdict.AdvancedBvh, "token", "Advanced BVH")]
+    [InlineData("Char00 A 0.00 93.02 0.00 -1.5 2.25 || \r\n", DiagnosisVerdict.MalformedText, "format", "instead of the avatar's number")]
     [InlineData("\u0001\u0002\u0003\u0004", DiagnosisVerdict.UnknownFormat, "token", "01 02 03 04")]
     public async Task Bytes_that_are_no_packets_are_named(string bytes, DiagnosisVerdict verdict, string step, string said)
     {
@@ -97,6 +133,20 @@ public sealed class StreamDiagnosisTests
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Line(i, lead: "0 Char 02 "));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
         diagnosis.AssertFault(DiagnosisVerdict.MalformedText, "format", "Rename the avatar");
+    }
+
+    [Theory]
+    [InlineData(180)]
+    [InlineData(186)]
+    [InlineData(354)]
+    [InlineData(360)]
+    public async Task Values_without_an_avatar_are_named(int count)
+    {
+        string line = string.Join(' ', Enumerable.Range(0, count).Select(static value => $"{value}.50")) + "||\r\n";
+        using ScriptedServer server = ScriptedServer.Streaming(_ => Encoding.ASCII.GetBytes(line));
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        diagnosis.AssertFault(DiagnosisVerdict.MalformedText, "format", "0 Char00");
+        Assert.Contains("without the avatar's number and name", diagnosis.Summary, StringComparison.Ordinal);
     }
 
     [Fact]

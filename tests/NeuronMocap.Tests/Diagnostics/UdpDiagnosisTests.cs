@@ -24,6 +24,22 @@ public sealed class UdpDiagnosisTests
     }
 
     [Fact]
+    public async Task The_receive_buffer_is_a_step_that_warns_where_it_is_small()
+    {
+        StreamDiagnosis diagnosis = await RunAsync(Diagnosing.Silent);
+        Assert.Contains("KiB of datagrams", diagnosis.Step("buffer").Detail, StringComparison.Ordinal);
+
+        StepLog log = new(progress: null);
+        ReceiveBufferStep.Add(log, 4 * 1024 * 1024);
+        ReceiveBufferStep.Add(log, 212_992);
+        ReceiveBufferStep.Add(log, granted: null);
+        Assert.Equal([StepOutcome.Ok, StepOutcome.Warning], log.Steps.Select(static step => step.Outcome));
+        Assert.Contains("keeps 208 KiB of datagrams until they are read, of 4096 KiB asked for", log.Steps[1].Detail, StringComparison.Ordinal);
+        Assert.Contains("net.core.rmem_max=4194304", ReceiveBufferStep.Describe(212_992, isLinux: true), StringComparison.Ordinal);
+        Assert.DoesNotContain("rmem_max", ReceiveBufferStep.Describe(212_992, isLinux: false), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task First_halves_alone_are_cut_frames()
     {
         using var sender = new DatagramSender();

@@ -33,7 +33,7 @@ public sealed class CalculationFrameTests
 
         Assert.Equal(new Vector3(v[0], v[1], v[2]), frame.GetPosition(bone));
         Assert.Equal(new Vector3(v[3], v[4], v[5]), frame.GetVelocity(bone));
-        Assert.Equal(new Quaternion(x: v[7], y: v[8], z: v[9], w: v[6]), frame.GetRotation(bone));
+        Assert.Equal(new Quaternion(x: v[7], y: v[8], z: v[9], w: v[6]), frame.GetSensorRotation(bone));
         Assert.Equal(new Vector3(v[10], v[11], v[12]), frame.GetAcceleration(bone));
         Assert.Equal(new Vector3(v[13], v[14], v[15]), frame.GetAngularVelocity(bone));
     }
@@ -97,7 +97,7 @@ public sealed class CalculationFrameTests
 
         Assert.Throws<InvalidOperationException>(() => frame.GetPosition(bone));
         Assert.Throws<InvalidOperationException>(() => frame.GetVelocity(bone));
-        Assert.Throws<InvalidOperationException>(() => frame.GetRotation(bone));
+        Assert.Throws<InvalidOperationException>(() => frame.GetSensorRotation(bone));
         Assert.Throws<InvalidOperationException>(() => frame.GetAcceleration(bone));
         Assert.Throws<InvalidOperationException>(() => frame.GetAngularVelocity(bone));
     }
@@ -139,11 +139,11 @@ public sealed class CalculationFrameTests
     {
         byte[] buffer = GoldenPackets.CalculationData(Ascending(946), avatar: 1, name: "Before", frame: 7);
         var frame = new CalculationFrame();
-        frame.Borrow(new ReceivedPacket(PacketKind.Calculation, buffer, timestamp: 123, source: 4));
+        frame.Borrow(new ReceivedPacket(PacketKind.Calculation, buffer, timestamp: 123, origin: 4));
         CalculationFrame clone = frame.Clone();
 
         GoldenPackets.CalculationData(new float[338], avatar: 2, name: "After", frame: 8).CopyTo(buffer, 0);
-        frame.Borrow(new ReceivedPacket(PacketKind.Calculation, new ArraySegment<byte>(buffer, 0, 1416), timestamp: 456, source: 5));
+        frame.Borrow(new ReceivedPacket(PacketKind.Calculation, new ArraySegment<byte>(buffer, 0, 1416), timestamp: 456, origin: 5));
 
         Assert.Equal((2, "After", 8u, 456L, 5), (frame.AvatarIndex, frame.AvatarName, frame.FrameIndex, frame.Timestamp, frame.Source));
         Assert.Equal(21, frame.BoneCount);
@@ -195,7 +195,7 @@ public sealed class CalculationFrameTests
         {
             frame.Borrow(new ReceivedPacket(PacketKind.Calculation, packet, 0, 0));
             foreach (Bone bone in BoneHierarchy.Bones)
-                sum += frame.GetPosition(bone).X + frame.GetVelocity(bone).X + frame.GetRotation(bone).W + frame.GetAcceleration(bone).X;
+                sum += frame.GetPosition(bone).X + frame.GetVelocity(bone).X + frame.GetSensorRotation(bone).W + frame.GetAcceleration(bone).X;
 
             sum += frame.AvatarName.Length + frame.Values[0] + (frame.LeftFootContact ? 1 : 0) + frame.Header.PacketSize;
         });
@@ -207,7 +207,7 @@ public sealed class CalculationFrameTests
         byte[] buffer = new byte[offset + packet.Length + 5];
         packet.CopyTo(buffer, offset);
         var frame = new CalculationFrame();
-        frame.Borrow(new ReceivedPacket(PacketKind.Calculation, new ArraySegment<byte>(buffer, offset, packet.Length), timestamp: 0, source: 0));
+        frame.Borrow(new ReceivedPacket(PacketKind.Calculation, new ArraySegment<byte>(buffer, offset, packet.Length), timestamp: 0, origin: 0));
         return frame;
     }
 

@@ -97,6 +97,6 @@ public sealed class FrameFormatTests
     {
         byte[] packet = new byte[64 + (4 * values.Length)];
         PacketEncoder.WriteMotion(packet, new MotionHeader { Version = version, Reserved = reserved }, values);
-        return new ReceivedPacket(PacketKind.Motion, packet, timestamp: 0, source: 0);
+        return new ReceivedPacket(PacketKind.Motion, packet, timestamp: 0, origin: 0);
     }
 }

@@ -215,12 +215,12 @@ public sealed class MotionFrameTests
     {
         byte[] buffer = GoldenPackets.NewMotion(Ascending(354), avatar: 1, name: "Before", frame: 7);
         var frame = new MotionFrame(SkeletonFormat.Default);
-        frame.Borrow(new ReceivedPacket(PacketKind.Motion, buffer, timestamp: 123, source: 4));
+        frame.Borrow(new ReceivedPacket(PacketKind.Motion, buffer, timestamp: 123, origin: 4));
         MotionFrame clone = frame.Clone();
         MotionFrame cloneOfClone = clone.Clone();
 
         GoldenPackets.NewMotion(new float[180], avatar: 2, name: "After", frame: 8).CopyTo(buffer, 0);
-        frame.Borrow(new ReceivedPacket(PacketKind.Motion, new ArraySegment<byte>(buffer, 0, 784), timestamp: 456, source: 5));
+        frame.Borrow(new ReceivedPacket(PacketKind.Motion, new ArraySegment<byte>(buffer, 0, 784), timestamp: 456, origin: 5));
 
         Assert.Equal((2, "After", 8u, 456L, 5), (frame.AvatarIndex, frame.AvatarName, frame.FrameIndex, frame.Timestamp, frame.Source));
         Assert.Equal(180, frame.Layout.ValueCount);
@@ -317,7 +317,7 @@ public sealed class MotionFrameTests
         packet.CopyTo(buffer, offset);
         var frame = new MotionFrame(format ?? SkeletonFormat.Default);
         var lent = new ArraySegment<byte>(buffer, offset, packet.Length);
-        frame.Borrow(new ReceivedPacket(PacketKind.Motion, lent, Stopwatch.GetTimestamp(), source: 0));
+        frame.Borrow(new ReceivedPacket(PacketKind.Motion, lent, Stopwatch.GetTimestamp(), origin: 0));
         return frame;
     }
 

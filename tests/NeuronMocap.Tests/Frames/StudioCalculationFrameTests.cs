@@ -58,9 +58,9 @@ public sealed class StudioCalculationFrameTests
     {
         var frame = new StudioCalculationFrame();
         byte[] known = TestPackets.Studio(1);
-        frame.Borrow(new ReceivedPacket(PacketKind.StudioCalculation, known, timestamp: 1, source: 2));
+        frame.Borrow(new ReceivedPacket(PacketKind.StudioCalculation, known, timestamp: 1, origin: 2));
         StudioCalculationFrame kept = frame.Clone();
-        frame.Borrow(new ReceivedPacket(PacketKind.StudioCalculation, TestPackets.Studio(2, avatar: 3, bones: 21), timestamp: 3, source: 4));
+        frame.Borrow(new ReceivedPacket(PacketKind.StudioCalculation, TestPackets.Studio(2, avatar: 3, bones: 21), timestamp: 3, origin: 4));
 
         Assert.Equal((false, 2u, 3, 4), (frame.HasSkeleton, frame.FrameIndex, frame.AvatarIndex, frame.Source));
         Assert.Equal((true, 1u, 0, 2), (kept.HasSkeleton, kept.FrameIndex, kept.AvatarIndex, kept.Source));
@@ -75,9 +75,9 @@ public sealed class StudioCalculationFrameTests
         float sum = 0;
         Allocations.AssertNone(() =>
         {
-            frame.Borrow(new ReceivedPacket(PacketKind.StudioCalculation, packet, timestamp: 0, source: 0));
+            frame.Borrow(new ReceivedPacket(PacketKind.StudioCalculation, packet, timestamp: 0, origin: 0));
             foreach (Bone bone in BoneHierarchy.Bones)
-                sum += frame.GetPosition(bone).X + frame.GetRotation(bone).W + frame.GetSensorRotation(bone).X + (frame.IsSensorLost(bone) ? 1 : 0);
+                sum += frame.GetPosition(bone).X + frame.GetBoneRotation(bone).W + frame.GetSensorRotation(bone).X + (frame.IsSensorLost(bone) ? 1 : 0);
         });
         Assert.NotEqual(0, sum);
     }

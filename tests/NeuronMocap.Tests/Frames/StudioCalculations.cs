@@ -17,7 +17,7 @@ internal static class StudioCalculations
             Assert.Equal(Vector(bone, 7), frame.GetAcceleration(bone));
             Assert.Equal(Vector(bone, 10), frame.GetVelocity(bone));
             Assert.Equal(Vector(bone, 13), frame.GetPosition(bone));
-            Assert.Equal(new Quaternion(Field(bone, 16), Field(bone, 17), Field(bone, 18), Field(bone, 19)), frame.GetRotation(bone));
+            Assert.Equal(new Quaternion(Field(bone, 16), Field(bone, 17), Field(bone, 18), Field(bone, 19)), frame.GetBoneRotation(bone));
             Assert.Equal((int)bone == 4, frame.IsSensorLost(bone));
         }
     }

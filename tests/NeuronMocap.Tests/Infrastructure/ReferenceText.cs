@@ -128,6 +128,7 @@ internal static class ReferenceText
         SkipReason reason = isTooLarge ? SkipReason.TooLarge
             : !isLike ? SkipReason.NoTokens
             : isTelling && Enumerable.Range(1, 5).Any(excess => IsFrame(words.Length - 2 - excess)) ? SkipReason.AmbiguousName
+            : !isTelling && words.Length is 180 or 186 or 354 or 360 ? SkipReason.MissingAvatar
             : SkipReason.MalformedLine;
         return new ReferenceLine(ReferenceLineKind.Refused, length, Reason: reason);
     }

@@ -19,7 +19,7 @@ internal sealed record StreamFixture(byte[] Bytes, IReadOnlyList<ExpectedPacket>
 internal sealed record ExpectedPacket(
     string Type,
     string? Layout,
-    uint Avatar,
+    int Avatar,
     string Name,
     uint? Index,
     bool? Displacement,
@@ -38,7 +38,7 @@ internal sealed record ExpectedPacket(
     public static ExpectedPacket Parse(JsonElement packet) => new(
         packet.GetProperty("type").GetString()!,
         Optional(packet, "layout")?.GetString(),
-        packet.GetProperty("avatar").GetUInt32(),
+        unchecked((int)packet.GetProperty("avatar").GetUInt32()),
         packet.GetProperty("name").GetString()!,
         Optional(packet, "index")?.GetUInt32(),
         Optional(packet, "displacement")?.GetBoolean(),

@@ -167,6 +167,26 @@ public sealed class PoseBufferTests
         }
     }
 
+    [Theory]
+    [InlineData(1, 0)]
+    [InlineData(2, 0)]
+    [InlineData(8, 0)]
+    [InlineData(8, 1e-7)]
+    [InlineData(8, 0.001)]
+    public void A_counter_that_starts_again_before_the_rate_is_known_does_not_freeze_the_pose(int framesBefore, double intervalBefore)
+    {
+        PoseBuffer buffer = Create(delay: 30);
+        for (int i = 0; i < framesBefore; i++)
+            PushAndSample(buffer, 0, i * intervalBefore, 50_000 + (uint)i);
+
+        for (int i = 1; i < 200; i++)
+        {
+            PushAndSample(buffer, i, i * Interval, (uint)i);
+            if (i > 60)
+                Assert.Equal((i - 3) * Interval * Speed, Place, 0.3);
+        }
+    }
+
     [Fact]
     public void A_counter_that_wraps_around_goes_on()
     {

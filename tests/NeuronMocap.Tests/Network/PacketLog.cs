@@ -9,6 +9,8 @@ internal sealed class PacketLog : IPacketReceiver
 
     public List<(PacketKind Kind, byte[] Bytes, int Source)> Packets { get; } = [];
 
+    public List<int> Origins { get; } = [];
+
     public int Skipped { get; private set; }
 
     /// <summary>Bytes of the text stream: of lines and of what stands behind them.</summary>
@@ -24,7 +26,11 @@ internal sealed class PacketLog : IPacketReceiver
     {
     }
 
-    public void OnPacket(in ReceivedPacket packet) => Packets.Add((packet.Kind, packet.Bytes.ToArray(), packet.Source));
+    public void OnPacket(in ReceivedPacket packet)
+    {
+        Packets.Add((packet.Kind, packet.Bytes.ToArray(), packet.Source));
+        Origins.Add(packet.Origin);
+    }
 
     public void OnText(ReadOnlySpan<byte> bytes) => Text += bytes.Length;
 

@@ -15,7 +15,7 @@ internal static class TestPackets
         var header = new MotionHeader
         {
             Version = layout == HeaderLayout.New ? DataVersion.New : DataVersion.Old,
-            AvatarIndex = (uint)avatar,
+            AvatarIndex = avatar,
             AvatarName = new AvatarName(name),
             FrameIndex = layout == HeaderLayout.New ? (uint)frame : null,
             HasDisplacement = count >= 354,
@@ -28,7 +28,7 @@ internal static class TestPackets
 
     public static byte[] Calculation(int frame, int avatar = 0, int count = 946)
     {
-        var header = new CalculationHeader { AvatarIndex = (uint)avatar, AvatarName = new AvatarName("Char00"), FrameIndex = (uint)frame };
+        var header = new CalculationHeader { AvatarIndex = avatar, AvatarName = new AvatarName("Char00"), FrameIndex = (uint)frame };
         byte[] packet = new byte[64 + (4 * count)];
         PacketEncoder.WriteCalculation(packet, header, Values(frame, avatar, count));
         return packet;
@@ -46,7 +46,7 @@ internal static class TestPackets
         byte[] packet = new byte[64 + payload.Length];
         var header = new StudioCalculationHeader
         {
-            AvatarIndex = (uint)avatar,
+            AvatarIndex = avatar,
             AvatarName = new AvatarName("Char00"),
             FrameIndex = (uint)frame,
             DataMask = mask,

@@ -12,7 +12,7 @@ public sealed class CalculationHeaderTests
         Assert.Equal(new DataVersion(1, 0, 0, 3), header.Version);
         Assert.Equal(1, header.ValueCount);
         Assert.Equal(68, header.PacketSize);
-        Assert.Equal(1u, header.AvatarIndex);
+        Assert.Equal(1, header.AvatarIndex);
         Assert.Equal("abcdefghijklmnopqrstuvwxyz012345", header.AvatarName.ToString());
         Assert.Equal(10u, header.FrameIndex);
         Assert.Equal((0x01020304u, 0x05060708u, 0x090A0B0Cu), (header.Reserved1, header.Reserved2, header.Reserved3));

@@ -15,7 +15,7 @@ public sealed class MotionHeaderTests
         Assert.Equal(76, header.PacketSize);
         Assert.True(header.HasDisplacement);
         Assert.False(header.HasReference);
-        Assert.Equal(258u, header.AvatarIndex);
+        Assert.Equal(258, header.AvatarIndex);
         Assert.Equal("Char00", header.AvatarName.ToString());
         Assert.Equal(0x12345678u, header.FrameIndex);
         Assert.Equal((1u, 2u, 0x80000003u), (header.Reserved, header.Reserved1, header.Reserved2));
@@ -31,7 +31,7 @@ public sealed class MotionHeaderTests
         Assert.Equal(2, header.ValueCount);
         Assert.True(header.HasDisplacement);
         Assert.True(header.HasReference);
-        Assert.Equal(5u, header.AvatarIndex);
+        Assert.Equal(5, header.AvatarIndex);
         Assert.Equal("Old", header.AvatarName.ToString());
         Assert.Null(header.FrameIndex);
         Assert.Equal((0u, 1u, 0xDEADBEEFu), (header.Reserved, header.Reserved1, header.Reserved2));

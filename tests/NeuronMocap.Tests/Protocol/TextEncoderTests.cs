@@ -78,7 +78,7 @@ public sealed class TextEncoderTests
     [InlineData("01234567890123456789012345678901", "01234567890123456789012345678901")]
     public void A_name_never_separates(string name, string expected)
     {
-        int length = TextEncoder.WriteMotion(_buffer, 4_000_000_000, new AvatarName(name), [1.5f, -2f], decimals: 1);
+        int length = TextEncoder.WriteMotion(_buffer, unchecked((int)4_000_000_000), new AvatarName(name), [1.5f, -2f], decimals: 1);
         Assert.Equal($"4000000000 {expected} 1.5 -2.0 ||\r\n", Encoding.UTF8.GetString(_buffer, 0, length));
     }
 
@@ -100,8 +100,8 @@ public sealed class TextEncoderTests
         float[] values = [.. Enumerable.Repeat(-1e30f, 360)];
         var name = new AvatarName(new string('n', 32));
         int size = TextEncoder.GetMaxMotionSize(values.Length, decimals) + (decimals == 0 ? -values.Length : 0);
-        Assert.Equal(size, TextEncoder.WriteMotion(_buffer, uint.MaxValue, name, values, decimals));
-        Assert.ThrowsAny<ArgumentException>(() => TextEncoder.WriteMotion(_buffer.AsSpan(0, size - 1), uint.MaxValue, name, values, decimals));
+        Assert.Equal(size, TextEncoder.WriteMotion(_buffer, -1, name, values, decimals));
+        Assert.ThrowsAny<ArgumentException>(() => TextEncoder.WriteMotion(_buffer.AsSpan(0, size - 1), -1, name, values, decimals));
 
         // No space stands before the first column.
         int calculation = TextEncoder.GetMaxCalculationSize(values.Length, decimals) + (decimals == 0 ? -values.Length : 0) - 1;

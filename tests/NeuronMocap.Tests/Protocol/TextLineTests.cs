@@ -26,13 +26,13 @@ public sealed class TextLineTests
         if (kind == PacketKind.Motion)
         {
             var header = MotionHeader.Read(image);
-            Assert.Equal((DataVersion.None, 3u, "Tänzer", displacement, reference), (header.Version, header.AvatarIndex, header.AvatarName.ToString(), header.HasDisplacement, header.HasReference));
+            Assert.Equal((DataVersion.None, 3, "Tänzer", displacement, reference), (header.Version, header.AvatarIndex, header.AvatarName.ToString(), header.HasDisplacement, header.HasReference));
             Assert.False(MotionHeader.TryRead(image, out _));
         }
         else
         {
             var header = CalculationHeader.Read(image);
-            Assert.Equal((DataVersion.None, 3u, "Tänzer"), (header.Version, header.AvatarIndex, header.AvatarName.ToString()));
+            Assert.Equal((DataVersion.None, 3, "Tänzer"), (header.Version, header.AvatarIndex, header.AvatarName.ToString()));
         }
     }
 
@@ -46,7 +46,7 @@ public sealed class TextLineTests
         PacketLog log = Read(Line(2, count, "\n", lead: "", separator));
         (PacketKind kind, byte[] image, _) = Assert.Single(log.Packets);
         var header = CalculationHeader.Read(image);
-        Assert.Equal((PacketKind.Calculation, 0u, ""), (kind, header.AvatarIndex, header.AvatarName.ToString()));
+        Assert.Equal((PacketKind.Calculation, 0, ""), (kind, header.AvatarIndex, header.AvatarName.ToString()));
         Assert.Equal(TestPackets.Value(2, 0, count - 1), ValuesOf(image)[^1]);
     }
 
@@ -62,7 +62,7 @@ public sealed class TextLineTests
         PacketLog log = Read(Line(1, 354, "||\r\n", lead: $"0 {name} ") + Line(2, 180, "||\r\n", lead: $"4294967295 {name} "));
         Assert.Equal([354, 180], log.Packets.Select(packet => ValuesOf(packet.Bytes).Length));
         Assert.Equal(expected, MotionHeader.Read(log.Packets[0].Bytes).AvatarName.ToString());
-        Assert.Equal(uint.MaxValue, MotionHeader.Read(log.Packets[1].Bytes).AvatarIndex);
+        Assert.Equal(-1, MotionHeader.Read(log.Packets[1].Bytes).AvatarIndex);
     }
 
     [Theory]
@@ -77,7 +77,7 @@ public sealed class TextLineTests
         foreach (int count in (int[])[180, 186, 354, 360])
         {
             (_, byte[] image, _) = Assert.Single(Read(Line(1, count, "||\r\n", lead: $"3 {name} ")).Packets);
-            Assert.Equal((expected, 3u), (MotionHeader.Read(image).AvatarName.ToString(), MotionHeader.Read(image).AvatarIndex));
+            Assert.Equal((expected, 3), (MotionHeader.Read(image).AvatarName.ToString(), MotionHeader.Read(image).AvatarIndex));
             Assert.Equal(TestPackets.Value(1, 0, count - 1), ValuesOf(image)[^1]);
         }
     }
@@ -90,6 +90,20 @@ public sealed class TextLineTests
         PacketLog log = Read(Line(1, 354, "||\r\n", lead: $"0 {name} ") + Line(2, 354, "||\r\n"));
         Assert.Equal(2, ValuesOf(Assert.Single(log.Packets).Bytes)[0]);
         Assert.Contains(SkipReason.AmbiguousName, log.Reasons);
+    }
+
+    [Theory]
+    [InlineData(180)]
+    [InlineData(186)]
+    [InlineData(354)]
+    [InlineData(360)]
+    public void A_line_of_values_without_an_avatar_is_refused_and_told_as_that(int count)
+    {
+        string values = string.Join(' ', Enumerable.Range(0, count).Select(static value => $"{value}.50"));
+        PacketLog log = Read($"{values} ||\r\n" + Line(2, 354, "||\r\n"));
+        Assert.Equal(2, ValuesOf(Assert.Single(log.Packets).Bytes)[0]);
+        Assert.Contains(SkipReason.MissingAvatar, log.Reasons);
+        Assert.DoesNotContain(SkipReason.MalformedLine, log.Reasons);
     }
 
     // Both lines' words are no name.

@@ -35,6 +35,31 @@ public sealed partial class AllocationTests
     });
 
     [Fact]
+    public async Task Two_connections_cost_no_allocation_per_frame()
+    {
+        byte[] calculationFrame = TestPackets.Calculation(1);
+        using var motionServer = new TestServer();
+        using var calculationServer = new TestServer();
+        NeuronReaderOptions options = motionServer.Options();
+        (options.CalculationPort, options.ReceiveThread) = (calculationServer.Port, ReceiveThread.Dedicated);
+        using var reader = new NeuronReader(options);
+        int frames = 0;
+        reader.MotionReceived += _ => Interlocked.Increment(ref frames);
+        reader.CalculationReceived += _ => Interlocked.Increment(ref frames);
+        reader.Start();
+        using TestConnection motion = await motionServer.AcceptAsync();
+        using TestConnection calculation = await calculationServer.AcceptAsync();
+        AssertNothingAllocated(
+            () =>
+            {
+                motion.Socket.Send(Frame);
+                calculation.Socket.Send(calculationFrame);
+                return 2;
+            },
+            () => Interlocked.Exchange(ref frames, 0));
+    }
+
+    [Fact]
     public Task A_queue_costs_no_allocation_per_frame() => MeasureTcpAsync(reader =>
     {
         FrameQueue queue = reader.OpenQueue(FramesPerRound);
@@ -60,10 +85,18 @@ public sealed partial class AllocationTests
         };
     });
 
-    [Fact]
-    public async Task Datagrams_cost_no_allocation_per_frame()
+    [Theory]
+    [InlineData(ReceiveThread.Auto)]
+    [InlineData(ReceiveThread.Dedicated)]
+    public async Task Datagrams_cost_no_allocation_per_frame(ReceiveThread thread)
     {
-        using var reader = new NeuronReader(new NeuronReaderOptions { Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0 });
+        using var reader = new NeuronReader(new NeuronReaderOptions
+        {
+            Transport = TransportKind.Udp,
+            LocalAddress = IPAddress.Loopback,
+            Port = 0,
+            ReceiveThread = thread,
+        });
         int frames = 0;
         reader.MotionReceived += _ => Interlocked.Increment(ref frames);
         await reader.StartAsync().Soon();

@@ -145,7 +145,7 @@ public sealed class ConnectionTests
         reader.Start();
         ConnectionStatus failed = await log.WaitAsync(ConnectionState.Waiting);
         Assert.Equal(ConnectionReason.NetworkError, failed.Reason);
-        Assert.Contains("no descriptor", failed.Message, StringComparison.Ordinal);
+        Assert.Contains(nameof(InvalidOperationException), failed.Message, StringComparison.Ordinal);
         using TestConnection connection = await server.AcceptAsync();
         await connection.SendAsync(TestPackets.Motion(1));
         await log.WaitAsync(ConnectionState.Receiving);
@@ -222,6 +222,8 @@ public sealed class ConnectionTests
     private sealed class BrokenLink : Link
     {
         public override string Target => "nowhere";
+
+        public override ReceiveThread ReceiveThread => ReceiveThread.Dedicated;
 
         public override Task<LinkEnd> OpenAsync(CancellationToken stop) => throw new InvalidOperationException("no descriptor");
 

@@ -86,7 +86,7 @@ public sealed class FixtureReaderTests
             {
                 ExpectedPacket expected = fixture.Expected[next++];
                 Assert.Equal("studioCalculation", expected.Type);
-                Assert.Equal((expected.Avatar, expected.Name, expected.Index), ((uint)studio.AvatarIndex, studio.AvatarName, studio.FrameIndex));
+                Assert.Equal((expected.Avatar, expected.Name, expected.Index), (studio.AvatarIndex, studio.AvatarName, studio.FrameIndex));
                 StudioCalculations.AssertFixture(studio);
             });
         Assert.Equal(fixture.Expected.Count, count);
@@ -94,7 +94,7 @@ public sealed class FixtureReaderTests
 
     private static void AssertFrame(ExpectedPacket expected, AvatarFrame frame)
     {
-        Assert.Equal((expected.Avatar, expected.Name, expected.Index), ((uint)frame.AvatarIndex, frame.AvatarName, frame.FrameIndex));
+        Assert.Equal((expected.Avatar, expected.Name, expected.Index), (frame.AvatarIndex, frame.AvatarName, frame.FrameIndex));
         Assert.Equal(expected.Values.Select(BitConverter.SingleToInt32Bits), frame.Values.ToArray().Select(BitConverter.SingleToInt32Bits));
     }
 }

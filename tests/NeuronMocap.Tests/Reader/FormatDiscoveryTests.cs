@@ -125,6 +125,30 @@ public sealed class FormatDiscoveryTests : IDisposable
     }
 
     [Fact]
+    public async Task An_exception_that_nobody_expects_is_told_and_the_server_is_asked_again()
+    {
+        using CommandScript commands = Commands(Told);
+        int calls = 0;
+        var format = new FrameFormat(order: null, variant: null);
+        using var discovery = new FormatDiscovery(
+            new() { Port = commands.Port },
+            format,
+            learnt: () =>
+            {
+                if (Interlocked.Increment(ref calls) == 1)
+                    throw new InvalidOperationException("out of order");
+            });
+
+        discovery.Begin();
+        await Limits.UntilAsync(() => format.Findings.Failure?.Contains("out of order", StringComparison.Ordinal) == true);
+        await Limits.UntilAsync(() =>
+        {
+            discovery.Check(Stopwatch.GetTimestamp() + (6 * Stopwatch.Frequency));
+            return format.Findings is { Failure: null, Variant: not null };
+        });
+    }
+
+    [Fact]
     public void One_port_cannot_be_that_of_frames_and_of_commands()
     {
         ArgumentException exception = Assert.Throws<ArgumentException>(() => new NeuronReader(new NeuronReaderOptions { Port = 7001, CommandPort = 7001 }));
@@ -150,7 +174,7 @@ public sealed class FormatDiscoveryTests : IDisposable
         await reader.Completion.Soon();
     }
 
-    private static CommandScript Commands(SkeletonFormat told) => new(request => AnswerAsync(request, told));
+    internal static CommandScript Commands(SkeletonFormat told) => new(request => AnswerAsync(request, told));
 
     private static Task AnswerAsync(ScriptedRequest request, SkeletonFormat told) => request.ReplyAsync(request.Id == 1003
         ? [(byte)told.RotationOrder, 0, 0, 0]

@@ -137,7 +137,7 @@ public sealed class FormatTests
         foreach (Bone bone in BoneHierarchy.Bones)
         {
             Assert.True(Vector3.Distance(world[(int)bone].Position / 100, frame.GetPosition(bone)) < 1e-5f);
-            Assert.True(ActorMeasures.Degrees(world[(int)bone].Rotation, frame.GetRotation(bone)) < 1e-3);
+            Assert.True(ActorMeasures.Degrees(world[(int)bone].Rotation, frame.GetBoneRotation(bone)) < 1e-3);
             Assert.False(frame.IsSensorLost(bone));
         }
     }

@@ -19,7 +19,9 @@ public sealed partial class StarvedStopTests : IDisposable
     [Fact]
     public Task Of_a_start_that_no_thread_had_time_for()
     {
-        var reader = new NeuronReader(_server.Options());
+        NeuronReaderOptions options = _server.Options();
+        options.ReceiveThread = ReceiveThread.Pool;
+        var reader = new NeuronReader(options);
         return StarvedPool.RunAsync(() =>
         {
             reader.Start();

@@ -63,7 +63,7 @@ public sealed partial class StopSweepTests(ITestOutputHelper output)
     [Theory]
     [MemberData(nameof(All))]
     public Task No_stop_takes_a_second_and_nothing_is_left(Situation situation, Stopping stopping) =>
-        SweepAsync(situation, stopping, TcpReceivers.Shared.Take);
+        SweepAsync(situation, stopping, static () => TcpReceivers.Shared.Take());
 
     private async Task SweepAsync(Situation situation, Stopping stopping, Func<TcpReceiver> takeReceiver)
     {

@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Delivery;
+using NeuronMocap.Tests.Diagnostics;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 
@@ -47,7 +48,6 @@ public sealed class UdpReaderTests
         first.Send(one.AsSpan(0, 1024));
         second.Send(two.AsSpan(0, 1024));
         second.Send(two.AsSpan(1024));
-        await reader.WaitForFramesAsync(1);
         first.Send(one.AsSpan(1024));
         await reader.WaitForFramesAsync(2);
 
@@ -68,6 +68,26 @@ public sealed class UdpReaderTests
         NeuronConnectionException exception = await Assert.ThrowsAsync<NeuronConnectionException>(() => reader.StartAsync().Soon());
         Assert.Equal(ConnectionReason.PortInUse, exception.Reason);
         Assert.Contains($"{port}", exception.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task The_status_tells_the_receive_buffer_that_the_system_grants()
+    {
+        await using NeuronReader reader = await StartAsync();
+        using var other = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ReceiveBufferSize = 4 * 1024 * 1024 };
+
+        // Linux tells twice what it grants.
+        Assert.Equal(OperatingSystem.IsLinux() ? other.ReceiveBufferSize / 2 : other.ReceiveBufferSize, reader.Status.ReceiveBufferSize);
+        if (File.Exists("/proc/sys/net/core/rmem_max"))
+        {
+            int limit = int.Parse(await File.ReadAllTextAsync("/proc/sys/net/core/rmem_max", TestContext.Current.CancellationToken), provider: null);
+            Assert.Equal(Math.Min(limit, 4 * 1024 * 1024), reader.Status.ReceiveBufferSize);
+        }
+
+        using ScriptedServer server = ScriptedServer.Streaming();
+        await using var overTcp = new NeuronReader("127.0.0.1", server.Port);
+        await overTcp.StartAsync(TestContext.Current.CancellationToken);
+        Assert.Null(overTcp.Status.ReceiveBufferSize);
     }
 
     [Fact]

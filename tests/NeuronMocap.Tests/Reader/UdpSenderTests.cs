@@ -149,13 +149,14 @@ public sealed class UdpFloodTests
             await end.SendAsync(real, TestPackets.Motion(i).AsMemory(1024));
         }
 
-        const int Frames = (Forged / 2) + (Forged / 25);
-        await Limits.UntilAsync(() => end.Reader.GetStatistics().MotionFrames == Frames);
+        // The real one sends before the flood has taken all places, and keeps its own.
+        const int Frames = Forged / 25;
+        await end.DrainedAsync();
+        await Limits.UntilAsync(() => end.Reader.GetAvatarStatistics().Any(avatar => avatar.Frames == Frames));
         heap = ProcessResources.LiveHeap() - heap;
 
-        // 1024 trackers and 64 assemblers of 4 KiB are what there is room for.
-        Assert.Equal(1024, end.Reader.GetAvatarStatistics().Count);
+        // 64 assemblers of 4 KiB are what there is room for.
         Assert.InRange(heap, long.MinValue, 1_000_000);
-        Assert.InRange(end.Reader.GetStatistics().SkippedBytes, 1024 * ((Forged / 2) - UdpSenders.Limit), 1024 * Forged / 2);
+        Assert.InRange(end.Reader.GetStatistics().SkippedBytes, 1024 * ((Forged / 2) - UdpSenders.Limit), 1504 * Forged);
     }
 }

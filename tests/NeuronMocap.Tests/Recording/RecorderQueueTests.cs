@@ -134,11 +134,23 @@ public sealed class RecorderQueueTests : IDisposable
 
         Assert.Equal("No space left on device.", Assert.IsType<IOException>(recorder.Failure).Message);
         Assert.False(recorder.IsRecording);
-        long pieces = recorder.GetStatistics().Pieces;
+
+        // What is told is what the file holds; what was taken and not written is lost.
+        RecordingStatistics statistics = recorder.GetStatistics();
         Push();
-        Assert.Equal(pieces, recorder.GetStatistics().Pieces);
+        Assert.Equal((statistics.Pieces, statistics.LostPieces), (recorder.GetStatistics().Pieces, recorder.GetStatistics().LostPieces));
         byte[] written = disk.ToArray();
-        Assert.Equal(300_000, written.Length);
+        Assert.Equal(written.Length, statistics.WrittenBytes);
+        using (RecordingReader reader = RecordingReader.Open(new MemoryStream(written)))
+        {
+            Assert.Equal(statistics.Pieces, RecordedEntry.ReadAll(reader).Count(entry => entry.Kind == RecordingEntryKind.Bytes));
+            Assert.Empty(reader.Problems);
+            Assert.Equal(reader.Duration, statistics.Duration);
+        }
+
+        Assert.Equal(statistics.Pieces * PieceSize, statistics.Bytes);
+        Assert.Equal(statistics.LostPieces * PieceSize, statistics.LostBytes);
+        Assert.InRange(statistics.LostPieces, 1, _sent - 1 - statistics.Pieces);
         int[] numbers = [.. RecordedEntry.ReadAll(written).Where(entry => entry.Kind == RecordingEntryKind.Bytes)
             .Select(entry => BitConverter.ToInt32(Convert.FromHexString(entry.Bytes)))];
         Assert.Equal(Enumerable.Range(0, numbers.Length), numbers);
@@ -146,6 +158,18 @@ public sealed class RecorderQueueTests : IDisposable
         // Less is missing than the block that found no room.
         Assert.InRange(numbers.Length, (300_000 - RecordingLayout.BlockSize - 10_000) / (PieceSize + 10), 300);
         recorder.Dispose();
+    }
+
+    [Fact]
+    public void A_recorder_that_cannot_be_made_leaves_no_file_open()
+    {
+        var tap = new StreamTap();
+        tap.Open(isDatagrams: false, new UnreadableEndPoint(), remote: null, timestamp: 0);
+        var file = new MemoryStream();
+        Assert.Throws<NotSupportedException>(() => new StreamRecorder(
+            _folder.PathOf("take.nmrec"), new RecordingOptions(), RecordingMetadata.Empty, tap, static _ => { }, (_, _) => file));
+        Assert.False(file.CanWrite);
+        Assert.False(tap.IsListened);
     }
 
     [Fact]
@@ -168,6 +192,75 @@ public sealed class RecorderQueueTests : IDisposable
         Assert.IsType<IOException>(recorder.Failure, exactMatch: false);
         using RecordingReader reader = RecordingReader.Open(_folder.PathOf("take.0001.nmrec"));
         Assert.NotEmpty(RecordedEntry.ReadAll(reader));
+    }
+
+    // There is no room for the beginning of the third file, or for all of the second.
+    [Theory, InlineData(3, 50), InlineData(2, 500_000)]
+    public async Task A_full_disk_behind_other_files_is_counted_over_all_of_them(int full, int room)
+    {
+        var files = new List<MemoryStream>();
+        StreamRecorder recorder = Start(new RecordingOptions { MaxFileSize = 1 << 20 }, _ =>
+        {
+            files.Add(files.Count + 1 == full ? new FullStream(room) : new MemoryStream());
+            return files[^1];
+        });
+        await Limits.UntilAsync(() =>
+        {
+            Push();
+            return recorder.Completion.IsCompleted;
+        });
+
+        Assert.IsType<IOException>(recorder.Failure);
+        RecordingStatistics statistics = recorder.GetStatistics();
+        Assert.Equal(statistics.Pieces, files.Where(file => file.ToArray().Length > 0).Sum(file =>
+            RecordedEntry.ReadAll(file.ToArray()).Count(entry => entry.Kind == RecordingEntryKind.Bytes)));
+        Assert.True(statistics.LostPieces > 0);
+        using RecordingReader first = RecordingReader.Open(new MemoryStream(files[0].ToArray()));
+        using RecordingReader last = RecordingReader.Open(new MemoryStream(files.Last(file => file.ToArray().Length > 0).ToArray()));
+        Assert.Equal(last.StartTime - first.StartTime + last.Duration, statistics.Duration);
+    }
+
+    [Fact]
+    public async Task An_old_file_that_cannot_be_deleted_does_not_end_the_recording_and_is_tried_again()
+    {
+        var options = new RecordingOptions { MaxFileSize = 1 << 20, MaxFiles = 1 };
+        StreamRecorder recorder = new(_folder.PathOf("take.nmrec"), options, RecordingMetadata.Empty, _tap, static _ => { });
+        await FillAsync(recorder, files: 1);
+        string first = _folder.PathOf("take.0001.nmrec");
+        File.Delete(first);
+        Directory.CreateDirectory(first);
+        await FillAsync(recorder, files: 3);
+
+        Assert.True(recorder.IsRecording, $"{recorder.Failure}");
+        Assert.Equal(1, recorder.GetStatistics().UndeletedFiles);
+        Assert.False(File.Exists(_folder.PathOf("take.0002.nmrec")));
+        Directory.Delete(first);
+        await File.WriteAllTextAsync(first, "old", TestContext.Current.CancellationToken);
+        await FillAsync(recorder, files: 5);
+        recorder.Dispose();
+        Assert.Null(recorder.Failure);
+        Assert.Equal(0, recorder.GetStatistics().UndeletedFiles);
+        Assert.False(File.Exists(first));
+    }
+
+    [Fact]
+    public async Task A_recording_ends_without_blocking_and_the_wait_can_be_cancelled()
+    {
+        var disk = new HeldStream();
+        StreamRecorder recorder = Start(new RecordingOptions { FlushInterval = TimeSpan.FromSeconds(0.01) }, disk);
+        disk.Hold();
+        Push();
+        using var cancelled = new CancellationTokenSource();
+        Task stopped = recorder.StopAsync(cancelled.Token);
+        Task disposed = recorder.DisposeAsync().AsTask();
+        Assert.False(stopped.IsCompleted);
+        await cancelled.CancelAsync();
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => stopped.Soon());
+        Assert.False(disposed.IsCompleted);
+        disk.LetGo();
+        await recorder.StopAsync(TestContext.Current.CancellationToken).Soon();
+        await disposed.Soon();
+        Assert.Single(RecordedEntry.ReadAll(disk.ToArray()), entry => entry.Kind == RecordingEntryKind.Bytes);
     }
 
     [Theory, InlineData(null), InlineData(3)]
@@ -291,6 +384,15 @@ public sealed class RecorderQueueTests : IDisposable
         recorder.Dispose();
     }
 
+    private async Task FillAsync(StreamRecorder recorder, int files)
+    {
+        await Limits.UntilAsync(() =>
+        {
+            Push();
+            return recorder.GetStatistics().Files >= files || !recorder.IsRecording;
+        });
+    }
+
     // The disk takes nothing from here on.
     private void Lose(StreamRecorder recorder, HeldStream disk, int pieces)
     {
@@ -329,4 +431,9 @@ public sealed class RecorderQueueTests : IDisposable
 
     private StreamRecorder Start(RecordingOptions options, Func<string, Stream> open) =>
         new("take.nmrec", options, RecordingMetadata.Empty, _tap, static _ => { }, (path, _) => open(path));
+
+    private sealed class UnreadableEndPoint : EndPoint
+    {
+        public override string ToString() => throw new NotSupportedException();
+    }
 }

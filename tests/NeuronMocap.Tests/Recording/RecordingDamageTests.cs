@@ -181,17 +181,21 @@ public sealed class RecordingDamageTests
     [Fact]
     public void Blocks_and_entries_of_a_later_minor_version_are_passed_over()
     {
-        byte[] file = Recordings.Write(writer => writer.WriteBytes(Recordings.Ticks(7), 1, [1, 2]));
-        uint seed = BitConverter.ToUInt32(file, 60);
-        byte[] entries = Convert.FromHexString("5005031122338001010002AABB");
-        byte[] unknown = new byte[RecordingLayout.BlockHeaderSize + 3];
-        new BlockHeader((BlockKind)77, (BlockEncoding)0, 0, 3, 0, Crc32C.Append(0, new byte[3])).Write(unknown, seed);
-        byte[] block = [.. new byte[RecordingLayout.BlockHeaderSize], .. entries];
-        new BlockHeader(BlockKind.Entries, BlockEncoding.Plain, 0, entries.Length, 0, Crc32C.Append(0, entries)).Write(block, seed);
-        using RecordingReader reader = RecordingReader.Open(new MemoryStream([.. file[..64], .. unknown, .. block, .. file[64..]]));
+        byte[] head = Recordings.Write(static _ => { })[..RecordingLayout.FileHeaderSize];
+        byte[] unknown = Block(head, (BlockKind)77, 0, 0, new byte[3]);
+        byte[] first = Block(head, BlockKind.Entries, 1, 0, Convert.FromHexString("5005031122338001010002AABB"));
+        byte[] second = Block(head, BlockKind.Entries, 2, 7, Convert.FromHexString("80000101020102"));
+        using RecordingReader reader = RecordingReader.Open(new MemoryStream([.. head, .. unknown, .. first, .. second]));
         List<RecordedEntry> read = RecordedEntry.ReadAll(reader);
         Assert.Equal(["AABB", "0102"], read.Select(entry => entry.Bytes));
         Assert.Equal([6L, 7L], read.Select(entry => entry.Time));
         Assert.Empty(reader.Problems);
+    }
+
+    private static byte[] Block(byte[] head, BlockKind kind, uint number, long time, byte[] payload)
+    {
+        byte[] block = [.. new byte[RecordingLayout.BlockHeaderSize], .. payload];
+        new BlockHeader(kind, BlockEncoding.Plain, number, payload.Length, time, Crc32C.Append(0, payload)).Write(block, BitConverter.ToUInt32(head, 60));
+        return block;
     }
 }

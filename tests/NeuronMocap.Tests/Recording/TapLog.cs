@@ -20,14 +20,14 @@ internal sealed class TapLog : IStreamListener
 
     public void OnOpened(StreamConnection connection, bool wasOpen, long timestamp) => Opened.Add(connection);
 
-    public void OnBytes(int source, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
+    public void OnBytes(StreamConnection connection, int source, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
     {
-        Pieces.Add((Opened[^1].Number, source, Convert.ToHexString(bytes), timestamp));
+        Pieces.Add((connection.Number, source, Convert.ToHexString(bytes), timestamp));
         if (sender.Length > 0 && !Senders.Exists(known => known.Source == source))
             Senders.Add((source, Describe(sender)));
     }
 
-    public void OnClosed(string reason, long timestamp) => Closed.Add(reason);
+    public void OnClosed(StreamConnection connection, string reason, long timestamp) => Closed.Add(reason);
 
     // Same pieces, to the byte and, the beginning being the same, to 100 ns.
     public void AssertRecorded(IReadOnlyList<RecordedEntry> entries)

@@ -16,20 +16,15 @@ internal sealed class HeldStream : MemoryStream
     }
 }
 
-// A disk with room for so many bytes.
+// A disk with room for so many bytes. As a file on a full disk does, it takes what fits, and lets itself be shortened and its bytes be replaced.
 internal sealed class FullStream(int room) : MemoryStream
 {
-    public override void Write(ReadOnlySpan<byte> buffer)
+    // Spans come here as well.
+    public override void Write(byte[] buffer, int offset, int count)
     {
-        int left = room - (int)Length;
-        if (buffer.Length <= left)
-        {
-            base.Write(buffer);
-            return;
-        }
-
-        // As a file does: what fits is written.
-        base.Write(buffer[..left]);
-        throw new IOException("No space left on device.");
+        int taken = Math.Min(count, room - (int)Position);
+        base.Write(buffer, offset, taken);
+        if (taken < count)
+            throw new IOException("No space left on device.");
     }
 }

@@ -237,10 +237,10 @@ public sealed class BroadcasterCommandTests
         await Limits.UntilAsync(() => reader.Status.IsConnected);
         CancellationToken cancellation = TestContext.Current.CancellationToken;
 
-        Assert.Equal(3, await reader.DataCommands.FetchAvatarCountAsync(cancellation));
-        Assert.Equal(300, await reader.DataCommands.FetchFrequencyAsync(2, cancellation));
-        Assert.Equal(59, (await reader.DataCommands.FetchBoneSizesAsync(1, cancellation)).Count);
-        Assert.StartsWith("HIERARCHY", await reader.DataCommands.FetchBvhTextAsync(0, cancellation), StringComparison.Ordinal);
+        Assert.Equal(3, await reader.DataCommands.GetAvatarCountAsync(cancellation));
+        Assert.Equal(300, await reader.DataCommands.GetFrequencyAsync(2, cancellation));
+        Assert.Equal(59, (await reader.DataCommands.GetBoneSizesAsync(1, cancellation)).Count);
+        Assert.StartsWith("HIERARCHY", await reader.DataCommands.GetBvhTextAsync(0, cancellation), StringComparison.Ordinal);
         Assert.True(reader.DataCommands.TryRegister(DataCommandId.CombinationMode));
         broadcaster.SetCombinationMode(2, SensorCombination.UpperBody);
         await Limits.UntilAsync(() => modes.Contains((2, SensorCombination.UpperBody)));

@@ -8,6 +8,7 @@ using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Playback;
 using NeuronMocap.Tests.Reader;
 using NeuronMocap.Transport;
+using Worker = NeuronMocap.Server.Broadcasting.Worker;
 
 namespace NeuronMocap.Tests.Server;
 
@@ -127,6 +128,87 @@ public sealed class BroadcasterRecordingTests
         using var file = new TemporaryFile("nothing"u8.ToArray());
         Assert.Throws<PlaybackException>(() => new Broadcaster(new BroadcasterOptions { Recording = file.Path }));
         Assert.Throws<FileNotFoundException>(() => new Broadcaster(new BroadcasterOptions { Recording = file.Path + "x" }));
+    }
+
+    [Theory]
+    [InlineData(null)]
+    [InlineData(BroadcasterOptions.MaxRate)]
+    public async Task Calculation_of_a_recording_can_have_a_port_of_its_own(double? rate)
+    {
+        using TemporaryFile file = Recordings.OfTcp(
+            [.. Enumerable.Range(0, 50).Select(static i => (i * 2.0, (byte[])[.. TestPackets.Motion(i), .. TestPackets.Calculation(i)]))]);
+        await using var broadcaster = new Broadcaster(
+            new BroadcasterOptions { Recording = file.Path, Port = 0, CalculationPort = 0, WaitForClient = true, Rate = rate });
+        broadcaster.Start();
+        using TestClient motion = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        using TestClient calculation = await TestClient.ConnectAsync(broadcaster.CalculationEndPoint);
+        Task<List<byte[]>> reading = calculation.ReadToEndAsync();
+
+        Assert.Equal(Enumerable.Range(0, 50).SelectMany(static i => TestPackets.Motion(i)), (await motion.ReadToEndAsync().Soon()).SelectMany(static packet => packet));
+        Assert.Equal(Enumerable.Range(0, 50).SelectMany(static i => TestPackets.Calculation(i)), (await reading.Soon()).SelectMany(static packet => packet));
+        Assert.Equal((50L, 50L), (broadcaster.Statistics.FramesSent, broadcaster.Statistics.CalculationFramesSent));
+    }
+
+    // A recording has a handle for each receiver that reads it at its own speed. None may outlive the broadcast, whatever went wrong.
+    [Fact]
+    public async Task No_handle_of_the_recording_stays_open_when_a_receiver_could_not_be_served()
+    {
+        if (!OperatingSystem.IsLinux())
+            Assert.Skip("Only Linux tells which files a process has open.");
+
+        using TemporaryFile file = Recordings.OfTcp([.. Enumerable.Range(0, 50).Select(static i => (i * 100.0, TestPackets.Motion(i)))]);
+        var options = new BroadcasterOptions { Recording = file.Path, Port = 0, Rate = BroadcasterOptions.MaxRate };
+
+        // There was no thread for the client.
+        int refused = 0;
+        await using (var broadcaster = new Broadcaster(options) { StartWorker = Start })
+        {
+            broadcaster.Start();
+            using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+            Assert.Null(await client.ReadAsync());
+            Assert.Equal(1, refused);
+        }
+
+        Assert.Equal(0, CountHandles(file.Path));
+
+        // The port is taken.
+        using var other = new TcpListener(IPAddress.Loopback, 0);
+        other.Start();
+        options.UdpDestinations = [new IPEndPoint(IPAddress.Loopback, 9)];
+        options.Port = ((IPEndPoint)other.LocalEndpoint).Port;
+        await using (var broadcaster = new Broadcaster(options))
+            Assert.Throws<BroadcasterException>(broadcaster.Start);
+
+        Assert.Equal(0, CountHandles(file.Path));
+
+        // The destination waits for a client that never comes.
+        options.Port = 0;
+        options.WaitForClient = true;
+        await using (var broadcaster = new Broadcaster(options))
+            broadcaster.Start();
+
+        Assert.Equal(0, CountHandles(file.Path));
+
+        void Start(Worker worker)
+        {
+            refused++;
+            throw new InvalidOperationException("There is no such thread.");
+        }
+    }
+
+    private static int CountHandles(string path) => Directory.GetFiles("/proc/self/fd").Count(handle => TargetOf(handle) == path);
+
+    // Other tests open and close files meanwhile.
+    private static string? TargetOf(string handle)
+    {
+        try
+        {
+            return File.ResolveLinkTarget(handle, returnFinalTarget: false)?.FullName;
+        }
+        catch (IOException)
+        {
+            return null;
+        }
     }
 
     private static async Task AssertSameAsync(TemporaryFile file, BroadcasterOptions options)

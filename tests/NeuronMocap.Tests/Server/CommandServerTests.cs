@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
 using System.Numerics;
@@ -206,7 +207,7 @@ public sealed class CommandServerTests
     public async Task Many_clients_are_served_at_once_and_those_beyond_the_limit_are_closed()
     {
         using Broadcaster broadcaster = CreateBroadcaster();
-        using CommandServer server = Start(broadcaster, options => options.MaxClients = 8);
+        using CommandServer server = Start(broadcaster, options => options.MaxClients = 8, getTimestamp: static () => 0);
         NeuronCommandClient[] clients = [.. Enumerable.Range(0, 8).Select(_ => CreateClient(server))];
         await Task.WhenAll(clients.Select(client => client.GetRotationOrderAsync())).Soon();
         await Limits.UntilAsync(() => server.ClientCount == 8);
@@ -218,6 +219,79 @@ public sealed class CommandServerTests
         await Limits.UntilAsync(() => server.ClientCount == 0);
         using NeuronCommandClient next = CreateClient(server);
         await next.GetRotationOrderAsync().Soon();
+    }
+
+    // Idle connections cannot keep others out: whoever never asked gives way first, then whoever asked nothing for the longest time.
+    [Fact]
+    public async Task When_there_is_no_room_the_oldest_idle_client_gives_way()
+    {
+        long now = 0;
+        using Broadcaster broadcaster = CreateBroadcaster();
+        using CommandServer server = Start(broadcaster, options => options.MaxClients = 3, () => Volatile.Read(ref now));
+        using NeuronCommandClient asked = CreateClient(server);
+        await asked.GetRotationOrderAsync().Soon();
+        Pass(10);
+        using Socket first = Connect(server);
+        await Limits.UntilAsync(() => server.ClientCount == 2);
+        Pass(1);
+        using Socket second = Connect(server);
+        await Limits.UntilAsync(() => server.ClientCount == 3);
+
+        // First has been idle for 4 seconds, second for 3: not for as long as the one that asked, which stays all the same.
+        Pass(3);
+        using NeuronCommandClient third = CreateClient(server);
+        await third.GetRotationOrderAsync().Soon();
+        await IsClosedAsync(first);
+        Assert.Equal(3, server.ClientCount);
+        using NeuronCommandClient fourth = CreateClient(server);
+        await fourth.GetRotationOrderAsync().Soon();
+        await IsClosedAsync(second);
+
+        // Now all have asked, and the one that did so longest ago is the first.
+        using Socket fifth = Connect(server);
+        fifth.Send(CommandScript.Packet([], 1003));
+        Assert.Equal(20, (await ReadAsync(fifth, 20)).Length);
+        Assert.Equal(3, server.ClientCount);
+
+        // Nobody of those that are left has been idle for long.
+        using Socket sixth = Connect(server);
+        Assert.Empty(await ReadAsync(sixth, 1));
+        await third.GetRotationOrderAsync().Soon();
+        await fourth.GetRotationOrderAsync().Soon();
+
+        void Pass(int seconds) => Interlocked.Add(ref now, seconds * Stopwatch.Frequency);
+    }
+
+    [Fact]
+    public async Task A_client_that_asks_nothing_for_too_long_is_closed_also_when_it_sends_bytes_that_are_no_request()
+    {
+        long now = 0;
+        using Broadcaster broadcaster = CreateBroadcaster();
+        using CommandServer server = Start(broadcaster, options => options.IdleTimeout = TimeSpan.FromHours(1), () => Volatile.Read(ref now));
+        using Socket idle = Connect(server);
+        using Socket active = Connect(server);
+        byte[] request = CommandScript.Packet([], 1003);
+        for (int i = 0; i < 3; i++)
+        {
+            active.Send(request);
+            Assert.Equal(20, (await ReadAsync(active, 20)).Length);
+            Interlocked.Add(ref now, 25 * 60 * Stopwatch.Frequency);
+            idle.Send([0]);
+        }
+
+        Assert.Empty(await ReadAsync(idle, 1));
+        active.Send(request);
+        Assert.Equal(20, (await ReadAsync(active, 20)).Length);
+    }
+
+    [Fact]
+    public async Task A_client_that_says_nothing_is_closed_after_the_idle_time()
+    {
+        using Broadcaster broadcaster = CreateBroadcaster();
+        using CommandServer server = Start(broadcaster, options => options.IdleTimeout = TimeSpan.FromSeconds(1));
+        using Socket idle = Connect(server);
+        Assert.Empty(await ReadAsync(idle, 1));
+        await Limits.UntilAsync(() => server.ClientCount == 0);
     }
 
     [Fact]
@@ -255,6 +329,8 @@ public sealed class CommandServerTests
         Refuses(static options => options.Port = -1, "Port");
         Refuses(static options => options.BindAddress = null!, "BindAddress");
         Refuses(static options => options.MaxClients = 0, "MaxClients");
+        Refuses(static options => options.IdleTimeout = TimeSpan.Zero, "IdleTimeout");
+        Refuses(static options => options.IdleTimeout = TimeSpan.FromDays(2), "IdleTimeout");
         Refuses(static options => options.Quirks = null!, "Quirks");
         Refuses(static options => options.Quirks.ReplyId = 65_536, "ReplyId");
         Refuses(static options => options.Quirks.PayloadSize = -1, "PayloadSize");
@@ -277,11 +353,11 @@ public sealed class CommandServerTests
         return new Broadcaster(options);
     }
 
-    internal static CommandServer Start(Broadcaster broadcaster, Action<CommandServerOptions>? change = null)
+    internal static CommandServer Start(Broadcaster broadcaster, Action<CommandServerOptions>? change = null, Func<long>? getTimestamp = null)
     {
         var options = new CommandServerOptions { Port = 0 };
         change?.Invoke(options);
-        var server = new CommandServer(broadcaster, options);
+        var server = new CommandServer(broadcaster, options) { GetTimestamp = getTimestamp ?? Stopwatch.GetTimestamp };
         server.Start();
         return server;
     }
@@ -306,6 +382,19 @@ public sealed class CommandServerTests
         var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
         socket.Connect(new IPEndPoint(IPAddress.Loopback, server.LocalEndPoint!.Port));
         return socket;
+    }
+
+    // In good order, or by a reset where the system gives no other end to a connection that is being waited on.
+    private static async Task IsClosedAsync(Socket socket)
+    {
+        try
+        {
+            Assert.Empty(await ReadAsync(socket, 1));
+        }
+        catch (SocketException exception)
+        {
+            Assert.Equal(SocketError.ConnectionReset, exception.SocketErrorCode);
+        }
     }
 
     // Fewer when the server closes the connection first.

@@ -35,6 +35,14 @@ internal static class Expect
         }
     }
 
+    // What the port of the motion carries where calculation has a port of its own.
+    public static void MotionFrames(IReadOnlyList<byte[]> packets, BroadcasterOptions options, long count) =>
+        All(packets, options, count, Motion);
+
+    // What a port carries that has no motion.
+    public static void CalculationFrames(IReadOnlyList<byte[]> packets, BroadcasterOptions options, long count) =>
+        All(packets, options, count, options.StudioCalculation is null ? Calculation : StudioCalculation);
+
     public static void Motion(byte[] packet, BroadcasterOptions options, int avatar, long frame)
     {
         var layout = new ChannelLayout(options.Displacement ?? true, options.Reference);
@@ -45,7 +53,7 @@ internal static class Expect
         Assert.Equal(layout.ValueCount, header.ValueCount);
         Assert.Equal(layout.HasDisplacement, header.HasDisplacement);
         Assert.Equal(layout.HasReference, header.HasReference);
-        Assert.Equal((uint)avatar, header.AvatarIndex);
+        Assert.Equal(avatar, header.AvatarIndex);
         Assert.Equal(isNew ? (uint)frame : null, header.FrameIndex);
         Assert.Equal(options.AvatarNames.Count > avatar ? options.AvatarNames[avatar] : $"Char{avatar:00}", header.AvatarName.ToString());
         float[] expected = new float[layout.ValueCount];
@@ -57,7 +65,7 @@ internal static class Expect
     {
         Assert.True(CalculationHeader.TryRead(packet, out CalculationHeader header));
         Assert.Equal(options.CalculationValueCount, header.ValueCount);
-        Assert.Equal((uint)avatar, header.AvatarIndex);
+        Assert.Equal(avatar, header.AvatarIndex);
         Assert.Equal((uint)frame, header.FrameIndex);
         Assert.Equal($"Char{avatar:00}", header.AvatarName.ToString());
         float[] expected = new float[946];
@@ -69,7 +77,7 @@ internal static class Expect
     {
         Assert.True(StudioCalculationHeader.TryRead(packet, out StudioCalculationHeader header));
         Assert.Equal((4956, 5020), (header.ByteCount, packet.Length));
-        Assert.Equal(((uint)avatar, (uint)frame, 0xFEu), (header.AvatarIndex, header.FrameIndex, header.DataMask));
+        Assert.Equal((avatar, (uint)frame, 0xFEu), (header.AvatarIndex, header.FrameIndex, header.DataMask));
         Assert.Equal((DataVersion.StudioCalculation, $"Char{avatar:00}"), (header.Version, header.AvatarName.ToString()));
         byte[] expected = new byte[4956];
         options.StudioCalculation!(options.Sources[avatar], frame, expected);
@@ -80,6 +88,14 @@ internal static class Expect
     {
         Assert.True(MotionHeader.TryRead(packet, out MotionHeader header));
         return Assert.NotNull(header.FrameIndex);
+    }
+
+    private static void All(IReadOnlyList<byte[]> packets, BroadcasterOptions options, long count, Action<byte[], BroadcasterOptions, int, long> check)
+    {
+        int avatars = options.Sources.Count;
+        Assert.Equal(count * avatars, packets.Count);
+        for (int i = 0; i < packets.Count; i++)
+            check(packets[i], options, i % avatars, i / avatars);
     }
 
     // As bytes: two not-a-numbers are equal only if their bits are.

@@ -39,6 +39,51 @@ public sealed class FrameLogTests
     }
 
     [Fact]
+    public void A_frame_may_appear_packet_by_packet()
+    {
+        var log = new FrameLog(length: 4, packetsPerFrame: 3);
+        FrameCursor cursor = log.CreateCursor();
+        log.Publish([1], packets: 1);
+        Assert.Equal(new FrameBatch(1, 1), log.Read(cursor, _buffer));
+        FrameCursor late = log.CreateCursor();
+        log.Publish([2, 2], packets: 1);
+        Assert.Equal(new FrameBatch(2, 1, First: 1), log.Read(cursor, _buffer));
+        log.Publish([3], packets: 1);
+        log.Publish([4, 5, 6]);
+        log.Publish([7], packets: 1);
+        Assert.Equal(new FrameBatch(5, 5, First: 2), log.Read(cursor, _buffer));
+        Assert.Equal([3, 4, 5, 6, 7], _buffer[..5]);
+
+        // Who came in the middle of a frame gets all of it.
+        Assert.Equal(new FrameBatch(8, 7), log.Read(late, _buffer));
+        Assert.Equal([1, 2, 2, 3, 4, 5, 6, 7], _buffer[..8]);
+        Assert.Equal((0L, 0L), (log.GetMissed(cursor), log.GetMissed(late)));
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(5)]
+    public void Who_falls_behind_in_the_middle_of_a_frame_goes_on_at_the_start_of_one_and_every_lost_packet_is_counted(int length)
+    {
+        const int Frames = 10;
+        var log = new FrameLog(length, packetsPerFrame: 3);
+        FrameCursor cursor = log.CreateCursor();
+        log.Publish([0], packets: 1);
+        Assert.Equal(new FrameBatch(1, 1), log.Read(cursor, _buffer));
+        for (byte packet = 1; packet < 3 * Frames; packet++)
+            log.Publish([packet], packets: 1);
+
+        // The newest frame appears, and has taken the place of the oldest.
+        log.Publish([3 * Frames], packets: 1);
+        int first = 3 * (Frames + 1 - length);
+        Assert.Equal(first - 1, log.GetMissed(cursor));
+        Assert.Equal(new FrameBatch((3 * Frames) + 1 - first, (3 * Frames) + 1 - first), log.Read(cursor, _buffer));
+        Assert.Equal(first, _buffer[0]);
+        Assert.Equal(first - 1, log.GetMissed(cursor));
+    }
+
+    [Fact]
     public void After_the_end_readers_get_what_is_left_and_then_nothing()
     {
         FrameCursor cursor = _log.CreateCursor();

@@ -27,10 +27,10 @@ internal static class ManualTables
     public static readonly (string Name, string? Parent, float X, float Y, float Z)[] AppendixB =
     [
         ("Hips", null, 0, 84.102f, 0),
-        ("RightUpLeg", "Hips", -9.5f, 0, 0),
+        ("RightUpLeg", "Hips", -9.5f, -0f, 0),
         ("RightLeg", "RightUpLeg", 0, -37.051f, 0),
         ("RightFoot", "RightLeg", 0, -37.051f, 0),
-        ("LeftUpLeg", "Hips", 9.5f, 0, 0),
+        ("LeftUpLeg", "Hips", 9.5f, -0f, 0),
         ("LeftLeg", "LeftUpLeg", 0, -37.051f, 0),
         ("LeftFoot", "LeftLeg", 0, -37.051f, 0),
         ("Spine", "Hips", 0, 7.14f, 0),

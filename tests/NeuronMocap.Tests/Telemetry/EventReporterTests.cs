@@ -222,9 +222,9 @@ public sealed class EventReporterTests
 
         public long GetSkipped(SkipReason reason) => Skipped.GetValueOrDefault(reason);
 
-        public IReadOnlyList<StreamRecorder> Recorders => [];
+        public IReadOnlyList<IFileOutput> Outputs => [];
 
-        public void Forget(StreamRecorder recorder)
+        public void Forget(IFileOutput output)
         {
         }
     }

@@ -113,11 +113,11 @@ public sealed class ConnectionSupervisorTests
     }
 
     [Fact]
-    public async Task What_fails_before_there_is_a_link_does_not_end_the_reader()
+    public async Task What_fails_before_there_is_a_link_does_not_end_the_reader_and_is_told_in_plain_words()
     {
         int made = 0;
         ConnectionStatus end = await SuperviseAsync(new ReconnectPolicy { InitialDelay = TimeSpan.FromMilliseconds(1) }, () => ++made == 1
-            ? throw new InvalidOperationException("No memory.")
+            ? throw new InvalidOperationException("Object reference not set.")
             : new FakeLink(_ =>
             {
                 _stop.Cancel();
@@ -127,7 +127,7 @@ public sealed class ConnectionSupervisorTests
         Assert.Equal((2, ConnectionReason.Requested), (made, end.Reason));
         ConnectionStatus waiting = Assert.Single(_told, status => status.State == ConnectionState.Waiting);
         Assert.Equal(ConnectionReason.NetworkError, waiting.Reason);
-        Assert.Contains("No memory.", waiting.Message, StringComparison.Ordinal);
+        Assert.Equal("Receiving from the server failed by a fault of this library (System.InvalidOperationException). Please report it.", waiting.Message);
     }
 
     private Task<ConnectionStatus> SuperviseAsync(ReconnectPolicy policy, Func<Link> createLink) =>
@@ -143,6 +143,8 @@ public sealed class ConnectionSupervisorTests
     private sealed class FakeLink(Func<IPacketReceiver, LinkEnd> receive, Action? closed = null) : Link
     {
         public override string Target => "fake";
+
+        public override ReceiveThread ReceiveThread => ReceiveThread.Dedicated;
 
         public override Task<LinkEnd> OpenAsync(CancellationToken stop) => Task.FromResult(LinkEnd.None);
 

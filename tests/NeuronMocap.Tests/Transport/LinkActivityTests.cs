@@ -137,6 +137,11 @@ public sealed class LinkActivityTests
     [InlineData("220.53", "32 32 30 2E")]
     [InlineData("220 mail.example.com ESMTP\r\n", "mail or FTP")]
     [InlineData("220-Welcome\r\n", "mail or FTP")]
+    [InlineData("Char00 0.00 93.02 1.0 2.0 3.0", "instead of the avatar's number")]
+    [InlineData("Anna Lena -0.50 93.02 1.0 2.0 3.0", "instead of the avatar's number")]
+    [InlineData("Welcome to port 7001 ", "starts with 57")]
+    [InlineData("CCCC 1.00 93.02 1.0 2.0 3.0", "instead of the avatar's number")]
+    [InlineData("CCCC\u0010\u0027\0\0\u001F\u008A", "starts with 43 43 43 43")]
     public void Numbers_are_no_greeting(string bytes, string expected)
     {
         FormatGuess guess = FormatGuess.Of(System.Text.Encoding.ASCII.GetBytes(bytes), SkipReason.NoTokens);

@@ -24,6 +24,23 @@ public sealed class PooledTcpReceiverTests : TcpReceiverTests
     }
 
     [Fact]
+    public void Who_wants_a_thread_or_none_gets_it_whatever_the_limit()
+    {
+        var receivers = new TcpReceivers(maxThreads: 1);
+        Assert.IsType<PooledTcpReceiver>(receivers.Take(ReceiveThread.Pool));
+        TcpReceiver first = receivers.Take(ReceiveThread.Dedicated);
+        TcpReceiver second = receivers.Take(ReceiveThread.Dedicated);
+        Assert.IsType<BlockingTcpReceiver>(first);
+        Assert.IsType<BlockingTcpReceiver>(second);
+        Assert.IsType<PooledTcpReceiver>(receivers.Take());
+
+        first.Close();
+        Assert.IsType<PooledTcpReceiver>(receivers.Take());
+        second.Close();
+        Assert.IsType<BlockingTcpReceiver>(receivers.Take());
+    }
+
+    [Fact]
     public async Task A_link_gives_its_thread_back_when_it_is_closed()
     {
         var receivers = new TcpReceivers(maxThreads: 1);

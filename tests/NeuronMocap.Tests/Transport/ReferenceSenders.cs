@@ -1,15 +1,18 @@
+using NeuronMocap.Protocol;
+
 namespace NeuronMocap.Tests.Transport;
 
 /// <summary>
 /// What the joiner of datagrams is compared with: one list of bytes for each sender, read again from its start with every datagram. A
-/// datagram that begins with a header, or with a named line of text inside another line, ends what its sender left unfinished; of more than 64 senders the one silent longest is given up.
+/// datagram that begins with a header, or with a named line of text inside another line, ends what its sender left unfinished. Nobody is
+/// known before a datagram of theirs holds the beginning of something. Of more than 64 senders the one silent longest without a frame is given up; where all have brought one, nobody new is known.
 /// </summary>
 internal sealed class ReferenceSenders(int maxValues)
 {
     private const int Limit = 64;
 
     // The one silent longest first.
-    private readonly List<(int Sender, int Source, byte[] Unfinished, ReferencePlace Place)> _senders = [];
+    private readonly List<(int Sender, int Source, byte[] Unfinished, ReferencePlace Place, bool HasFrame)> _senders = [];
     private int _sources;
 
     public List<(int Source, byte[] Bytes)> Packets { get; } = [];
@@ -19,18 +22,17 @@ internal sealed class ReferenceSenders(int maxValues)
     public void Receive(Datagram datagram)
     {
         int index = _senders.FindIndex(known => known.Sender == datagram.Sender);
-        (int source, byte[] unfinished, ReferencePlace place) = index >= 0
-            ? (_senders[index].Source, _senders[index].Unfinished, _senders[index].Place)
-            : (_sources++, [], datagram.Bytes.Length > 1024 ? ReferencePlace.Start : ReferencePlace.Unsure);
+        if (index < 0 && !TryMeet(datagram))
+        {
+            Skipped += datagram.Bytes.Length;
+            return;
+        }
+
+        (int source, byte[] unfinished, ReferencePlace place, bool hasFrame) = index >= 0
+            ? (_senders[index].Source, _senders[index].Unfinished, _senders[index].Place, _senders[index].HasFrame)
+            : (_sources++, [], datagram.Bytes.Length > 1024 ? ReferencePlace.Start : ReferencePlace.Unsure, false);
         if (index >= 0)
-        {
             _senders.RemoveAt(index);
-        }
-        else if (_senders.Count == Limit)
-        {
-            Skipped += _senders[0].Unfinished.Length;
-            _senders.RemoveAt(0);
-        }
 
         if (unfinished.Length > 0 && IsNewBeginning(unfinished, datagram.Bytes))
         {
@@ -43,7 +45,26 @@ internal sealed class ReferenceSenders(int maxValues)
         ReferenceReading reading = ReferenceScanner.Read(bytes, maxValues, place);
         Packets.AddRange(reading.Packets.Select(packet => (source, packet.Bytes)));
         Skipped += reading.Skipped;
-        _senders.Add((datagram.Sender, source, bytes[^reading.Pending..], reading.Place));
+        hasFrame |= reading.Packets.Any(packet => packet.Kind != PacketKind.Command && packet.Bytes.Length > 64);
+        _senders.Add((datagram.Sender, source, bytes[^reading.Pending..], reading.Place, hasFrame));
+    }
+
+    private bool TryMeet(Datagram datagram)
+    {
+        ReferenceReading reading = ReferenceScanner.Read(datagram.Bytes, maxValues, ReferencePlace.Start);
+        byte[] rest = datagram.Bytes[^reading.Pending..];
+        bool begins = reading.Packets.Count > 0
+            || (rest.Length > 0 && (rest[0] is 0xFF or 0xCF ? rest.Length >= 64 : ReferenceText.IsInsideLine(rest)));
+        if (!begins || _senders.Count < Limit)
+            return begins;
+
+        int silent = _senders.FindIndex(known => !known.HasFrame);
+        if (silent < 0)
+            return false;
+
+        Skipped += _senders[silent].Unfinished.Length;
+        _senders.RemoveAt(silent);
+        return true;
     }
 
     private bool IsNewBeginning(byte[] unfinished, byte[] datagram) =>

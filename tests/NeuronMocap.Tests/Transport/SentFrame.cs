@@ -18,7 +18,7 @@ internal enum Fate
 }
 
 /// <summary>One frame, or whatever else a sender sends, and how its datagrams arrive.</summary>
-/// <param name="Sender">Port of the sender.</param>
+/// <param name="Sender">Last number of the address of the sender.</param>
 /// <param name="Part">What is sent.</param>
 /// <param name="Cut">Bytes of the first datagram.</param>
 /// <param name="Fate">What the network does.</param>

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Net;
 using FsCheck;
 using FsCheck.Fluent;
@@ -44,6 +45,50 @@ public sealed class UdpSendersPropertyTests
         Assert.True(joined > 1_000, $"Only {joined} frames came in halves: the cases are too poor to prove anything.");
     }
 
+    // As many hosts as are kept, and a few that send from several ports: whoever speaks, makes room or is replaced, every byte comes out once.
+    [Fact]
+    public void Every_byte_of_a_crowd_that_sends_split_frames_from_several_ports_is_delivered_or_skipped()
+    {
+        byte[] frame = TestPackets.Motion(1);
+        Gen<Spoken[]> cases =
+            from count in Gen.Choose(1, 60)
+            from spoken in Spoken.Any.ArrayOf(count)
+            select spoken;
+        Properties.Hold(cases, list => Properties.SimplerLists(list, static _ => []), count: 1_000, list =>
+        {
+            var log = new PacketLog();
+            var senders = new UdpSenders(new PacketScanner(), log, new SenderFilter([]));
+            long now = 0;
+            long pushed = 0;
+            void Push(int host, int port, byte[] bytes)
+            {
+                senders.Push(new IPEndPoint(new IPAddress([127, 0, 1, (byte)host]), port).Serialize(), bytes, now);
+                pushed += bytes.Length;
+                Assert.InRange(senders.Count, 0, UdpSenders.Limit);
+            }
+
+            for (int host = Spoken.Hosts + 1; host < Spoken.Hosts + UdpSenders.Limit; host++)
+                Push(host, 5000, frame);
+
+            foreach (Spoken spoken in list)
+            {
+                now += Stopwatch.Frequency * spoken.Milliseconds / 1000;
+                Push(spoken.Host, spoken.Port, spoken.Part switch { 0 => frame, 1 => frame[..1024], _ => frame[1024..] });
+            }
+
+            // Whoever has an unfinished frame gives it up for a whole one.
+            senders.Settle(now, isLast: true);
+            for (int host = 1; host <= Spoken.Hosts; host++)
+            {
+                for (int port = 5000; port < 5000 + Spoken.Ports; port++)
+                    Push(host, port, frame);
+            }
+
+            senders.Settle(now, isLast: true);
+            Assert.Equal(pushed, log.Skipped + log.Packets.Sum(static packet => (long)packet.Bytes.Length));
+        });
+    }
+
     private void HoldsForSenders(int senders, int mostFrames, int count)
     {
         Gen<WirePart> parts = Gen.Frequency((4, Frame), (1, WireStream.AnyPart));
@@ -65,7 +110,7 @@ public sealed class UdpSendersPropertyTests
         var log = new PacketLog();
         var senders = new UdpSenders(_scanner, log, new SenderFilter([]));
         foreach (Datagram datagram in arrivals)
-            senders.Push(new IPEndPoint(IPAddress.Loopback, datagram.Sender).Serialize(), datagram.Bytes, timestamp: 0);
+            senders.Push(new IPEndPoint(new IPAddress([127, 0, 0, (byte)datagram.Sender]), 7000).Serialize(), datagram.Bytes, timestamp: 0);
 
         return log;
     }
@@ -91,5 +136,19 @@ public sealed class UdpSendersPropertyTests
         }
 
         return count;
+    }
+
+    // One datagram: a whole frame, or the first or the second part of one.
+    private sealed record Spoken(int Host, int Port, int Part, int Milliseconds)
+    {
+        public const int Hosts = 3;
+        public const int Ports = 3;
+
+        public static readonly Gen<Spoken> Any =
+            from host in Gen.Choose(1, Hosts)
+            from port in Gen.Choose(5000, 5000 + Ports - 1)
+            from part in Gen.Choose(0, 2)
+            from milliseconds in Gen.Elements(0, 1, 10, 10, 300, 2_000)
+            select new Spoken(host, port, part, milliseconds);
     }
 }

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Net;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
@@ -65,13 +66,13 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void A_flood_of_forged_senders_keeps_the_newest_and_a_real_sender()
+    public void A_flood_of_forged_headers_keeps_a_real_sender()
     {
         byte[] frame = TestPackets.Motion(1);
-        for (int port = 1; port <= 20_000; port++)
+        for (int forged = 1; forged <= 20_000; forged++)
         {
-            Push(port, frame[..1024]);
-            if (port % 50 != 0)
+            PushFrom(Host(forged), 5000, frame[..1024]);
+            if (forged % 50 != 0)
                 continue;
 
             Push(60_000, frame[..1024]);
@@ -80,7 +81,199 @@ public sealed class UdpSendersTests
 
         Assert.Equal((64, 64), (UdpSenders.Limit, _senders.Count));
         Assert.Equal(400, _log.Packets.Count);
+        Assert.Equal([0], _log.Packets.Select(packet => packet.Source - _log.Packets[0].Source).Distinct());
         Assert.InRange(_log.Skipped, 1024 * (20_000 - 64), 1024 * 20_000);
+    }
+
+    [Fact]
+    public void A_flood_of_forged_frames_never_evicts_a_sender_that_delivers()
+    {
+        byte[] frame = TestPackets.Motion(1);
+        for (int forged = 1; forged <= 20_000; forged++)
+        {
+            PushFrom(Host(forged), 5000, frame);
+            if (forged % 50 == 0)
+                Push(60_000, frame);
+            if (forged == 1)
+                Push(60_000, frame);
+        }
+
+        Assert.Equal(64, _senders.Count);
+        Assert.Equal(401, _log.Packets.Count(packet => packet.Source == 1));
+        Assert.Equal(63, _log.Packets.Count(packet => packet.Source != 1));
+        Assert.Equal([SkipReason.TooManySenders], _log.Reasons.Distinct());
+    }
+
+    [Fact]
+    public void Senders_without_a_frame_for_five_seconds_make_room()
+    {
+        byte[] frame = TestPackets.Motion(1);
+        for (int sender = 1; sender <= 64; sender++)
+            PushFrom(Host(sender), 5000, frame, seconds: 1);
+
+        PushFrom(Host(100), 5000, frame, seconds: 5.9);
+        Assert.Equal(64, _log.Packets.Count);
+        PushFrom(Host(100), 5000, frame, seconds: 6.1);
+        Assert.Equal(65, _log.Packets.Count);
+    }
+
+    [Fact]
+    public void Bytes_without_a_header_make_no_sender()
+    {
+        PushFrom(Host(1), 5000, new byte[500]);
+        PushFrom(Host(2), 5000, TestPackets.Motion(1)[1024..]);
+        PushFrom(Host(3), 5000, TestPackets.Motion(1)[..63]);
+        Assert.Equal((0, 500 + 456 + 63), (_senders.Count, _log.Skipped));
+    }
+
+    [Fact]
+    public void A_port_that_follows_a_silent_one_of_its_address_goes_on_as_its_source()
+    {
+        Push(5000, TestPackets.Motion(1), seconds: 0);
+        Push(5001, TestPackets.Motion(2), seconds: 10);
+        Assert.Equal([0, 0], Sources());
+        Assert.True(_log.Origins[1] != _log.Origins[0]);
+    }
+
+    [Fact]
+    public void A_port_that_follows_at_once_waits_until_the_one_before_has_been_silent_and_loses_nothing()
+    {
+        for (int i = 0; i < 10; i++)
+            Push(5000, TestPackets.Motion(i), seconds: i * 0.016);
+        for (int i = 10; i < 100; i++)
+            Push(5001, TestPackets.Motion(i), seconds: i * 0.016);
+
+        Assert.Equal(Enumerable.Range(0, 100).Select(i => TestPackets.Motion(i)), _log.Packets.Select(packet => packet.Bytes));
+        Assert.Equal([0], Sources().Distinct());
+    }
+
+    [Fact]
+    public void What_waits_comes_out_without_another_datagram()
+    {
+        Push(5000, TestPackets.Motion(1), seconds: 0);
+        Push(5001, TestPackets.Motion(2), seconds: 0.01);
+        Assert.True(_senders.IsWaiting);
+        _senders.Settle(Ticks(0.2));
+        Assert.True(_senders.IsWaiting);
+        _senders.Settle(Ticks(0.3));
+        Assert.False(_senders.IsWaiting);
+        Assert.Equal([0, 0], Sources());
+    }
+
+    [Fact]
+    public void Two_ports_of_an_address_that_both_send_are_two_sources()
+    {
+        for (int i = 0; i < 100; i++)
+        {
+            Push(5000, TestPackets.Motion(i), seconds: i * 0.016);
+            Push(5001, TestPackets.Motion(1000 + i), seconds: (i * 0.016) + 0.004);
+        }
+
+        _senders.Settle(Ticks(100));
+        Assert.Equal(Enumerable.Range(0, 100).SelectMany(i => new[] { TestPackets.Motion(i), TestPackets.Motion(1000 + i) }), _log.Packets.Select(packet => packet.Bytes));
+        Assert.Equal(Enumerable.Range(0, 100).SelectMany(_ => new[] { 0, 1 }), Sources());
+    }
+
+    [Fact]
+    public void A_slow_server_that_lives_keeps_its_source_from_another_one()
+    {
+        for (int i = 0; i < 5; i++)
+            Push(5000, TestPackets.Motion(i), seconds: i * 0.2);
+        for (int i = 0; i < 20; i++)
+        {
+            Push(5001, TestPackets.Motion(100 + i), seconds: 0.81 + (i * 0.05));
+            if (i % 4 == 3)
+                Push(5000, TestPackets.Motion(5 + i), seconds: 0.81 + (i * 0.05));
+        }
+
+        Assert.Equal([1], _log.Packets.Where(packet => packet.Source != 0).Select(packet => packet.Source).Distinct());
+        Assert.Equal((10, 20), (Sources().Count(source => source == 0), Sources().Count(source => source == 1)));
+    }
+
+    [Fact]
+    public void One_that_speaks_again_after_it_was_replaced_is_a_second_server()
+    {
+        Push(5000, TestPackets.Motion(1), seconds: 0);
+        Push(5001, TestPackets.Motion(2), seconds: 10);
+        for (int i = 0; i < 10; i++)
+        {
+            Push(5000, TestPackets.Motion(3), seconds: 10.01 + (i * 0.02));
+            Push(5001, TestPackets.Motion(4), seconds: 10.02 + (i * 0.02));
+        }
+
+        Assert.Equal((12, 10), (Sources().Count(source => source == 0), Sources().Count(source => source == 1)));
+        Assert.Equal([TestPackets.Motion(3)], _log.Packets.Where(packet => packet.Source == 1).Select(packet => packet.Bytes).DistinctBy(Convert.ToHexString));
+    }
+
+    [Fact]
+    public void Of_two_servers_of_an_address_the_one_that_restarts_is_the_silent_one()
+    {
+        for (int i = 0; i < 50; i++)
+        {
+            Push(5000, TestPackets.Motion(i, avatar: 1), seconds: i * 0.016);
+            if (i < 20)
+                Push(5001, TestPackets.Motion(i, avatar: 2), seconds: (i * 0.016) + 0.001);
+            if (i >= 21)
+                Push(5002, TestPackets.Motion(i, avatar: 2), seconds: (i * 0.016) + 0.001);
+        }
+
+        _senders.Settle(Ticks(0.9));
+        Assert.Equal((50, 49), (Sources().Count(source => source == 0), Sources().Count(source => source == 1)));
+    }
+
+    [Fact]
+    public void Calculation_data_of_another_port_of_the_address_joins_the_motion_at_once()
+    {
+        Push(5000, TestPackets.Motion(1), seconds: 0);
+        Push(5001, TestPackets.Calculation(1), seconds: 0.001);
+        Push(5000, TestPackets.Motion(2), seconds: 0.016);
+        Push(5001, TestPackets.Calculation(2), seconds: 0.017);
+        Assert.Equal([0, 0, 0, 0], Sources());
+    }
+
+    [Fact]
+    public void A_second_server_that_begins_with_calculation_data_does_not_mix_its_motion_in()
+    {
+        Push(5000, TestPackets.Motion(1), seconds: 0);
+        Push(5001, TestPackets.Calculation(7), seconds: 0.001);
+        Push(5001, TestPackets.Motion(7), seconds: 0.002);
+        Push(5000, TestPackets.Motion(2), seconds: 0.016);
+        Push(5001, TestPackets.Calculation(8), seconds: 0.017);
+        Assert.Equal([0, 0, 1, 0, 1], Sources());
+    }
+
+    [Fact]
+    public void A_flood_of_new_ports_of_the_servers_own_address_neither_evicts_nor_replaces_it()
+    {
+        for (int i = 0; i < 600; i++)
+        {
+            Push(5000, TestPackets.Motion(i), seconds: i * 0.016);
+            for (int forged = 0; forged < 4; forged++)
+                Push(10_000 + (i * 4) + forged, TestPackets.Motion(9), seconds: (i * 0.016) + 0.002);
+        }
+
+        Assert.Equal(
+            Enumerable.Range(0, 600).Select(i => TestPackets.Motion(i)),
+            _log.Packets.Where(packet => packet.Source == 0).Select(packet => packet.Bytes));
+        Assert.InRange(_senders.Count, 1, 64);
+    }
+
+    // The datagram that makes room for another port of its own address must not lose its own place by that.
+    [Fact]
+    public void A_sender_does_not_make_room_while_its_own_datagram_is_taken()
+    {
+        byte[] frame = TestPackets.Motion(1);
+        for (int host = 1; host <= UdpSenders.Limit - 1; host++)
+            PushFrom(Host(host), 5000, frame);
+
+        Push(5000, frame[..1024]);
+        Push(5001, frame, seconds: 0.01);
+        Push(5000, frame, seconds: 0.02);
+
+        Assert.Equal(UdpSenders.Limit, _senders.Count);
+        Assert.Equal(UdpSenders.Limit, _log.Packets.Count);
+        Assert.Equal(1024 + frame.Length, _log.Skipped);
+        Assert.Equal(SkipReason.TooManySenders, _log.Reasons[0]);
     }
 
     [Fact]
@@ -99,7 +292,16 @@ public sealed class UdpSendersTests
         Assert.Single(_log.Packets);
     }
 
-    private void Push(int port, byte[] datagram) => _senders.Push(Address(port), datagram, 0);
+    private void Push(int port, byte[] datagram, double seconds = 0) => PushFrom(IPAddress.Loopback, port, datagram, seconds);
+
+    private void PushFrom(IPAddress address, int port, byte[] datagram, double seconds = 0) =>
+        _senders.Push(new IPEndPoint(address, port).Serialize(), datagram, Ticks(seconds));
+
+    private IEnumerable<int> Sources() => _log.Packets.Select(packet => packet.Source);
+
+    private static long Ticks(double seconds) => (long)(seconds * Stopwatch.Frequency);
+
+    private static IPAddress Host(int number) => new([10, 0, (byte)(number >> 8), (byte)number]);
 
     private static SocketAddress Address(int port) => new IPEndPoint(IPAddress.Loopback, port).Serialize();
 }

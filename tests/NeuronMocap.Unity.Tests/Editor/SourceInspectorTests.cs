@@ -12,7 +12,7 @@ public class SourceInspectorTests
     private static readonly string[] Always = ["Kind", "Resample", "Delay", "Smoothing", "Idle Timeout", "Gone Timeout", "Keep Through Scenes"];
 
     [Theory]
-    [InlineData(SourceKind.Network, "Address,Port,Transport,Reconnect,Command Port,Rotation Order,Skeleton Variant")]
+    [InlineData(SourceKind.Network, "Address,Port,Calculation Port,Transport,Local Address,Reconnect,Command Port,Rotation Order,Skeleton Variant")]
     [InlineData(SourceKind.Simulator, "Performer Count,Motion,Simulated Frame Rate")]
     [InlineData(SourceKind.BvhFile, "File,Bvh Asset,Loop,Speed")]
     [InlineData(SourceKind.Recording, "Rotation Order,Skeleton Variant,File,Loop,Speed")]

@@ -178,6 +178,12 @@ public sealed class MocapSourceTests : SourceFixture
         Assert.DoesNotContain("Parameter", source.StatusMessage, StringComparison.Ordinal);
 
         source.Port = 7001;
+        source.LocalAddress = "office";
+        Loop.Frames(2);
+        Assert.Equal(SourceState.Failed, source.State);
+        Assert.Contains("Local Address is 'office'", source.StatusMessage, StringComparison.Ordinal);
+
+        source.LocalAddress = string.Empty;
         source.CommandPort = 7001;
         Loop.Frames(2);
         Assert.Contains("Command Port", source.StatusMessage, StringComparison.Ordinal);
@@ -202,6 +208,28 @@ public sealed class MocapSourceTests : SourceFixture
         Loop.RunUntil(() => second.Statistics.Accepted == 1 && first.Statistics.Clients == 0);
         WaitForPose(source);
         Assert.NotSame(reader, source.Reader);
+    }
+
+    [Fact]
+    public void A_local_address_picks_the_network()
+    {
+        int port = FreeUdpPort();
+        MocapSource source = Add(source => (source.Transport, source.Port, source.LocalAddress) = (TransportKind.Udp, port, " 127.0.0.1 "));
+        Loop.RunUntil(() => source.Reader?.Status.LocalEndPoint is not null);
+        Assert.Equal(new IPEndPoint(IPAddress.Loopback, port), source.Reader!.Status.LocalEndPoint);
+    }
+
+    [Theory]
+    [InlineData(BroadcastFormat.Studio)]
+    [InlineData(BroadcastFormat.Binary)]
+    public void A_performer_has_the_timecode_of_its_newest_frame(BroadcastFormat format)
+    {
+        MocapSource source = Add(Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], Format = format }));
+        Performer performer = WaitForPose(source);
+        if (format == BroadcastFormat.Studio)
+            Loop.RunUntil(() => performer.Timecode is { Hours: < 24, Minutes: < 60, Seconds: < 60 });
+        else
+            Assert.Null(performer.Timecode);
     }
 
     [Fact]
@@ -290,6 +318,70 @@ public sealed class MocapSourceTests : SourceFixture
         Performer other = WaitForPose(estimated);
         Loop.RunUntil(() => other.Contacts != default);
         Assert.False(other.HasMeasuredContacts);
+    }
+
+    [Fact]
+    public void Contacts_arrive_over_a_calculation_port_of_TCP()
+    {
+        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], Calculation = CalculationSynthesizer.Write, CalculationPort = 0 });
+        MocapSource source = Add(server, source => source.CalculationPort = server.CalculationEndPoint!.Port);
+        Performer performer = WaitForPose(source);
+        Loop.RunUntil(() => performer.HasMeasuredContacts && performer.Contacts != default);
+        Loop.RunUntil(() => source.StatusMessage.Contains($"Calculation port {source.CalculationPort}: receiving.", StringComparison.Ordinal));
+        Assert.Single(source.Performers);
+    }
+
+    [Fact]
+    public void Contacts_arrive_over_a_calculation_port_of_UDP()
+    {
+        (int port, int calculationPort) = (FreeUdpPort(), FreeUdpPort());
+        MocapSource source = Add(source => (source.Transport, source.Port, source.CalculationPort) = (TransportKind.Udp, port, calculationPort));
+        Serve(new BroadcasterOptions
+        {
+            Sources = [new SyntheticActor()],
+            UdpDestinations = [new IPEndPoint(IPAddress.Loopback, port)],
+            Calculation = CalculationSynthesizer.Write,
+            CalculationPort = calculationPort,
+        });
+        Performer performer = WaitForPose(source);
+        Loop.RunUntil(() => performer.HasMeasuredContacts && performer.Contacts != default);
+        Assert.Equal(0, performer.Sender);
+    }
+
+    [Fact]
+    public void A_calculation_port_that_refuses_is_told_while_the_figure_moves()
+    {
+        int port = FreePort();
+        MocapSource source = Add(Serve(new SyntheticActor()), source => source.CalculationPort = port);
+        Performer performer = WaitForPose(source);
+        Loop.RunUntil(() => source.StatusMessage.Contains($"Calculation port {port}: connection refused", StringComparison.Ordinal));
+        Assert.Equal(SourceState.Receiving, source.State);
+        Loop.RunUntil(() => performer.Contacts != default);
+        Assert.False(performer.HasMeasuredContacts);
+    }
+
+    // The first server is gone for good, and its performer never.
+    [Fact]
+    public void A_performer_that_is_live_is_found_before_one_that_is_not()
+    {
+        int port = FreeUdpPort();
+        MocapSource source = Add(source => (source.Transport, source.Port, source.GoneTimeout, source.IdleTimeout) = (TransportKind.Udp, port, 0, 0.1f));
+        using System.Net.Sockets.UdpClient first = SenderFrom("127.0.0.11"), second = SenderFrom("127.0.0.12");
+        var to = new IPEndPoint(IPAddress.Loopback, port);
+        Performer? found = null;
+        Loop.RunUntil(() => Send(first) && source.TryGetPerformer(0, out found) && found.IsLive);
+        Assert.Equal(0, found!.Sender);
+        Loop.RunUntil(() => Send(second) && source.TryGetPerformer(0, out found) && found.Sender == 1);
+        Assert.True(source.TryGetPerformer("Char00", out found) && found.Sender == 1);
+        Assert.Equal(2, source.Performers.Count);
+
+        bool Send(System.Net.Sockets.UdpClient sender) => sender.Send(NeuronMocap.Tests.Network.TestPackets.Motion(1), to) > 0;
+    }
+
+    private static System.Net.Sockets.UdpClient SenderFrom(string address)
+    {
+        Assert.SkipUnless(OperatingSystem.IsLinux() || OperatingSystem.IsWindows(), "This system has one loopback address only.");
+        return new System.Net.Sockets.UdpClient(new IPEndPoint(IPAddress.Parse(address), 0));
     }
 
     [Fact]

@@ -65,7 +65,7 @@ public sealed class SourceAllocationTests : SourceFixture
     {
         var streams = new AvatarStreams();
         float[] values = new float[354];
-        for (uint avatar = 0; avatar < 1000; avatar++)
+        for (int avatar = 0; avatar < 1000; avatar++)
             streams.OnMotion(new MotionFrame(new MotionHeader { AvatarIndex = avatar }, values));
 
         Assert.Equal(256, streams.All.Length);

@@ -30,7 +30,7 @@ static void print_rotation(SOCKET_REF socket)
     printf("= %d order %d\n", told, (int)order);
 }
 
-static void print_bone_size(SOCKET_REF socket, int avatar)
+static void print_bone_size(bool (NEURONDATAREADER_CALL *ask)(SOCKET_REF, int, BoneDimension *), SOCKET_REF socket, int avatar)
 {
     BoneDimension size;
     const float *values = &size.Head;
@@ -38,7 +38,7 @@ static void print_bone_size(SOCKET_REF socket, int avatar)
     int i;
 
     memset(&size, 0xFF, sizeof size);
-    told = GetBoneSize(socket, avatar, &size);
+    told = ask(socket, avatar, &size);
     printf("= %d", told);
     for (i = 0; i < 12; i++)
         printf(" %.9g", values[i]);
@@ -133,7 +133,9 @@ int main(void)
         else if (sscanf(line, "rotation %p", &socket) == 1)
             print_rotation(socket);
         else if (sscanf(line, "bone-size %p %d", &socket, &number) == 2)
-            print_bone_size(socket, number);
+            print_bone_size(GetBoneSize, socket, number);
+        else if (sscanf(line, "bone-size-by-heading %p %d", &socket, &number) == 2)
+            print_bone_size(BRGetBoneSize, socket, number);
         else if (sscanf(line, "header %p %d %d", &socket, &number, &other) == 3)
             print_header(socket, number, other);
         else if (sscanf(line, "threads %p", &socket) == 1)

@@ -146,13 +146,16 @@ def wait(library, port):
     # A shell that starts its programs in the background has switched SIGINT off.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     register(library)
-    library.BRConnectTo(b"127.0.0.1", port)
+    connection = library.BRConnectTo(b"127.0.0.1", port)
     try:
         while True:
             time.sleep(60)
     except KeyboardInterrupt:
         print("interrupted")
         raise
+    finally:
+        # An interpreter that ends makes a thread exit that calls into it, in the middle of the library.
+        library.BRCloseSocket(connection)
 
 
 sys.stdout.reconfigure(line_buffering=True)

@@ -1,11 +1,13 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
+using NeuronMocap.Frames;
 using NeuronMocap.Monitor;
 using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Samples.Tests.Infrastructure;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Calculation;
 using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Samples.Tests.Monitor.Files;
@@ -71,7 +73,7 @@ public sealed class ConvertTests : IDisposable
     {
         Takes.Actor(60, order: RotationOrder.XYZ).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.bin"]);
-        await ConvertAsync(_folder["take.bin"], _folder["back.bvh"], "--order", "xyz");
+        await ConvertAsync(_folder["take.bin"], _folder["back.bvh"], "--input-order", "xyz");
 
         Assert.Equal(Values(BvhDocument.Load(_folder["take.bvh"])), Values(BvhDocument.Load(_folder["back.bvh"])));
         Assert.True(BvhSkeletonMap.TryCreate(BvhDocument.Load(_folder["back.bvh"]), out BvhSkeletonMap? map, out _));
@@ -165,6 +167,181 @@ public sealed class ConvertTests : IDisposable
         }
     }
 
+    // Rates that no server has, and times that are no round number of ticks.
+    [Theory]
+    [InlineData(60)]
+    [InlineData(90)]
+    [InlineData(120)]
+    [InlineData(59.94)]
+    [InlineData(97.3)]
+    [InlineData(23.976023976023978)]
+    [InlineData(1000)]
+    public async Task Frames_times_and_values_survive_every_way_there_and_back(double rate)
+    {
+        Takes.Actor(100, rate: rate).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
+        await ConvertAsync(_folder["take.nmrec"], _folder["back.bvh"]);
+        AssertSame(BvhDocument.Load(_folder["take.bvh"]), BvhDocument.Load(_folder["back.bvh"]));
+        await ConvertAsync(_folder["back.bvh"], _folder["again.nmrec"]);
+        AssertSameFrames(_folder["take.nmrec"], _folder["again.nmrec"]);
+
+        await ConvertAsync(_folder["take.nmrec"], _folder["take.calc"]);
+        await ConvertAsync(_folder["take.calc"], _folder["calculation.nmrec"]);
+        await ConvertAsync(_folder["calculation.nmrec"], _folder["back.calc"]);
+        Assert.Equal(await File.ReadAllBytesAsync(_folder["take.calc"], Token), await File.ReadAllBytesAsync(_folder["back.calc"], Token));
+        Assert.Equal(Times(_folder["take.nmrec"]), Times(_folder["calculation.nmrec"]));
+        await ConvertAsync(_folder["back.calc"], _folder["again.calculation.nmrec"]);
+        AssertSameFrames(_folder["calculation.nmrec"], _folder["again.calculation.nmrec"]);
+
+        await ConvertAsync(_folder["take.calc"], _folder["poses.bvh"]);
+        Assert.Equal(BvhDocument.Load(_folder["take.bvh"]).FrameTime, BvhDocument.Load(_folder["poses.bvh"]).FrameTime);
+
+        string given = rate.ToString(System.Globalization.CultureInfo.InvariantCulture);
+        await ConvertAsync(_folder["take.nmrec"], _folder["take.bin"]);
+        await ConvertAsync(_folder["take.bin"], _folder["timed.nmrec"], "--rate", given);
+        Assert.Equal(Times(_folder["take.nmrec"]).Select(static time => time / TimeSpan.FromSeconds(1)), Times(_folder["timed.nmrec"]).Select(static time => time / TimeSpan.FromSeconds(1)), new Near(2e-7));
+    }
+
+    [Fact]
+    public async Task The_order_option_writes_another_order_whatever_the_input_is()
+    {
+        Takes.Actor(60).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.bin"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.calc"]);
+        foreach (string input in (string[])["take.bvh", "take.nmrec", "take.bin"])
+        {
+            string output = _folder[input + ".bvh"];
+            await ConvertAsync(_folder[input], output, "--order", "XYZ");
+            Assert.True(BvhSkeletonMap.TryCreate(BvhDocument.Load(output), out BvhSkeletonMap? map, out _));
+            Assert.Equal(RotationOrder.XYZ, map.Format.RotationOrder);
+            AssertSamePoses(BvhDocument.Load(_folder["take.bvh"]), BvhDocument.Load(output), static frame => frame);
+        }
+
+        await ConvertAsync(_folder["take.calc"], _folder["yxz.bvh"]);
+        await ConvertAsync(_folder["take.calc"], _folder["xyz.bvh"], "--order", "XYZ");
+        AssertSamePoses(BvhDocument.Load(_folder["yxz.bvh"]), BvhDocument.Load(_folder["xyz.bvh"]), static frame => frame);
+
+        await ConvertAsync(_folder["take.bvh"], _folder["zyx.nmrec"], "--order", "ZYX");
+        await ConvertAsync(_folder["zyx.nmrec"], _folder["zyx.bvh"]);
+        AssertSamePoses(BvhDocument.Load(_folder["take.bvh"]), BvhDocument.Load(_folder["zyx.bvh"]), static frame => frame);
+    }
+
+    [Theory]
+    [InlineData("--order", "take.bvh", "b.calc")]
+    [InlineData("--order", "take.calc", "b.calc")]
+    [InlineData("--order", "take.calc", "b.nmrec")]
+    [InlineData("--input-order", "take.bvh", "b.nmrec")]
+    [InlineData("--input-order", "take.calc", "b.bvh")]
+    [InlineData("--input-order", "take.nmrec", "b.bin")]
+    public async Task Orders_that_would_do_nothing_are_refused(string option, string input, string output)
+    {
+        Takes.Actor(10).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.calc"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
+        MonitorResult result = await MonitorRunner.RunAsync("--convert", _folder[input], _folder[output], option, "XYZ");
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains(option, Assert.Single(result.Error), StringComparison.Ordinal);
+        Assert.False(File.Exists(_folder[output]));
+    }
+
+    [Fact]
+    public async Task A_clean_conversion_says_so()
+    {
+        Takes.Actor(120).Save(_folder["a.bvh"]);
+        Assert.Equal(
+            "neuron-monitor: b.bvh: 120 frames, 2.000 s at 60 Hz; no gaps; no rows left out; no doubts.",
+            await ConvertAsync(_folder["a.bvh"], _folder["b.bvh"]));
+        Assert.Equal(
+            "neuron-monitor: b.nmrec: 120 frames, 2.000 s at 60 Hz; no gaps; no rows left out; no doubts.",
+            await ConvertAsync(_folder["a.bvh"], _folder["b.nmrec"]));
+        Assert.StartsWith(
+            "neuron-monitor: c.nmrec: 120 frames, 1.983 s; no gaps; no rows left out; no doubts.",
+            await ConvertAsync(_folder["b.nmrec"], _folder["c.nmrec"]),
+            StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_BVH_file_that_was_cut_is_told()
+    {
+        Takes.Actor(358).Save(_folder["whole.bvh"]);
+        string[] lines = await File.ReadAllLinesAsync(_folder["whole.bvh"], Token);
+        int row = 1 + Array.FindIndex(lines, static line => line.StartsWith("Frame Time", StringComparison.Ordinal));
+        string cut = string.Join("\r\n", lines[..(row + 163)]) + "\r\n" + lines[row + 163][..200];
+        _folder.Write("cut.bvh", cut);
+        foreach (string output in (string[])["a.bvh", "a.nmrec", "a.calc", "a.bin"])
+        {
+            string summary = await ConvertAsync(_folder["cut.bvh"], _folder[output]);
+            Assert.Contains(": 163 frames, ", summary, StringComparison.Ordinal);
+            Assert.Matches(@"; 1 row left out; 2 doubts: \(1\) .*, \(2\) ", summary);
+            Assert.Contains("'358' frames are announced and 163 rows are there", summary, StringComparison.Ordinal);
+        }
+    }
+
+    [Fact]
+    public async Task A_damaged_recording_is_told_on_every_way()
+    {
+        Takes.Actor(3000).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
+        byte[] bytes = await File.ReadAllBytesAsync(_folder["take.nmrec"], Token);
+        bytes[bytes.Length / 2] ^= 0x55;
+        await File.WriteAllBytesAsync(_folder["bad.nmrec"], bytes, Token);
+        foreach (string output in (string[])["a.bvh", "a.nmrec", "a.bin"])
+        {
+            string summary = await ConvertAsync(_folder["bad.nmrec"], _folder[output]);
+            Assert.Contains("checksum", summary, StringComparison.Ordinal);
+            Assert.Contains("1 gap", summary, StringComparison.Ordinal);
+        }
+    }
+
+    [Fact]
+    public async Task A_cut_calculation_export_is_told()
+    {
+        Takes.Actor(50, rate: 120).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.calc"]);
+        string text = await File.ReadAllTextAsync(_folder["take.calc"], Token);
+        _folder.Write("cut.calc", text[..(text.Length / 2)]);
+        foreach (string output in (string[])["a.calc", "a.nmrec", "a.bvh"])
+            Assert.Contains("; 1 row left out; 1 doubt: ", await ConvertAsync(_folder["cut.calc"], _folder[output]), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Only_a_file_that_says_no_rate_is_doubted_for_it()
+    {
+        Takes.Actor(50, rate: 120).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.bin"]);
+        Assert.Contains("120 Hz, is assumed", await ConvertAsync(_folder["take.bin"], _folder["d.nmrec"]), StringComparison.Ordinal);
+        Assert.Contains("no doubts", await ConvertAsync(_folder["take.bin"], _folder["e.nmrec"], "--rate", "60"), StringComparison.Ordinal);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.calc"]);
+        string text = await File.ReadAllTextAsync(_folder["take.calc"], Token);
+        _folder.Write("bare.calc", text[(text.IndexOf('\n') + 1)..]);
+
+        Assert.Contains("no doubts", await ConvertAsync(_folder["take.calc"], _folder["a.nmrec"]), StringComparison.Ordinal);
+        Assert.Contains("120 Hz is assumed", await ConvertAsync(_folder["bare.calc"], _folder["b.nmrec"]), StringComparison.Ordinal);
+        Assert.Contains("no doubts", await ConvertAsync(_folder["bare.calc"], _folder["c.nmrec"], "--rate", "60"), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task An_export_of_bone_ends_becomes_no_body_and_keeps_its_rows()
+    {
+        _folder.Write("ends.calc", BoneEnds.Write(60));
+        MonitorResult refused = await MonitorRunner.RunAsync("--convert", _folder["ends.calc"], _folder["ends.bvh"]);
+        Assert.Equal(1, refused.ExitCode);
+        Assert.Contains("the ends of the bones instead of their centres", Assert.Single(refused.Error), StringComparison.Ordinal);
+        Assert.Equal(1, (await MonitorRunner.RunAsync("--plot", _folder["ends.calc"], _folder["ends.svg"])).ExitCode);
+        Assert.Equal(["ends.calc"], _folder.Names);
+
+        await ConvertAsync(_folder["ends.calc"], _folder["ends.nmrec"]);
+        await ConvertAsync(_folder["ends.nmrec"], _folder["back.calc"]);
+        AssertSame(CalculationDocument.Load(_folder["ends.calc"]), CalculationDocument.Load(_folder["back.calc"]));
+
+        MonitorResult info = await MonitorRunner.RunAsync("--info", _folder["ends.calc"]);
+        Assert.Equal(0, info.ExitCode);
+        Assert.Contains(info.Output, static line => line.Contains("the ends of the bones instead of their centres", StringComparison.Ordinal));
+        Assert.Contains(info.Output, static line => line.Contains("0.1736 0.9848 0 in the file's axes", StringComparison.Ordinal));
+        Assert.DoesNotContain(info.Output, static line => line.Contains("upper leg", StringComparison.Ordinal));
+    }
+
     [Fact]
     public async Task Wrong_names_and_options_are_wrong_usage()
     {
@@ -187,7 +364,7 @@ public sealed class ConvertTests : IDisposable
         {
             MonitorResult result = await MonitorRunner.RunAsync(args);
             Assert.True(result.ExitCode == 2, string.Join(' ', args));
-            Assert.Contains("Usage: neuron-monitor", string.Join('\n', result.Error), StringComparison.Ordinal);
+            Assert.EndsWith("neuron-monitor --help lists the options.", Assert.Single(result.Error), StringComparison.Ordinal);
         }
 
         Assert.Equal(["a.bvh"], _folder.Names);
@@ -263,11 +440,15 @@ public sealed class ConvertTests : IDisposable
 
     private static CancellationToken Token => TestContext.Current.CancellationToken;
 
-    private static async Task ConvertAsync(string input, string output, params string[] options)
+    // The line that says what the new file holds.
+    private static async Task<string> ConvertAsync(string input, string output, params string[] options)
     {
         MonitorResult result = await MonitorRunner.RunAsync(["--convert", input, output, .. options]);
-        Assert.Empty(result.Error);
-        Assert.Equal(0, result.ExitCode);
+        Assert.True(result.ExitCode == 0, string.Join('\n', result.Error));
+        Assert.Empty(result.Output);
+        string summary = Assert.Single(result.Error);
+        Assert.StartsWith($"neuron-monitor: {Path.GetFileName(output)}: ", summary, StringComparison.Ordinal);
+        return summary;
     }
 
     private static float[] Row(BvhDocument document, int frame) => document.GetFrame(frame).ToArray();
@@ -291,6 +472,36 @@ public sealed class ConvertTests : IDisposable
         Assert.Equal(expected.FrameCount, actual.FrameCount);
         for (int row = 0; row < expected.FrameCount; row++)
             Assert.Equal(Bits(expected.GetValues(row).ToArray()), Bits(actual.GetValues(row).ToArray()));
+    }
+
+    private static List<TimeSpan> Times(string path) => [.. Frames(path).Select(static frame => frame.Time)];
+
+    private static List<(TimeSpan Time, uint? Index, int[] Values)> Frames(string path)
+    {
+        var frames = new List<(TimeSpan, uint?, int[])>();
+        using RecordedFrameReader reader = RecordedFrameReader.Open(path);
+        while (reader.Read())
+        {
+            float[] values = reader.Frame is MotionFrame motion ? motion.Values.ToArray() : ((CalculationFrame)reader.Frame).Values.ToArray();
+            frames.Add((reader.Time, reader.Frame.FrameIndex, Bits(values)));
+        }
+
+        return frames;
+    }
+
+    private static void AssertSameFrames(string expected, string actual)
+    {
+        List<(TimeSpan Time, uint? Index, int[] Values)> first = Frames(expected);
+        List<(TimeSpan Time, uint? Index, int[] Values)> second = Frames(actual);
+        Assert.Equal(first.Select(static frame => (frame.Time, frame.Index)), second.Select(static frame => (frame.Time, frame.Index)));
+        Assert.Equal(first.SelectMany(static frame => frame.Values), second.SelectMany(static frame => frame.Values));
+    }
+
+    private sealed class Near(double tolerance) : IEqualityComparer<double>
+    {
+        public bool Equals(double x, double y) => Math.Abs(x - y) <= tolerance;
+
+        public int GetHashCode(double obj) => 0;
     }
 
     private static Vector3[][] Joints(BvhDocument document)

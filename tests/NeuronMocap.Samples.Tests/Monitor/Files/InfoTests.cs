@@ -1,7 +1,10 @@
 using System.Numerics;
 using System.Text.Json;
+using System.Text.Json.Nodes;
 using NeuronMocap.Bvh;
 using NeuronMocap.Frames;
+using NeuronMocap.Monitor;
+using NeuronMocap.Monitor.Files.Inspection;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Samples.Tests.Infrastructure;
@@ -60,6 +63,18 @@ public sealed class InfoTests : IDisposable
         Assert.Equal(0.25, info.GetProperty("boneSizes").GetProperty("upperArm").GetDouble(), 1e-6);
         Assert.Equal(10, info.GetProperty("walk").GetProperty("extent").GetProperty("highestZ").GetDouble(), 1e-4);
         Assert.Equal(1, info.GetProperty("walk").GetProperty("highestSpeed").GetDouble(), 1e-3);
+    }
+
+    [Fact]
+    public async Task Programs_get_the_names_of_all_joints()
+    {
+        string[] names = [.. Enumerable.Range(0, 40).Select(static number => $"joint{number}")];
+        string tree = string.Concat(names.Select(static (name, number) => $"{(number == 0 ? "ROOT" : "JOINT")} {name}\n{{\nOFFSET 0 1 0\nCHANNELS 3 Zrotation Yrotation Xrotation\n"));
+        string row = string.Join(' ', Enumerable.Repeat("0", 3 * names.Length));
+        _folder.Write("chain.bvh", $"HIERARCHY\n{tree}End Site\n{{\nOFFSET 0 1 0\n}}\n{new string('}', names.Length).Replace("}", "}\n", StringComparison.Ordinal)}MOTION\nFrames: 1\nFrame Time: 0.01\n{row}\n");
+        JsonElement skeleton = (await JsonAsync("chain.bvh")).GetProperty("skeleton");
+        Assert.Equal(names, skeleton.GetProperty("jointNames").EnumerateArray().Select(static name => name.GetString()));
+        Assert.Contains(await PageAsync("chain.bvh"), static line => line.Contains("joint0, joint1", StringComparison.Ordinal) && line.Contains('…', StringComparison.Ordinal));
     }
 
     [Fact]
@@ -174,6 +189,88 @@ public sealed class InfoTests : IDisposable
         Assert.Equal(60, json.GetProperty("take").GetProperty("frameRate").GetDouble());
     }
 
+    // Of an avatar, a joint, a key of the metadata, a reason: none reaches the terminal as more than letters; JSON has all of it.
+    [Fact]
+    public async Task Text_of_a_file_does_not_steer_the_terminal()
+    {
+        const string Odd = "\e[2J\u009b31m\u202e\r";
+        using (RecordingWriter writer = RecordingWriter.Create(
+            _folder["odd.nmrec"], RecordingMetadata.Empty.With("key" + Odd, "value" + Odd).With(RecordingMetadata.Server, "server" + Odd)))
+        {
+            writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, "local" + Odd, "remote" + Odd));
+            for (uint frame = 0; frame < 20; frame++)
+                writer.WriteBytes(TimeSpan.FromSeconds(frame / 60.0), 0, Packet(0, "A" + Odd, frame));
+
+            writer.CloseConnection(TimeSpan.FromSeconds(2), 0, "gone" + Odd);
+        }
+
+        _folder.Write("odd.bvh", Takes.TwoJoints.Replace("lFoot", "lFoot" + Odd.Replace("\r", "", StringComparison.Ordinal), StringComparison.Ordinal));
+        foreach (string name in (string[])["odd.nmrec", "odd.bvh"])
+        {
+            foreach (string line in await PageAsync(name))
+                Assert.Equal(line, TerminalText.Clean(line));
+
+            MonitorResult json = await MonitorRunner.RunAsync("--info", _folder[name], "--json");
+            Assert.Equal(json.Output[0], TerminalText.Clean(json.Output[0]));
+        }
+
+        Assert.Equal("A" + Odd, (await JsonAsync("odd.nmrec")).GetProperty("take").GetProperty("avatarName").GetString());
+        MonitorResult converted = await MonitorRunner.RunAsync("--convert", _folder["odd.nmrec"], _folder["odd.calc"]);
+        Assert.Equal(Assert.Single(converted.Error), TerminalText.Clean(converted.Error[0]));
+    }
+
+    [Fact]
+    public async Task A_frame_time_of_zero_is_one_oddity()
+    {
+        _folder.Write("zero.bvh", Takes.TwoJoints.Replace("0.04", "0", StringComparison.Ordinal));
+        JsonElement oddities = (await JsonAsync("zero.bvh")).GetProperty("oddities");
+        Assert.Single(oddities.EnumerateArray(), static oddity => oddity.GetProperty("text").GetString()!.Contains("frame time", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public async Task A_recording_of_many_connections_lists_the_first_of_them()
+    {
+        using (RecordingWriter writer = RecordingWriter.Create(_folder["take.nmrec"]))
+        {
+            for (int i = 0; i < 5000; i++)
+            {
+                writer.OpenConnection(TimeSpan.FromMilliseconds(i), new RecordedConnection(i, TransportKind.Tcp, "", $"studio:{i}"));
+                writer.CloseConnection(TimeSpan.FromMilliseconds(i), i, "Reset");
+            }
+        }
+
+        JsonElement json = await JsonAsync("take.nmrec");
+        JsonElement[] connections = [.. json.GetProperty("connections").EnumerateArray()];
+        Assert.Equal(1001, connections.Length);
+        Assert.Equal("more", connections[^1].GetProperty("code").GetString());
+        Assert.Contains("9,000 more", connections[^1].GetProperty("text").GetString(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_recording_whose_blocks_were_taken_out_is_not_taken_for_one_that_was_cut()
+    {
+        using (RecordingWriter writer = RecordingWriter.Create(_folder["take.nmrec"]))
+        {
+            writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, "", ""));
+            for (int i = 0; i < 3; i++)
+            {
+                writer.WriteBytes(TimeSpan.FromMilliseconds(i), 0, FrameServer.Motion((uint)i, new float[354]));
+                writer.Flush();
+            }
+        }
+
+        // The second of the three.
+        byte[] file = await File.ReadAllBytesAsync(_folder["take.nmrec"], TestContext.Current.CancellationToken);
+        byte[] marker = [0xF7, (byte)'N', (byte)'M', (byte)'B'];
+        int first = file.AsSpan(70).IndexOf(marker) + 70;
+        int second = file.AsSpan(first + 1).IndexOf(marker) + first + 1;
+        int third = file.AsSpan(second + 1).IndexOf(marker) + second + 1;
+        await File.WriteAllBytesAsync(_folder["take.nmrec"], [.. file[..second], .. file[third..]], TestContext.Current.CancellationToken);
+        JsonElement json = await JsonAsync("take.nmrec");
+        Assert.True(json.GetProperty("recording").GetProperty("complete").GetBoolean());
+        Assert.Equal("Block 2 is missing before this one.", Assert.Single(json.GetProperty("damage").EnumerateArray()).GetProperty("text").GetString());
+    }
+
     [Fact]
     public async Task A_recording_that_was_cut_says_so()
     {
@@ -276,7 +373,7 @@ public sealed class InfoTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    private static byte[] Packet(uint avatar, string name, uint frame)
+    private static byte[] Packet(int avatar, string name, uint frame)
     {
         MotionFrame upright = Poses.Upright(frame);
         byte[] packet = new byte[upright.Header.PacketSize];
@@ -293,6 +390,46 @@ public sealed class InfoTests : IDisposable
         .SkipWhile(line => after is not null && line != after)
         .First(line => line.StartsWith($"  {label} ", StringComparison.Ordinal))[(label.Length + 2)..]
         .Trim();
+
+    // Dumps of streams that are text and lack what a line begins with.
+    [Theory]
+    [InlineData("", "without the avatar's number and name")]
+    [InlineData("Char00 A ", "begin with a word instead of the avatar's number")]
+    public async Task A_dump_of_text_without_an_avatar_says_what_is_missing(string lead, string said)
+    {
+        string line = lead + string.Join(' ', Enumerable.Range(0, 354).Select(static value => $"{value}.50")) + "||\r\n";
+        await File.WriteAllTextAsync(_folder["text.bin"], string.Concat(Enumerable.Repeat(line, 5)), TestContext.Current.CancellationToken);
+        MonitorResult result = await MonitorRunner.RunAsync("--info", _folder["text.bin"]);
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Empty(result.Output);
+        string error = string.Join(' ', result.Error);
+        Assert.Contains(said, error, StringComparison.Ordinal);
+        Assert.Contains("0 Char00 0.00 93.02", error, StringComparison.Ordinal);
+    }
+
+    // Of one frame whose positions are at the end of what a number can be, the extent has no end.
+    [Fact]
+    public async Task A_take_without_finite_extent_is_JSON_all_the_same()
+    {
+        byte[] packet = new byte[64 + (354 * sizeof(float))];
+        float[] values = [float.MaxValue, -float.MaxValue, float.MaxValue, .. new float[351]];
+        PacketEncoder.WriteMotion(packet, new MotionHeader { Version = DataVersion.New, HasDisplacement = true, AvatarName = new AvatarName("Char00") }, values);
+        await File.WriteAllBytesAsync(_folder["far.bin"], packet, TestContext.Current.CancellationToken);
+        JsonElement json = await JsonAsync("far.bin");
+
+        Assert.Equal("raw", json.GetProperty("kind").GetString());
+    }
+
+    [Fact]
+    public void Numbers_that_JSON_has_no_word_for_are_null()
+    {
+        var report = new InfoReport("a", "raw", "b");
+        report.Section("s", "t").Add("box", "c", "d", new JsonObject { ["low"] = double.NegativeInfinity, ["high"] = 2.5, ["all"] = new JsonArray(float.NaN, 1) });
+
+        JsonElement section = JsonDocument.Parse(InfoJson.Write(report)).RootElement.GetProperty("s");
+        Assert.Equal("""{"low":null,"high":2.5,"all":[null,1]}""", section.GetProperty("box").GetRawText());
+    }
 
     private async Task<string[]> PageAsync(string name, params string[] options)
     {

@@ -14,6 +14,24 @@ public sealed partial class PlotTests : IDisposable
 
     private readonly TemporaryFolder _folder = new();
 
+    public static TheoryData<float, bool, int> AbsurdValues
+    {
+        get
+        {
+            var data = new TheoryData<float, bool, int>();
+            foreach (float value in (float[])[1e12f, 1e38f, float.MaxValue, float.NaN, float.PositiveInfinity, float.Epsilon])
+            {
+                foreach (int channel in (int[])[-1, 0, 1, 2, 3, 30])
+                {
+                    data.Add(value, false, channel);
+                    data.Add(value, true, channel);
+                }
+            }
+
+            return data;
+        }
+    }
+
     [Fact]
     public async Task A_straight_walk_gives_a_straight_path_with_an_even_speed()
     {
@@ -88,6 +106,72 @@ public sealed partial class PlotTests : IDisposable
             Takes.Move(pose, frame is >= 40 and < 60 or 99 ? new Vector3(float.NaN, 0, float.PositiveInfinity) : new Vector3(frame, 0, 0)));
         take.Save(_folder["holes.bvh"]);
         AssertInside(await PlotAsync("holes.bvh"));
+    }
+
+    // A value that no person reaches: in one frame or in all, in one channel or in all.
+    [Theory]
+    [MemberData(nameof(AbsurdValues))]
+    public async Task Absurd_values_end_with_a_picture_of_the_usual_size(float value, bool inAllFrames, int channel)
+    {
+        BvhDocument take = Takes.Actor(20);
+        float[] values = [.. Enumerable.Range(0, take.FrameCount).SelectMany(frame => take.GetFrame(frame).ToArray())];
+        for (int i = 0; i < values.Length; i++)
+        {
+            bool isHit = channel < 0 || i % take.ChannelCount == channel;
+            if (isHit && (inAllFrames || i / take.ChannelCount == 7))
+                values[i] = (i & 1) == 0 ? value : -value;
+        }
+
+        new BvhDocument(take.Hierarchy, take.FrameTime, values).Save(_folder["absurd.bvh"]);
+        AssertInside(await PlotAsync("absurd.bvh"));
+        Assert.InRange(new FileInfo(_folder["absurd.svg"]).Length, 1_000, 400_000);
+        Assert.Equal(["absurd.bvh", "absurd.svg"], _folder.Names);
+    }
+
+    [Theory]
+    [InlineData("0")]
+    [InlineData("1e9")]
+    [InlineData("3600")]
+    [InlineData("1e-6")]
+    [InlineData("-1")]
+    [InlineData("NaN")]
+    public async Task Absurd_frame_times_end_with_a_picture(string time)
+    {
+        _folder.Write("joints.bvh", Takes.TwoJoints.Replace("0.04", time, StringComparison.Ordinal));
+        AssertInside(await PlotAsync("joints.bvh"));
+        Takes.Actor(20).Save(_folder["actor.bvh"]);
+        string text = await File.ReadAllTextAsync(_folder["actor.bvh"], TestContext.Current.CancellationToken);
+        _folder.Write("actor.bvh", text.Replace("0.016667", time, StringComparison.Ordinal));
+        AssertInside(await PlotAsync("actor.bvh"));
+    }
+
+    [Fact]
+    public async Task A_skeleton_of_absurd_size_ends_with_a_picture()
+    {
+        _folder.Write("joints.bvh", Takes.TwoJoints.Replace("0 0 2", "-3e38 3e38 3e38", StringComparison.Ordinal).Replace("1 -10 0", "3e38 -3e38 3e38", StringComparison.Ordinal));
+        AssertInside(await PlotAsync("joints.bvh"));
+        _folder.Write("tiny.bvh", Takes.TwoJoints.Replace("10", "1e-38", StringComparison.Ordinal).Replace("0 0 2", "0 0 1e-40", StringComparison.Ordinal));
+        AssertInside(await PlotAsync("tiny.bvh"));
+    }
+
+    [Fact]
+    public async Task A_skeleton_without_frames_is_told_and_leaves_nothing()
+    {
+        _folder.Write("none.bvh", Takes.TwoJoints[..Takes.TwoJoints.IndexOf("0 10 0 0", StringComparison.Ordinal)]);
+        MonitorResult result = await MonitorRunner.RunAsync("--plot", _folder["none.bvh"], _folder["none.svg"]);
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("no frames", Assert.Single(result.Error), StringComparison.Ordinal);
+        Assert.Equal(["none.bvh"], _folder.Names);
+    }
+
+    [Fact]
+    public async Task A_picture_that_cannot_be_written_is_told_by_its_own_name()
+    {
+        Takes.Actor(2).Save(_folder["a.bvh"]);
+        MonitorResult result = await MonitorRunner.RunAsync("--plot", _folder["a.bvh"], Path.Combine(_folder["nowhere"], "a.svg"));
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("a.svg", Assert.Single(result.Error), StringComparison.Ordinal);
+        Assert.DoesNotContain("part", result.Error[0].Replace("part of the path", "", StringComparison.Ordinal), StringComparison.Ordinal);
     }
 
     [Fact]

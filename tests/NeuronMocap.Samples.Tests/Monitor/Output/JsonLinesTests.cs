@@ -1,16 +1,24 @@
+using System.Diagnostics;
+using System.Net;
+using System.Numerics;
 using System.Text;
 using System.Text.Json;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Monitor.Output;
 using NeuronMocap.Protocol;
+using NeuronMocap.Samples.Tests.Infrastructure;
+using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Samples.Tests.Monitor.Output;
 
 public sealed class JsonLinesTests
 {
-    private readonly JsonLines _lines = new();
+    // What happened before the start has its time.
+    private const string Origin = "\"sender\":0,\"time\":0,\"utc\":\"2026-01-02T03:04:05Z\"";
+
+    private readonly JsonLines _lines = new(new JsonClock(long.MaxValue, new DateTime(2026, 1, 2, 3, 4, 5, DateTimeKind.Utc)));
 
     [Fact]
     public void A_motion_frame_is_one_line_with_all_its_values()
@@ -19,8 +27,52 @@ public sealed class JsonLinesTests
         var frame = new MotionFrame(header, [1.5f, -0f, 0f, 0.1f, 1e-7f, float.MaxValue, float.Epsilon]);
 
         Assert.Equal(
-            """{"type":"frame","avatar":3,"name":"Char00","index":12,"displacement":true,"reference":false,"values":[1.5,-0.0,0,0.1,1E-07,3.4028235E+38,1E-45]}""" + "\n",
+            $$"""{"type":"frame","avatar":3,"name":"Char00","index":12,"displacement":true,"reference":false,{{Origin}},"rotationOrder":"YXZ","timecode":null,"positions":null,"values":[1.5,-0.0,0,0.1,1E-07,3.4028235E+38,1E-45]}""" + "\n",
             Encoding.UTF8.GetString(_lines.Frame(frame)));
+    }
+
+    [Fact]
+    public void A_frame_says_where_its_bones_are_in_the_world()
+    {
+        using var document = JsonDocument.Parse(_lines.Frame(Poses.Upright(x: 25)).ToArray());
+        float[] positions = [.. document.RootElement.GetProperty("positions").EnumerateArray().Select(static value => value.GetSingle())];
+
+        Assert.Equal(59 * 3, positions.Length);
+        Assert.Equal([25, DefaultOffsets.Get(Bone.Hips).Y, 0], positions[..3]);
+        Vector3 knee = DefaultOffsets.Get(Bone.RightUpLeg) + DefaultOffsets.Get(Bone.RightLeg);
+        Assert.Equal(positions[0] + knee.X, positions[3 * (int)Bone.RightLeg], 0.01f);
+        Assert.Equal(positions[1] + knee.Y, positions[(3 * (int)Bone.RightLeg) + 1], 0.01f);
+    }
+
+    [Fact]
+    public void Time_and_timecode_are_those_of_the_frame()
+    {
+        var header = new MotionHeader { Version = DataVersion.Studio, Reserved1 = 0x0A0B0C, Reserved2 = 7 };
+        var frame = new MotionFrame(header, [1]);
+        var lines = new JsonLines(new JsonClock(frame.Timestamp - (Stopwatch.Frequency * 5 / 2), new DateTime(2026, 1, 2, 3, 4, 5, DateTimeKind.Utc)));
+        using var document = JsonDocument.Parse(lines.Frame(frame).ToArray());
+
+        Assert.Equal(2.5, document.RootElement.GetProperty("time").GetDouble());
+        Assert.Equal("2026-01-02T03:04:07.5Z", document.RootElement.GetProperty("utc").GetString());
+        Assert.Equal("10:11:12:07", $"{frame.Timecode}");
+        Assert.Equal("10:11:12:07", document.RootElement.GetProperty("timecode").GetString());
+    }
+
+    [Fact]
+    public void A_skeleton_is_told_once_for_each_avatar_and_again_when_it_changes()
+    {
+        var told = new ToldSkeletons();
+        Assert.True(told.IsNew(Poses.Upright()));
+        Assert.False(told.IsNew(Poses.Upright(index: 1)));
+        Assert.True(told.IsNew(new MotionFrame(new MotionHeader(), new float[354])));
+        Assert.True(told.IsNew(new MotionFrame(new MotionHeader(), new float[354], new SkeletonFormat(RotationOrder.XYZ, SkeletonVariant.Neck1))));
+        Assert.True(told.IsNew(new MotionFrame(new MotionHeader { AvatarIndex = 1 }, new float[354])));
+
+        using var document = JsonDocument.Parse(_lines.Skeleton(Poses.Upright()).ToArray());
+        Assert.Equal("Hips", document.RootElement.GetProperty("bones")[0].GetString());
+        Assert.Equal(-1, document.RootElement.GetProperty("parents")[0].GetInt32());
+        Assert.Equal(59, document.RootElement.GetProperty("bones").GetArrayLength());
+        Assert.Equal(59, document.RootElement.GetProperty("parents").GetArrayLength());
     }
 
     [Fact]
@@ -34,11 +86,11 @@ public sealed class JsonLinesTests
     [Fact]
     public void A_layout_without_a_counter_has_the_index_null()
     {
-        var header = new MotionHeader { Version = DataVersion.Old, AvatarIndex = uint.MaxValue, HasReference = true };
+        var header = new MotionHeader { Version = DataVersion.Old, AvatarIndex = -1, HasReference = true };
         var frame = new MotionFrame(header, [1]);
 
         Assert.Equal(
-            """{"type":"frame","avatar":4294967295,"name":"","index":null,"displacement":false,"reference":true,"values":[1]}""" + "\n",
+            $$"""{"type":"frame","avatar":4294967295,"name":"","index":null,"displacement":false,"reference":true,{{Origin}},"rotationOrder":"YXZ","timecode":null,"positions":null,"values":[1]}""" + "\n",
             Encoding.UTF8.GetString(_lines.Frame(frame)));
     }
 
@@ -49,7 +101,7 @@ public sealed class JsonLinesTests
         var frame = new CalculationFrame(header, [2, -3]);
 
         Assert.Equal(
-            """{"type":"calculation","avatar":1,"name":"a\u0022b","index":4294967295,"values":[2,-3]}""" + "\n",
+            $$"""{"type":"calculation","avatar":1,"name":"a\u0022b","index":4294967295,{{Origin}},"values":[2,-3]}""" + "\n",
             Encoding.UTF8.GetString(_lines.Calculation(frame)));
     }
 
@@ -85,10 +137,16 @@ public sealed class JsonLinesTests
     public void Status_and_summary_are_lines_too()
     {
         Assert.Equal(
-            """{"type":"status","state":"Silent","message":"Nothing.","format":"Text"}""" + "\n",
-            Encoding.UTF8.GetString(_lines.Status(new ConnectionStatus(ConnectionState.Silent, ConnectionReason.NoData, "Nothing.") { Format = StreamFormat.Text })));
+            """{"type":"status","state":"Silent","message":"Nothing.","format":"Text","reason":"no-data","attempt":2,"retryIn":null,"local":"127.0.0.1:7012","remote":null,"receiveBuffer":212992,"time":0,"utc":"2026-01-02T03:04:05Z"}""" + "\n",
+            Encoding.UTF8.GetString(_lines.Status(new ConnectionStatus(ConnectionState.Silent, ConnectionReason.NoData, "Nothing.")
+            {
+                Format = StreamFormat.Text,
+                Attempt = 2,
+                LocalEndPoint = new IPEndPoint(IPAddress.Loopback, 7012),
+                ReceiveBufferSize = 212_992,
+            })));
         Assert.Equal(
-            """{"type":"summary","frames":1,"calculationFrames":2,"lost":3,"dropped":4,"skippedBytes":5,"seconds":0,"gaps":6,"restarts":7,"reconnects":8,"studioCalculationFrames":9}""" + "\n",
+            """{"type":"summary","frames":1,"calculationFrames":2,"lost":3,"dropped":4,"skippedBytes":5,"seconds":0,"gaps":6,"restarts":7,"reconnects":8,"studioCalculationFrames":9,"refusedDatagrams":10,"calculationReconnects":11,"time":0,"utc":"2026-01-02T03:04:05Z"}""" + "\n",
             Encoding.UTF8.GetString(_lines.Summary(
                 new ReaderStatistics
                 {
@@ -101,6 +159,8 @@ public sealed class JsonLinesTests
                     Restarts = 7,
                     Reconnects = 8,
                     StudioCalculationFrames = 9,
+                    RefusedDatagrams = 10,
+                    CalculationReconnects = 11,
                 })));
     }
 
@@ -122,7 +182,7 @@ public sealed class JsonLinesTests
     public void A_line_allocates_nothing_once_there_was_one_like_it()
     {
         var frame = new MotionFrame(
-            new MotionHeader { AvatarName = new AvatarName("Char00"), FrameIndex = 1 }, [.. Enumerable.Range(0, 354).Select(index => index * 0.37f)]);
+            new MotionHeader { Version = DataVersion.Studio, AvatarName = new AvatarName("Char00"), FrameIndex = 1, Reserved1 = 0x0A0B0C }, [.. Enumerable.Range(0, 354).Select(index => index * 0.37f)]);
         _ = _lines.Frame(frame);
 
         // The runtime itself may allocate while it compiles a method anew; a line that allocates does so in every round.

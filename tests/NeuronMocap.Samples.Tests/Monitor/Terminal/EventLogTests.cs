@@ -18,7 +18,7 @@ public sealed class EventLogTests
 
         Assert.Equal(
             [("Connecting.", 1), ("Refused.", 3)],
-            _log.Newest(10).Select(entry => (entry.Status.Message, entry.Count)));
+            _log.Newest(10).Select(entry => (entry.Text, entry.Count)));
     }
 
     [Fact]
@@ -27,7 +27,7 @@ public sealed class EventLogTests
         for (int i = 0; i < 1000; i++)
             Add(ConnectionState.Silent, $"{i}", attempt: 0);
 
-        Assert.Equal(["998", "999"], _log.Newest(2).Select(entry => entry.Status.Message), StringComparer.Ordinal);
+        Assert.Equal(["998", "999"], _log.Newest(2).Select(entry => entry.Text), StringComparer.Ordinal);
         Assert.Equal(100, _log.Newest(1000).Count);
     }
 

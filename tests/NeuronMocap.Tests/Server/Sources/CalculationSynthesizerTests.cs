@@ -19,7 +19,7 @@ public class CalculationSynthesizerTests
             CalculationFrame calculation = Calculate(actor, frame);
             BoneTransform[] world = ActorMeasures.GetWorld(actor, frame);
             foreach (Bone bone in BoneHierarchy.Bones)
-                Assert.True(ActorMeasures.Degrees(world[(int)bone].Rotation, calculation.GetRotation(bone)) < 1e-3);
+                Assert.True(ActorMeasures.Degrees(world[(int)bone].Rotation, calculation.GetSensorRotation(bone)) < 1e-3);
 
             AssertNear(world[(int)Bone.Hips].Position / 100, calculation.GetPosition(Bone.Hips));
             AssertNear(Middle(world, Bone.RightUpLeg, Bone.RightLeg), calculation.GetPosition(Bone.RightUpLeg));

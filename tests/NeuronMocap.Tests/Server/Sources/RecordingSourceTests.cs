@@ -67,6 +67,17 @@ public sealed class RecordingSourceTests
         Assert.Equal(60, source.FrameRate);
     }
 
+    // Filled, it would be two billion frames.
+    [Fact]
+    public void An_index_that_jumps_without_time_passing_fills_no_gap()
+    {
+        using TemporaryFile file = Record([0, 1, 2, 2_000_000_000], static frame => Math.Min(frame, 3));
+        RecordingSource source = RecordingSource.Load(file.Path);
+
+        Assert.Equal((4L, 0L), (source.FrameCount, source.InterpolatedFrames));
+        Assert.False(Assert.Single(source.Gaps).IsFilled);
+    }
+
     [Fact]
     public void A_server_that_sends_every_second_frame_has_half_the_rate_and_no_gaps()
     {
@@ -231,7 +242,7 @@ public sealed class RecordingSourceTests
         var header = new MotionHeader
         {
             HasDisplacement = true,
-            AvatarIndex = (uint)avatar,
+            AvatarIndex = avatar,
             AvatarName = new AvatarName("Char00"),
             FrameIndex = (uint)frame,
         };

@@ -140,6 +140,39 @@ public sealed class TurnableSourceTests
         Assert.Equal(0, Heading(new BoneTransform(default, new Quaternion(actual[7], actual[8], actual[9], actual[6]))), 20.0);
     }
 
+    // A server runs for days, and whoever can connect can ask at every frame.
+    [Fact]
+    public void Very_many_zero_outs_take_no_more_memory()
+    {
+        var turnable = new TurnableSource(CreateSource("actor"));
+        for (long frame = 0; frame < 6 * TurnableSource.MaxTurns; frame++)
+        {
+            PoseOf(turnable, frame);
+            Assert.True(turnable.FaceFront(long.MaxValue));
+        }
+
+        Assert.Equal(TurnableSource.MaxTurns, turnable.TurnCount);
+        Assert.Equal(0, Heading(PoseOf(turnable, 6 * TurnableSource.MaxTurns)[0]), 0.1);
+    }
+
+    [Theory]
+    [InlineData(float.NaN, 0)]
+    [InlineData(0, float.NaN)]
+    [InlineData(float.PositiveInfinity, 0)]
+    [InlineData(float.MaxValue, 0)]
+    public void A_pose_that_is_not_finite_is_not_turned_and_poisons_none_that_follows(float position, float rotation)
+    {
+        var turnable = new TurnableSource(new BrokenPose(badFrame: 1, position, rotation));
+        PoseOf(turnable, 0);
+        Assert.False(turnable.FaceFront(long.MaxValue));
+        PoseOf(turnable, 1);
+        Assert.True(turnable.FaceFront(long.MaxValue));
+
+        BoneTransform hips = PoseOf(turnable, 2)[0];
+        Assert.Equal(0, Heading(hips), 0.1);
+        Assert.Equal(new Vector3(1, 2, 3), hips.Position);
+    }
+
     internal static double Heading(BoneTransform hips)
     {
         Vector3 forward = Vector3.Transform(Vector3.UnitZ, hips.Rotation);
@@ -154,6 +187,26 @@ public sealed class TurnableSourceTests
 
     private static BoneTransform Read(ReadOnlySpan<float> values, RotationOrder order) => new(
         new Vector3(values[0], values[1], values[2]), EulerAngles.ToQuaternion(new Vector3(values[3], values[4], values[5]), order));
+
+    // Somebody who stands at one place and looks to the side, but for one frame.
+    private sealed class BrokenPose(long badFrame, float position, float rotation) : MotionSource
+    {
+        public override double FrameRate => 60;
+
+        public override long? FrameCount => null;
+
+        public override bool HasDisplacement => true;
+
+        public override void GetPose(long frame, Span<BoneTransform> pose)
+        {
+            pose.Fill(BoneTransform.Identity);
+            pose[0] = frame == badFrame
+                ? new BoneTransform(new Vector3(position, 0, 0), new Quaternion(rotation, 0, 0, 1))
+                : new BoneTransform(new Vector3(1, 2, 3), Quaternion.CreateFromAxisAngle(Vector3.UnitY, 1));
+        }
+
+        public override FootContacts GetFootContacts(long frame) => default;
+    }
 
     private static BoneTransform[] PoseOf(MotionSource source, long frame)
     {

@@ -1,0 +1,120 @@
+using System.Collections.Concurrent;
+using NeuronMocap.Compatibility.Callbacks;
+using NeuronMocap.Compatibility.Sockets;
+using NeuronMocap.Compatibility.Tests.Infrastructure;
+using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Compatibility.Tests.Sockets;
+
+// How long closing waits, and that nothing begins once it has returned.
+public sealed class ClosingTests
+{
+    // The vendor's libraries take 50 to 100 ms.
+    [Fact]
+    public void Closing_waits_50_to_100_ms_for_a_callback() =>
+        Assert.InRange(VendorSocket.Patience, TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(100));
+
+    // The system may take the processor away from the receive thread anywhere, and for as long as it likes.
+    [Fact]
+    public async Task A_receive_thread_that_is_held_up_before_its_callback_does_not_call_it_after_closing()
+    {
+        using var server = new TestServer();
+        using var callbacks = new HeldUpCallbacks();
+        var functions = new VendorFunctions(callbacks);
+        IntPtr socket = functions.Connect("127.0.0.1", server.Port);
+        using TestConnection connection = await server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motions(0, 10));
+        await Limits.UntilAsync(() => callbacks.IsHeldUp);
+
+        VendorFunctions.Close(socket);
+        callbacks.Continue();
+        await Limits.UntilAsync(() => EndTests.HasEnded(connection.Socket));
+
+        Assert.Equal(0, callbacks.Frames);
+        Assert.Equal("Service is stoped\n", callbacks.Statuses.Last());
+    }
+
+    [Fact]
+    public async Task Callbacks_may_be_replaced_while_connections_are_closed()
+    {
+        using var log = new CallbackLog();
+        using PacketServer server = await PacketServer.ConnectAsync(log);
+        using var stop = new CancellationTokenSource();
+        int wrong = 0, frames = 0;
+        Task replacing = Task.Factory.StartNew(Replace, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+        for (int i = 0; i < 20; i++)
+        {
+            int before = Volatile.Read(ref frames);
+            await server.SendAsync(TestPackets.Motions(0, 30));
+            await Limits.UntilAsync(() => Volatile.Read(ref frames) > before);
+            NeuronDataReaderWraper.NeuronDataReader.BRCloseSocket(server.Socket);
+            server.Connection.Dispose();
+            await server.ReconnectAsync(log);
+        }
+
+        await stop.CancelAsync();
+        await replacing.Soon();
+        Assert.Equal(0, wrong);
+        Assert.Empty(log.Failures);
+
+        // Each callback has an object of its own.
+        void Replace()
+        {
+            for (int i = 1; !stop.IsCancellationRequested; i++)
+            {
+                IntPtr mine = i;
+                NeuronDataReaderWraper.NeuronDataReader.BRRegisterFrameDataCallback(mine, (customObject, _, _, _) =>
+                {
+                    Interlocked.Increment(ref frames);
+                    if (customObject != mine)
+                        Interlocked.Increment(ref wrong);
+                });
+            }
+        }
+    }
+
+    // Holds the receive thread up where it asks whether a frame is wanted.
+    private sealed class HeldUpCallbacks : IVendorCallbacks, IDisposable
+    {
+        private readonly ManualResetEventSlim _continue = new();
+        private int _frames;
+
+        public bool IsHeldUp { get; private set; }
+
+        public int Frames => Volatile.Read(ref _frames);
+
+        public ConcurrentQueue<string> Statuses { get; } = new();
+
+        public HeaderLayout FrameHeaders => HeaderLayout.New;
+
+        public bool WantsFrames
+        {
+            get
+            {
+                IsHeldUp = true;
+                return _continue.Wait(Limits.Unexpected);
+            }
+        }
+
+        public bool WantsCalculation => true;
+
+        public bool WantsCommands => true;
+
+        public void Continue() => _continue.Set();
+
+        public void OnFrame(IntPtr socket, IntPtr header, IntPtr data) => Interlocked.Increment(ref _frames);
+
+        public void OnCalculation(IntPtr socket, IntPtr header, IntPtr data)
+        {
+        }
+
+        public void OnStatus(IntPtr socket, SocketState status, string message) => Statuses.Enqueue(message);
+
+        public void OnCommand(IntPtr socket, IntPtr header, IntPtr data)
+        {
+        }
+
+        public void Dispose() => _continue.Dispose();
+    }
+}

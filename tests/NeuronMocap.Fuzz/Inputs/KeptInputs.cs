@@ -1,0 +1,24 @@
+namespace NeuronMocap.Fuzz.Inputs;
+
+/// <summary>Inputs that once showed a fault: the files of the folder <c>corpus</c>, small, each named after its target and its fault. They are part of the program.</summary>
+internal static class KeptInputs
+{
+    private const string Prefix = "corpus/";
+
+    /// <summary>Every one with the name of its file, in an order that does not change.</summary>
+    public static IReadOnlyList<(string Name, byte[] Bytes)> All { get; } =
+    [
+        .. typeof(KeptInputs).Assembly.GetManifestResourceNames()
+            .Where(static name => name.StartsWith(Prefix, StringComparison.Ordinal))
+            .Order(StringComparer.Ordinal)
+            .Select(static name => (name[Prefix.Length..], Read(name))),
+    ];
+
+    private static byte[] Read(string name)
+    {
+        using Stream stream = typeof(KeptInputs).Assembly.GetManifestResourceStream(name)!;
+        byte[] bytes = new byte[stream.Length];
+        stream.ReadExactly(bytes);
+        return bytes;
+    }
+}

@@ -1,0 +1,160 @@
+using System.Text.Json;
+using System.Xml;
+using NeuronMocap.Bvh;
+using NeuronMocap.Calculation;
+using NeuronMocap.Fuzz.Inputs;
+using NeuronMocap.Fuzz.Targets;
+using NeuronMocap.Monitor;
+using NeuronMocap.Monitor.Files;
+using NeuronMocap.Recording;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Fuzz.Tools;
+
+/// <summary>
+/// The input as a file that the tools of the monitor read: what they write can be read and is of bounded length, what they say is text that any terminal
+/// can show, a refusal is a sentence, and nothing is left over.
+/// </summary>
+internal sealed class FileToolTarget(FileTask task)
+{
+    private static readonly string[] Kinds = [".bvh", ".nmrec", ".calc", ".bin"];
+    private static readonly double?[] Times = [null, null, null, 0, 0.01, 0.5, 1e9];
+    private static readonly double?[] Rates = [null, null, null, 30, 59.94, 1000];
+
+    private readonly ToolFolder _folder = new();
+    private readonly byte[] _file = new byte[FuzzInput.MaxLength];
+    private readonly CancellationTokenSource _stop = new();
+
+    public long CountOutput() => _folder.CountOutput();
+
+    public void Stop() => _stop.Cancel();
+
+    public void Run(FuzzInput input)
+    {
+        Span<byte> file = _file.AsSpan(0, input.Bytes.Length);
+        input.Bytes.CopyTo(file);
+        if (RecordingReader.IsRecording(file) && input.Random.Below(8) > 0)
+            RecordingChecksums.Mend(file);
+
+        using (FileStream target = File.Create(_folder.Input))
+            target.Write(file);
+
+        // A file says when it was written, which a conversion keeps.
+        File.SetLastWriteTimeUtc(_folder.Input, DateTime.UnixEpoch.AddYears(50));
+        FileSettings settings = Choose(ref input.Random);
+        int others = -1;
+        try
+        {
+            input.Found += Run(settings, input) ? 1 : 0;
+        }
+        finally
+        {
+            others = _folder.CleanUp(settings.Output);
+        }
+
+        WrongResultException.ThrowUnless(others == 0, "{0} files are left over.", others);
+    }
+
+    private FileSettings Choose(ref FuzzRandom random)
+    {
+        string? output = task switch
+        {
+            FileTask.Info => null,
+            FileTask.Plot => _folder.OutputPath(".svg"),
+            _ => _folder.OutputPath(random.Choose(Kinds)),
+        };
+        var settings = new FileSettings(task, _folder.Input, output) { Overwrite = true, Json = task == FileTask.Info && random.Below(2) == 0 };
+        if (task == FileTask.Info)
+            return settings;
+
+        double? from = random.Choose(Times);
+        double? to = random.Choose(Times);
+        settings = settings with { From = from, To = to is null || to > (from ?? 0) ? to : null };
+        return task == FileTask.Plot ? settings : settings with
+        {
+            Rate = random.Choose(Rates),
+            RotationOrder = random.Below(4) == 0 ? random.Choose(Enum.GetValues<RotationOrder>()) : null,
+        };
+    }
+
+    // Whether the tool did what it was to do. If not, it says why in one line.
+    private bool Run(FileSettings settings, FuzzInput input)
+    {
+        using var output = new MemoryStream();
+        using var error = new StringWriter();
+        using var streams = new StandardStreams(output, error, IsTerminal: input.Random.Below(2) == 0) { Columns = 80 };
+        int code = new FileRun(settings, streams).RunAsync(_stop.Token).GetAwaiter().GetResult();
+        input.Digest.Add((long)code);
+        if (code != 0)
+        {
+            CheckRefusal(error.ToString());
+            return false;
+        }
+
+        if (settings.Output is not { } path)
+            CheckPage(output.GetBuffer().AsSpan(0, (int)output.Length), settings.Json, streams.IsTerminal);
+        else if (settings.Task == FileTask.Plot)
+            CheckDrawing(path);
+        else
+            CheckFile(path);
+
+        input.Digest.Add(settings.Output is { } written ? new FileInfo(written).Length : output.Length);
+        return true;
+    }
+
+    private static void CheckRefusal(string error)
+    {
+        WrongResultException.ThrowUnless(error.StartsWith("neuron-monitor: ", StringComparison.Ordinal) && error.Length < 2_000, "A refusal says: {0}", error);
+        foreach (char letter in error.AsSpan().TrimEnd("\r\n"))
+            WrongResultException.ThrowUnless(!char.IsControl(letter), "A refusal has the character U+{0:X4}.", (int)letter);
+    }
+
+    private static void CheckPage(ReadOnlySpan<byte> page, bool isJson, bool isTerminal)
+    {
+        WrongResultException.ThrowUnless(page.Length is > 0 and < 4 * 1024 * 1024, "{0} bytes are said.", page.Length);
+        if (isJson)
+        {
+            var reader = new Utf8JsonReader(page);
+            while (reader.Read())
+            {
+                // It is JSON to its end.
+            }
+
+            return;
+        }
+
+        // On a terminal the program itself writes colours.
+        foreach (char letter in System.Text.Encoding.UTF8.GetString(page))
+            WrongResultException.ThrowUnless(isTerminal || letter == '\n' || !char.IsControl(letter), "The character U+{0:X4} reaches the output.", (int)letter);
+    }
+
+    private static void CheckDrawing(string path)
+    {
+        using var reader = XmlReader.Create(path);
+        while (reader.Read())
+        {
+            // It is XML to its end.
+        }
+    }
+
+    private static void CheckFile(string path)
+    {
+        switch (Path.GetExtension(path))
+        {
+            case ".bvh":
+                _ = BvhDocument.Load(path);
+                break;
+            case ".calc":
+                _ = CalculationDocument.Load(path);
+                break;
+            case ".nmrec":
+                using (RecordingReader reader = RecordingReader.Open(path))
+                    WrongResultException.ThrowUnless(reader.IsComplete && reader.Problems.Count == 0, "The recording that was written is not whole.");
+
+                break;
+            default:
+                WrongResultException.ThrowUnless(new FileInfo(path).Length > 0, "An empty file is written.");
+                break;
+        }
+    }
+}

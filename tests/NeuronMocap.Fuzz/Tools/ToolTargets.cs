@@ -1,0 +1,26 @@
+using NeuronMocap.Fuzz.Inputs;
+using NeuronMocap.Monitor.Files;
+
+namespace NeuronMocap.Fuzz.Tools;
+
+/// <summary>The tools for files of the monitor, run in this process.</summary>
+internal static class ToolTargets
+{
+    private const long Allocated = 48 * 1024 * 1024;
+
+    public static IReadOnlyList<FuzzTarget> All { get; } = [Create("info", FileTask.Info), Create("convert", FileTask.Convert), Create("plot", FileTask.Plot)];
+
+    private static FuzzTarget Create(string name, FileTask task)
+    {
+        var target = new Lazy<FileToolTarget>(() => new FileToolTarget(task));
+        return new FuzzTarget(name, CorpusKind.Files, () => target.Value.Run)
+        {
+            Share = 0.25,
+            AllocatesOnOtherThreads = true,
+            AllocatedPerInput = Allocated,
+            AllocatedPerByte = 4096,
+            Stop = () => target.Value.Stop(),
+            CountOutput = () => target.IsValueCreated ? target.Value.CountOutput() : 0,
+        };
+    }
+}

@@ -1,0 +1,60 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Tests.Recording;
+
+namespace NeuronMocap.Tests.Bvh;
+
+// What a disk without room leaves of a file.
+public sealed class BvhFullDiskTests
+{
+    private const int Rows = 60;
+
+    private static readonly BvhDocument TwoRows = BvhSamples.Parse(BvhSamples.TwoRows);
+
+    [Fact]
+    public void A_disk_that_is_full_at_any_byte_leaves_the_rows_that_are_told()
+    {
+        using var whole = new MemoryStream();
+        using (BvhWriter writer = Begin(whole))
+            WriteRows(writer);
+
+        int cut = 0;
+        int length = whole.ToArray().Length;
+        for (int room = 0; room < length; room += 7)
+        {
+            var disk = new FullStream(room);
+            BvhWriter writer = Begin(disk);
+            Assert.Throws<IOException>(() => WriteRows(writer));
+            Assert.Throws<IOException>(writer.Flush);
+            writer.Dispose();
+            byte[] left = disk.ToArray();
+            Assert.InRange(left.Length, 0, room);
+            if (left.Length == 0)
+            {
+                Assert.Equal(0, writer.FrameCount);
+                continue;
+            }
+
+            BvhDocument read = BvhDocument.Parse(left);
+            Assert.DoesNotContain(read.Repairs, repair => !repair.Description.Contains("no frames", StringComparison.OrdinalIgnoreCase));
+            Assert.Equal(writer.FrameCount, read.FrameCount);
+            for (int frame = 0; frame < read.FrameCount; frame++)
+                Assert.Equal(TwoRows.GetFrame(frame % 2).ToArray(), read.GetFrame(frame).ToArray());
+
+            cut += read.FrameCount > 0 ? 1 : 0;
+        }
+
+        Assert.True(cut > 100);
+    }
+
+    private static BvhWriter Begin(Stream stream) => new(stream, TwoRows.Hierarchy, BvhFrameTime.Default);
+
+    private static void WriteRows(BvhWriter writer)
+    {
+        for (int i = 0; i < Rows; i++)
+        {
+            writer.WriteFrame(TwoRows.GetFrame(i % 2));
+            if (i % 5 == 4)
+                writer.Flush();
+        }
+    }
+}

@@ -1,0 +1,152 @@
+using System.Globalization;
+using System.Text;
+using NeuronMocap.Bvh;
+
+namespace NeuronMocap.Tests.Bvh;
+
+/// <summary>White space in every shape between every two tokens of a file.</summary>
+public class BvhWhiteSpaceTests
+{
+    // A space where at least one white space character has to stand, a middle dot where it has to stay on the line, and ~ where none has to stand.
+    private const string File =
+        "~HIERARCHY ROOT·Hips~{~OFFSET 1 2.5 -3 CHANNELS 3 Xposition Yrotation Zrotation JOINT·Spine~{~OFFSET 4 5 6 CHANNELS 1 Xrotation "
+        + "End·Site~{~OFFSET 7 8 9~}~}~}~MOTION Frames:·2 Frame·Time:·0.01 1·2·3·4\n5·6·7·8\n";
+
+    private static readonly string[] SameLine = [" ", "\t", "  ", " \t", "\t ", "\v", "\f", new(' ', 40)];
+
+    private static readonly string[] LineEnds =
+        ["\n", "\r\n", "\r", "\n\n", "\r\n\r\n", "\r\r", "\n\r", " \n", "\n ", "\r\n\t", "\r  ", "\t\r\n \t\n", "\n" + new string(' ', 16), "\n" + new string('\t', 17)];
+
+    private static readonly int[] Gaps = [.. File.Select(static (letter, index) => (letter, index)).Where(static pair => pair.letter is ' ' or '·' or '~').Select(static pair => pair.index)];
+
+    public static TheoryData<int> GapPlaces => [.. Gaps];
+
+    [Theory]
+    [MemberData(nameof(GapPlaces))]
+    public void Every_white_space_between_two_tokens_gives_the_same_take(int gap)
+    {
+        string expected = Describe(BvhDocument.Parse(Encoding.ASCII.GetBytes(Write(gap, " "))));
+        string[] shapes = File[gap] switch
+        {
+            '~' => ["", .. SameLine, .. LineEnds],
+            ' ' => [.. SameLine, .. LineEnds],
+            _ => SameLine,
+        };
+        foreach (string shape in shapes)
+            AssertReads(Write(gap, shape), expected);
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData(" ")]
+    [InlineData("\t")]
+    [InlineData("\n")]
+    [InlineData("\r\n")]
+    [InlineData("\r")]
+    [InlineData("\r\n \t")]
+    public void The_same_white_space_between_all_tokens_gives_the_same_take(string shape)
+    {
+        string expected = Describe(BvhDocument.Parse(Encoding.ASCII.GetBytes(Write(-1, ""))));
+        AssertReads(Write(-1, shape), expected);
+    }
+
+    // Where a line must not break, it is repaired or refused with its place, and nothing else.
+    [Theory]
+    [MemberData(nameof(GapPlaces))]
+    public void White_space_where_it_does_not_belong_is_repaired_or_refused(int gap)
+    {
+        foreach (string shape in (string[])["", .. LineEnds])
+            BvhReadings.AssertAlike(Encoding.ASCII.GetBytes(Write(gap, shape)), seed: gap);
+    }
+
+    // A name may stand on the line below its keyword.
+    [Theory]
+    [InlineData("\n")]
+    [InlineData("\r\n")]
+    [InlineData("\r")]
+    public void A_name_may_stand_on_the_next_line(string lineEnd)
+    {
+        string expected = Describe(BvhDocument.Parse(Encoding.ASCII.GetBytes(Write(-1, ""))));
+        AssertReads(Write(File.IndexOf('·', StringComparison.Ordinal), lineEnd), expected);
+    }
+
+    [Theory]
+    [InlineData("{OFFSET", "    ")]
+    [InlineData("{ OFFSET", "    ")]
+    [InlineData("{\nOFFSET", "")]
+    [InlineData("{\n\t\tOFFSET", "\t\t")]
+    [InlineData("{\r\n  OFFSET", "  ")]
+    [InlineData("{\r OFFSET", " ")]
+    [InlineData("{ CHANNELS 0 OFFSET", "    ")]
+    [InlineData("{\n \n  CHANNELS 0\n   OFFSET", "   ")]
+    public void The_indentation_is_what_stands_before_the_first_offset_on_its_line(string text, string indentation)
+    {
+        byte[] file = Encoding.ASCII.GetBytes($"HIERARCHY\nROOT i\n{text} 0 0 0\n}}");
+        BvhDocument document = BvhDocument.Parse(file);
+
+        Assert.Equal(indentation, document.TextFormat.Indentation);
+        BvhReadings.AssertAlike(file, seed: 1);
+    }
+
+    [Fact]
+    public void The_smallest_file_with_an_offset_behind_its_brace_is_read()
+    {
+        byte[] file = "HIERARCHY\nROOT i\n{OFFSET"u8.ToArray();
+        Assert.Equal(24, file.Length);
+        Assert.Equal("i", Assert.Single(BvhDocument.Parse(file).Joints).Name);
+        BvhReadings.AssertAlike(file, seed: 1);
+    }
+
+    private static void AssertReads(string text, string expected)
+    {
+        byte[] file = Encoding.ASCII.GetBytes(text);
+        BvhReadings.AssertAlike(file, seed: text.Length);
+        BvhDocument document = BvhDocument.Parse(file);
+        Assert.Empty(document.Repairs);
+        Assert.Equal(expected, Describe(document));
+
+        using var written = new MemoryStream();
+        document.Save(written);
+        Assert.Equal(expected, Describe(BvhDocument.Parse(written.ToArray())));
+        for (int split = 0; split <= file.Length; split++)
+            AssertSplit(file, split, expected);
+    }
+
+    private static void AssertSplit(byte[] file, int split, string expected)
+    {
+        int pieces = 0;
+        Assert.Equal(expected, Describe(BvhDocument.Load(new PieceStream(file, () => pieces++ == 0 ? split : file.Length))));
+    }
+
+    private static string Write(int gap, string shape)
+    {
+        var text = new StringBuilder();
+        for (int i = 0; i < File.Length; i++)
+        {
+            bool isGap = i == gap;
+            text.Append(File[i] switch
+            {
+                '~' => isGap || gap < 0 ? shape : "",
+                ' ' when isGap => shape,
+                ' ' => gap < 0 && shape.Length > 0 ? shape : " ",
+                '·' => isGap ? shape : " ",
+                _ => File[i].ToString(),
+            });
+        }
+
+        return text.ToString();
+    }
+
+    private static string Describe(BvhDocument document)
+    {
+        var text = new StringBuilder();
+        foreach (BvhJoint joint in document.Joints)
+            text.Append(CultureInfo.InvariantCulture, $"{joint.Name} < {joint.Parent?.Name} {joint.Offset} {joint.EndSite} {string.Join(' ', joint.Channels)}\n");
+
+        text.Append(CultureInfo.InvariantCulture, $"{document.FrameRate}: ");
+        for (int frame = 0; frame < document.FrameCount; frame++)
+            text.AppendJoin(' ', document.GetFrame(frame).ToArray()).Append('\n');
+
+        return text.ToString();
+    }
+}

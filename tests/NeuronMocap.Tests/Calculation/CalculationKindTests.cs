@@ -1,0 +1,161 @@
+using System.Numerics;
+using System.Text;
+using NeuronMocap.Calculation;
+using NeuronMocap.Frames;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tests.Calculation;
+
+/// <summary>What an export's header says, which kind of export it is, and lengths that nobody has.</summary>
+public sealed class CalculationKindTests
+{
+    public static TheoryData<string> Takes => [.. CalculationText.Takes];
+
+    [Theory]
+    [InlineData(240, false)]
+    [InlineData(12, false)]
+    [InlineData(1, true)]
+    [InlineData(60, true)]
+    public void Ends_of_bones_are_not_taken_for_their_centres(int frames, bool stands)
+    {
+        CalculationDocument document = Parse(BoneEnds.Write(frames, stands));
+        Assert.Equal(frames, document.FrameCount);
+        string message = Assert.Throws<CalculationFormatException>(() => CalculationSkeleton.Measure(document)).Message;
+        Assert.Contains("the ends of the bones instead of their centres", message, StringComparison.Ordinal);
+        Assert.Throws<CalculationFormatException>(() => new CalculationSource(document));
+    }
+
+    [Theory]
+    [InlineData(240, false)]
+    [InlineData(1, false)]
+    [InlineData(60, true)]
+    public void Centres_of_bones_are_not_taken_for_their_ends(int frames, bool stands)
+    {
+        var actor = new SyntheticActor(120);
+        using var text = new MemoryStream();
+        using (var writer = new CalculationFileWriter(text, CalculationFrame.FullValueCount, leaveOpen: true))
+        {
+            float[] values = new float[writer.ValueCount];
+            for (int frame = 0; frame < frames; frame++)
+            {
+                CalculationSynthesizer.Write(actor, stands ? 0 : frame, values);
+                CalculationAxes.Export.ConvertFromBvh(values);
+                writer.WriteFrame(values);
+            }
+        }
+
+        Assert.Empty(CalculationSkeleton.Measure(CalculationDocument.Parse(text.ToArray())).Doubts);
+    }
+
+    [Theory, MemberData(nameof(Takes))]
+    public void Real_takes_have_centres_and_no_doubts(string name)
+    {
+        CalculationDocument document = CalculationDocument.Load(Infrastructure.Fixtures.Require("calc", name));
+        Assert.Empty(CalculationSkeleton.Measure(document).Doubts);
+        Assert.Null(document.InitialDirection);
+        Assert.Null(document.DeclaredFrameRate);
+        Assert.Equal(120, document.FrameRate);
+    }
+
+    [Fact]
+    public void Lengths_that_nobody_has_are_told()
+    {
+        var actor = new SyntheticActor(120);
+        using var text = new MemoryStream();
+        using (var writer = new CalculationFileWriter(text, CalculationFrame.FullValueCount, leaveOpen: true))
+        {
+            float[] values = new float[writer.ValueCount];
+            for (int frame = 0; frame < 240; frame++)
+            {
+                CalculationSynthesizer.Write(actor, frame, values);
+                foreach (Bone bone in (Bone[])[Bone.LeftLeg, Bone.LeftFoot])
+                {
+                    for (int i = 0; i < 3; i++)
+                    {
+                        int thigh = (CalculationOrder.IndexOf(Bone.LeftUpLeg) * 16) + i;
+                        int value = (CalculationOrder.IndexOf(bone) * 16) + i;
+                        values[value] = values[thigh] + (2 * (values[value] - values[thigh]));
+                    }
+                }
+
+                CalculationAxes.Export.ConvertFromBvh(values);
+                writer.WriteFrame(values);
+            }
+        }
+
+        IReadOnlyList<string> doubts = CalculationSkeleton.Measure(CalculationDocument.Parse(text.ToArray())).Doubts;
+        Assert.Contains(doubts, static doubt => doubt.Contains("lower leg", StringComparison.Ordinal));
+        Assert.DoesNotContain(doubts, static doubt => doubt.Contains("arm", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void The_header_of_a_server_is_read()
+    {
+        CalculationDocument document = Parse(BoneEnds.Write(2));
+        Assert.Equal(new Vector3(0.1736f, 0.9848f, 0), document.InitialDirection);
+        Assert.Null(document.DeclaredFrameRate);
+        using var copy = new MemoryStream();
+        document.Save(copy);
+        Assert.StartsWith("Zd:\t0.1736\t0.9848\t0.0000\r\nbones:\t59\r\n", Encoding.ASCII.GetString(copy.ToArray()), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(60)]
+    [InlineData(59.94)]
+    [InlineData(23.976023976023978)]
+    [InlineData(1e-3)]
+    [InlineData(99999.5)]
+    public void The_rate_is_kept_in_the_header(double rate)
+    {
+        CalculationDocument first = Parse(BoneEnds.Write(2));
+        CalculationTextFormat format = first.TextFormat.WithFrameRate(120).WithFrameRate(rate);
+        using var text = new MemoryStream();
+        first.Save(text, format);
+        CalculationDocument again = CalculationDocument.Parse(text.ToArray());
+
+        Assert.Equal(rate, again.DeclaredFrameRate);
+        Assert.Equal(rate, again.FrameRate);
+        Assert.Equal(first.InitialDirection, again.InitialDirection);
+        Assert.Equal(first.GetValues(1).ToArray(), again.GetValues(1).ToArray());
+        Assert.Equal(50, CalculationDocument.Parse(text.ToArray(), new CalculationReadOptions { FrameRate = 50 }).FrameRate);
+        Assert.Equal(first.TextFormat.Header.Length, format.Header.Length - Encoding.ASCII.GetString(format.Header.Span).Split('\n')[^2].Length - 1);
+    }
+
+    [Theory]
+    [InlineData("Frame Rate: x")]
+    [InlineData("Frame Rate: -1")]
+    [InlineData("Frame Rate: NaN")]
+    [InlineData("Frame Rate: 1e300")]
+    [InlineData("Frame Rate:")]
+    [InlineData("Zd: 1 2")]
+    [InlineData("Zd: 1 2 NaN")]
+    public void A_header_that_makes_no_sense_says_nothing(string line)
+    {
+        string bare = BoneEnds.Write(1);
+        CalculationDocument document = Parse(line + "\n" + bare[bare.IndexOf("bones", StringComparison.Ordinal)..]);
+        Assert.Equal(120, document.FrameRate);
+        Assert.Null(document.DeclaredFrameRate);
+        Assert.Null(document.InitialDirection);
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(-1)]
+    [InlineData(double.NaN)]
+    [InlineData(double.PositiveInfinity)]
+    public void No_layout_has_a_rate_that_is_none(double rate) =>
+        Assert.Throws<ArgumentOutOfRangeException>(() => CalculationTextFormat.AxisNeuron.WithFrameRate(rate));
+
+    [Fact]
+    public void Rows_that_are_left_out_are_counted()
+    {
+        string text = BoneEnds.Write(3);
+        CalculationDocument document = Parse(text + "1 2 x\r\n" + text[..^20][text.LastIndexOf("\r\n", text.Length - 3, StringComparison.Ordinal)..]);
+        Assert.Equal(3, document.FrameCount);
+        Assert.Equal(2, document.LeftOutRowCount);
+        Assert.Equal(2, document.RepairCount);
+    }
+
+    private static CalculationDocument Parse(string text) => CalculationDocument.Parse(Encoding.ASCII.GetBytes(text));
+}

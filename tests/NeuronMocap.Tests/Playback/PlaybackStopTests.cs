@@ -1,0 +1,61 @@
+using NeuronMocap.Playback;
+
+namespace NeuronMocap.Tests.Playback;
+
+// A place that takes long to find is not waited for by whoever ends the playback.
+public sealed class PlaybackStopTests
+{
+    [Theory, InlineData(true), InlineData(false)]
+    public async Task A_long_seek_ends_with_the_reader_or_the_player(bool disposesPlayer)
+    {
+        var source = new EndlessSource();
+        using var player = new RecordingPlayer(source, new PlaybackOptions());
+        await using var reader = new NeuronReader(player);
+        player.Pause();
+        player.Seek(TimeSpan.FromMinutes(30));
+        reader.Start();
+        await Limits.UntilAsync(() => source.Reads > 1000);
+
+        if (disposesPlayer)
+            player.Dispose();
+        else
+            await reader.DisposeAsync();
+
+        await reader.Completion.Soon();
+        await Limits.UntilAsync(() => !source.IsReading);
+    }
+
+    // Holds nothing but the instant zero, without end.
+    private sealed class EndlessSource() : ArrivalSource("endless")
+    {
+        private readonly byte[] _bytes = new byte[8];
+        private long _reads;
+        private long _lastRead;
+
+        public long Reads => Interlocked.Read(ref _reads);
+
+        // Whether it was read since the last time.
+        public bool IsReading
+        {
+            get
+            {
+                long reads = Reads;
+                bool isReading = reads != _lastRead;
+                _lastRead = reads;
+                return isReading;
+            }
+        }
+
+        public override TimeSpan Duration => TimeSpan.FromHours(1);
+
+        public override Arrival Read() => Interlocked.Increment(ref _reads) == 1
+            ? new Arrival(ArrivalKind.Opened, TimeSpan.Zero)
+            : new Arrival(ArrivalKind.Bytes, TimeSpan.Zero) { Bytes = new ArraySegment<byte>(_bytes) };
+
+        public override bool Seek(TimeSpan time) => true;
+
+        public override void Dispose()
+        {
+        }
+    }
+}

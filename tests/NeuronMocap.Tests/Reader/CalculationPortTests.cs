@@ -1,0 +1,358 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Delivery;
+using NeuronMocap.Playback;
+using NeuronMocap.Recording;
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Commands;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Reader;
+
+// Motion and calculation data from a port each, as servers usually send them.
+public sealed class CalculationPortTests : IDisposable
+{
+    private const int Frames = 200;
+
+    private readonly TestServer _motion = new();
+    private readonly TestServer _calculation = new();
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("neuron-calculation-port");
+
+    private string Recording => Path.Combine(_folder.FullName, "take.nmrec");
+
+    public void Dispose()
+    {
+        _motion.Dispose();
+        _calculation.Dispose();
+        _folder.Delete(recursive: true);
+    }
+
+    [Theory]
+    [InlineData(TransportKind.Tcp)]
+    [InlineData(TransportKind.Udp)]
+    public async Task Frames_of_both_ports_come_to_all_consumers_with_one_source(TransportKind transport)
+    {
+        List<int> motionSources = [], calculationSources = [];
+        FrameQueue? queue = null;
+        LatestFrames? latest = null;
+        (NeuronReader reader, Broadcaster broadcaster) = await ServeAsync(transport, reader =>
+        {
+            queue = reader.OpenQueue(4 * Frames);
+            latest = reader.OpenLatest();
+            reader.MotionReceived += frame => motionSources.Add(frame.Source);
+            reader.CalculationReceived += frame => calculationSources.Add(frame.Source);
+        });
+        await using NeuronReader reading = reader;
+        await using Broadcaster serving = broadcaster;
+        await Limits.UntilAsync(() => reader.GetStatistics() is { MotionFrames: Frames, CalculationFrames: Frames });
+
+        int motion = 0, calculation = 0;
+        await Limits.UntilAsync(() => queue!.Pump(frame => motion++, frame => calculation++) >= 0 && motion == Frames && calculation == Frames);
+        Assert.True(latest!.TryTakeMotion(0, out _) && latest.TryTakeCalculation(0, out _));
+        Assert.Equal([0], motionSources.Concat(calculationSources).Distinct());
+        Assert.Equal((Frames, Frames), (motionSources.Count, calculationSources.Count));
+        Assert.Equal(0, reader.GetStatistics().Lost);
+        Assert.Equal(2, reader.GetAvatarStatistics().Count);
+    }
+
+    [Fact]
+    public async Task A_refused_calculation_port_is_told_and_does_not_stop_the_motion()
+    {
+        int port = _calculation.Port;
+        _calculation.Dispose();
+        NeuronReaderOptions options = _motion.Options(reconnect: true);
+        options.CalculationPort = port;
+        await using var reader = new NeuronReader(options);
+        var log = new StatusLog(reader);
+        reader.Start();
+        using TestConnection connection = await _motion.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motions(0, 10));
+        await reader.WaitForFramesAsync(10);
+
+        ConnectionStatus told = await log.WaitAsync(status => status is { State: ConnectionState.Receiving, Reason: ConnectionReason.CalculationUnavailable });
+        Assert.Contains($"Calculation port {port}: connection refused.", told.Message, StringComparison.Ordinal);
+        await Limits.UntilAsync(() => reader.CalculationStatus is { State: ConnectionState.Waiting, Reason: ConnectionReason.Refused, Attempt: > 3 });
+        Assert.True(log.All.Count < 12, string.Join('\n', log.All));
+
+        // It comes later.
+        using var server = new TestServer(IPAddress.Loopback, port);
+        using TestConnection late = await server.AcceptAsync();
+        await late.SendAsync(TestPackets.Calculation(1));
+        ConnectionStatus receiving = await log.WaitAsync(status => status is { State: ConnectionState.Receiving, Reason: ConnectionReason.None } && status.Message.Contains($"{port}: receiving.", StringComparison.Ordinal));
+        Assert.Equal(1, reader.GetStatistics().CalculationFrames);
+        Assert.Contains("Receiving from", receiving.Message, StringComparison.Ordinal);
+    }
+
+    // Each change of the calculation port tells the first connection's state again.
+    [Fact]
+    public async Task A_calculation_port_that_comes_and_goes_asks_the_command_channel_nothing_again()
+    {
+        using CommandScript commands = FormatDiscoveryTests.Commands(new SkeletonFormat(RotationOrder.ZXY, SkeletonVariant.Spine3));
+        NeuronReaderOptions options = _motion.Options(reconnect: true);
+        (options.CommandPort, options.CalculationPort) = (commands.Port, _calculation.Port);
+        int connected = 0;
+        await using var reader = new NeuronReader(options);
+        reader.StatusChanged += status => connected += status.State == ConnectionState.Connected ? 1 : 0;
+        reader.Start();
+        using TestConnection motion = await _motion.AcceptAsync();
+        await Limits.UntilAsync(() => reader.Format.Findings.Variant is not null);
+        for (int told = 0; told < 4; told = Volatile.Read(ref connected))
+        {
+            using TestConnection calculation = await _calculation.AcceptAsync();
+            await Limits.UntilAsync(() => reader.CalculationStatus is { State: ConnectionState.Connected });
+        }
+
+        // One more on purpose: those before it have been asked by then.
+        using TestConnection last = await _calculation.AcceptAsync();
+        await Limits.UntilAsync(() => reader.CalculationStatus is { State: ConnectionState.Connected });
+        Assert.Equal(2, commands.Requests);
+    }
+
+    [Fact]
+    public void An_ordinary_stop_is_not_told_as_a_lack_of_calculation_data()
+    {
+        List<ConnectionStatus> told = [];
+        var joint = new JointStatus(told.Add, 7003);
+        var receiving = new ConnectionStatus(ConnectionState.Receiving, ConnectionReason.None, "Receiving.");
+        var stopped = new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller.");
+        joint.OnFirst(receiving);
+        joint.OnCalculation(receiving);
+        joint.OnCalculation(stopped);
+        joint.OnFirst(stopped);
+        Assert.DoesNotContain(told, static status => status.Reason == ConnectionReason.CalculationUnavailable);
+        Assert.Equal(ConnectionState.Stopped, told[^1].State);
+    }
+
+    [Fact]
+    public async Task Each_connection_reconnects_by_itself()
+    {
+        await using NeuronReader reader = CreateReader(TransportKind.Tcp, reconnect: true);
+        reader.Start();
+        using TestConnection motion = await _motion.AcceptAsync();
+        for (int i = 0; i < 5; i++)
+        {
+            using TestConnection calculation = await _calculation.AcceptAsync();
+            await calculation.SendAsync(TestPackets.Calculation(i));
+            await motion.SendAsync(TestPackets.Motion(i));
+            await Limits.UntilAsync(() => reader.GetStatistics().CalculationFrames == i + 1 && reader.GetStatistics().MotionFrames == i + 1);
+        }
+
+        ReaderStatistics statistics = reader.GetStatistics();
+        Assert.Equal((0L, 4L, 0L), (statistics.Reconnects, statistics.CalculationReconnects, statistics.Lost));
+    }
+
+    [Fact]
+    public async Task A_silent_calculation_port_is_told_though_motion_arrives()
+    {
+        await using NeuronReader reader = CreateReader(TransportKind.Tcp, silence: TimeSpan.FromMilliseconds(100));
+        var log = new StatusLog(reader);
+        reader.Start();
+        using TestConnection motion = await _motion.AcceptAsync();
+        using TestConnection calculation = await _calculation.AcceptAsync();
+        Task<ConnectionStatus> told = log.WaitAsync(status => status is { State: ConnectionState.Receiving, Reason: ConnectionReason.CalculationUnavailable });
+        for (int i = 0; !told.IsCompleted; i++)
+        {
+            await motion.SendAsync(TestPackets.Motion(i));
+            await Task.Delay(1, TestContext.Current.CancellationToken);
+        }
+
+        Assert.Contains($"Calculation port {_calculation.Port}: Connected to", (await told).Message, StringComparison.Ordinal);
+        Assert.Equal(ConnectionState.Silent, reader.CalculationStatus!.Value.State);
+    }
+
+    [Fact]
+    public async Task Motion_on_the_calculation_port_is_skipped_and_told()
+    {
+        await using NeuronReader reader = CreateReader(TransportKind.Tcp, silence: TimeSpan.FromMilliseconds(100));
+        reader.Start();
+        using TestConnection motion = await _motion.AcceptAsync();
+        using TestConnection calculation = await _calculation.AcceptAsync();
+        await calculation.SendAsync(TestPackets.Motions(0, 10));
+        await motion.SendAsync(TestPackets.Motions(0, 10));
+        await reader.WaitForFramesAsync(10);
+        await Limits.UntilAsync(() => reader.GetStatistics().SkippedBytes == 10 * 1480);
+        await Limits.UntilAsync(() => reader.CalculationStatus is { State: ConnectionState.Silent, Reason: ConnectionReason.UnknownFormat });
+        Assert.Contains("motion data", reader.CalculationStatus!.Value.Message, StringComparison.Ordinal);
+        Assert.Equal(10, reader.GetStatistics().MotionFrames);
+    }
+
+    // Both threads deliver as fast as they can: what is behind them has one producer at a time.
+    [Fact]
+    public async Task Two_busy_connections_lose_nothing_and_keep_their_order()
+    {
+        const int Many = 5_000;
+        await using NeuronReader reader = CreateReader(TransportKind.Tcp);
+        using FrameQueue queue = reader.OpenQueue(2 * Many);
+        int inside = 0, overlaps = 0;
+        void Count()
+        {
+            overlaps += Interlocked.Increment(ref inside) > 1 ? 1 : 0;
+            Interlocked.Decrement(ref inside);
+        }
+
+        reader.MotionReceived += _ => Count();
+        reader.CalculationReceived += _ => Count();
+        reader.Start();
+        using TestConnection motion = await _motion.AcceptAsync();
+        using TestConnection calculation = await _calculation.AcceptAsync();
+        Task sending = Task.Run(async () =>
+        {
+            for (int i = 0; i < Many; i++)
+                await motion.SendAsync(TestPackets.Motion(i));
+        });
+        for (int i = 0; i < Many; i++)
+            await calculation.SendAsync(TestPackets.Calculation(i, count: 338));
+
+        await sending.Soon();
+        await Limits.UntilAsync(() => reader.GetStatistics() is { MotionFrames: Many, CalculationFrames: Many });
+        List<uint?> motionIndices = [], calculationIndices = [];
+        await Limits.UntilAsync(() => queue.Count == 2 * Many);
+        queue.Pump(frame => motionIndices.Add(frame.FrameIndex), frame => calculationIndices.Add(frame.FrameIndex));
+        Assert.Equal(Enumerable.Range(0, Many).Select(i => (uint?)i), motionIndices);
+        Assert.Equal(Enumerable.Range(0, Many).Select(i => (uint?)i), calculationIndices);
+        Assert.Equal((0, 0L, 0L), (overlaps, reader.GetStatistics().Lost, reader.GetStatistics().Dropped));
+    }
+
+    [Theory]
+    [InlineData(TransportKind.Tcp)]
+    [InlineData(TransportKind.Udp)]
+    public async Task A_recording_keeps_both_ports_and_plays_both(TransportKind transport)
+    {
+        StreamRecorder? started = null;
+        (NeuronReader reader, Broadcaster broadcaster) = await ServeAsync(transport, reader => started = reader.StartRecording(Recording));
+        await using (reader)
+        await using (broadcaster)
+        {
+            StreamRecorder recorder = started!;
+            await Limits.UntilAsync(() => reader.GetStatistics() is { MotionFrames: Frames, CalculationFrames: Frames });
+            recorder.Dispose();
+            Assert.Equal(0, recorder.GetStatistics().LostPieces);
+        }
+
+        using (var frames = RecordedFrameReader.Open(Recording))
+        {
+            while (frames.Read())
+                Assert.Equal(0, frames.Frame.Source);
+
+            ReaderStatistics read = frames.Statistics;
+            Assert.Equal((Frames, Frames, 0L, 0L, 0L), (read.MotionFrames, read.CalculationFrames, read.Lost, read.SkippedBytes, read.Reconnects));
+        }
+
+        using var player = RecordingPlayer.Open(Recording);
+        player.Speed = RecordingPlayer.MaxSpeed;
+        await using var playing = new NeuronReader(player);
+        playing.Start();
+        await playing.Completion.Soon();
+        ReaderStatistics played = playing.GetStatistics();
+        Assert.Equal((Frames, Frames, 0L, 0L, 0L), (played.MotionFrames, played.CalculationFrames, played.Lost, played.SkippedBytes, played.Reconnects));
+    }
+
+    [Fact]
+    public async Task A_restarted_server_of_two_udp_ports_goes_on_with_both()
+    {
+        await using NeuronReader reader = CreateReader(TransportKind.Udp);
+        for (int i = 1; i <= 2; i++)
+        {
+            await using Broadcaster broadcaster = await SendToAsync(reader);
+            await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == i * Frames && reader.GetStatistics().CalculationFrames == i * Frames);
+        }
+
+        Assert.Equal([0], reader.GetAvatarStatistics().Select(avatar => avatar.Source).Distinct());
+        Assert.Equal(2, reader.GetAvatarStatistics().Count);
+    }
+
+    [Fact]
+    public async Task Both_connections_end_with_the_reader()
+    {
+        NeuronReader reader = CreateReader(TransportKind.Tcp);
+        reader.Start();
+        using TestConnection motion = await _motion.AcceptAsync();
+        using TestConnection calculation = await _calculation.AcceptAsync();
+        await reader.DisposeAsync();
+        await Limits.UntilAsync(() => calculation.Socket.Poll(0, SelectMode.SelectRead));
+        Assert.Equal(ConnectionState.Stopped, reader.Status.State);
+        Assert.Equal(ConnectionState.Stopped, reader.CalculationStatus!.Value.State);
+    }
+
+    [Fact]
+    public async Task The_same_port_is_one_connection()
+    {
+        NeuronReaderOptions options = _motion.Options();
+        options.CalculationPort = options.Port;
+        await using var reader = new NeuronReader(options);
+        Assert.Null(reader.CalculationStatus);
+        reader.Start();
+        using TestConnection connection = await _motion.AcceptAsync();
+        await connection.SendAsync(TestPackets.Join(TestPackets.Motion(1), TestPackets.Calculation(1)));
+        await Limits.UntilAsync(() => reader.GetStatistics() is { MotionFrames: 1, CalculationFrames: 1 });
+    }
+
+    [Theory]
+    [InlineData(TransportKind.Tcp, 0)]
+    [InlineData(TransportKind.Tcp, 65536)]
+    [InlineData(TransportKind.Udp, -1)]
+    public void A_port_out_of_range_is_refused(TransportKind transport, int port)
+    {
+        var options = new NeuronReaderOptions { Transport = transport, CalculationPort = port };
+        Assert.Contains("CalculationPort", Assert.Throws<ArgumentException>(() => new NeuronReader(options)).Message, StringComparison.Ordinal);
+    }
+
+    private NeuronReader CreateReader(TransportKind transport, bool reconnect = false, TimeSpan? silence = null) => new(new NeuronReaderOptions
+    {
+        Transport = transport,
+        LocalAddress = transport == TransportKind.Udp ? IPAddress.Loopback : null,
+        Port = transport == TransportKind.Udp ? 0 : _motion.Port,
+        CalculationPort = transport == TransportKind.Udp ? 0 : _calculation.Port,
+        SilenceTimeout = silence ?? TimeSpan.FromSeconds(60),
+        Reconnect = { Enabled = reconnect, InitialDelay = TimeSpan.FromMilliseconds(1), MaxDelay = TimeSpan.FromMilliseconds(5) },
+    });
+
+    // A real server and a reader of it, which is prepared before the first frame.
+    private async Task<(NeuronReader Reader, Broadcaster Server)> ServeAsync(TransportKind transport, Action<NeuronReader> prepare)
+    {
+        if (transport == TransportKind.Udp)
+        {
+            NeuronReader listening = CreateReader(transport);
+            prepare(listening);
+            return (listening, await SendToAsync(listening));
+        }
+
+        BroadcasterOptions options = Options();
+        (options.Port, options.CalculationPort, options.WaitForClient) = (0, 0, true);
+        var server = new Broadcaster(options);
+        server.Start();
+        var reader = new NeuronReader(new NeuronReaderOptions
+        {
+            Port = server.LocalEndPoint!.Port,
+            CalculationPort = server.CalculationEndPoint!.Port,
+            SilenceTimeout = TimeSpan.FromSeconds(60),
+        });
+        prepare(reader);
+        reader.Start();
+        return (reader, server);
+    }
+
+    private static async Task<Broadcaster> SendToAsync(NeuronReader reader)
+    {
+        await reader.StartAsync().Soon();
+        await Limits.UntilAsync(() => reader.CalculationStatus?.LocalEndPoint is not null);
+        BroadcasterOptions options = Options();
+        options.Port = null;
+        options.UdpDestinations = [(IPEndPoint)reader.Status.LocalEndPoint!];
+        options.CalculationPort = ((IPEndPoint)reader.CalculationStatus!.Value.LocalEndPoint!).Port;
+        var server = new Broadcaster(options);
+        server.Start();
+        return server;
+    }
+
+    private static BroadcasterOptions Options() => new()
+    {
+        Sources = [new SyntheticActor()],
+        Rate = 500,
+        FrameLimit = Frames,
+        Calculation = CalculationSynthesizer.Write,
+    };
+}

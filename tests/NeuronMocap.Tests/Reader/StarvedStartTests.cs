@@ -1,0 +1,49 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Tests.Reader;
+
+// A program may start its reader while all its pool threads are blocked, and shall get its frames all the same.
+[Collection(nameof(Alone))]
+public sealed partial class StarvedStartTests
+{
+    private const int MostStarts = 3;
+
+    private static readonly TimeSpan Soon = TimeSpan.FromSeconds(5);
+
+    [Theory]
+    [InlineData("127.0.0.1")]
+    [InlineData("localhost")]
+    public async Task A_reader_starts_and_receives_without_a_thread_of_the_pool(string host)
+    {
+        using var warm = new NeuronReader(host); // what is loaded with the first reader needs no pool, but time
+        await StarvedPool.RunAsync(() =>
+        {
+            using var listener = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+            listener.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+            listener.Listen(1);
+            using var received = new CountdownEvent(3);
+            using NeuronReader reader = StartUntilConnected(host, listener, received);
+            using Socket connection = listener.Accept();
+            connection.Send(TestPackets.Motions(0, 3));
+            Assert.True(received.Wait(Limits.Unexpected), $"{reader.Status}");
+        });
+    }
+
+    // A task that ends in the very moment in which it is awaited makes the runtime ask the pool for a thread. That is rare; the next start then does without.
+    private static NeuronReader StartUntilConnected(string host, Socket listener, CountdownEvent received)
+    {
+        for (int start = 1; ; start++)
+        {
+            var reader = new NeuronReader(new NeuronReaderOptions { Host = host, Port = ((IPEndPoint)listener.LocalEndPoint!).Port, Reconnect = { Enabled = false } });
+            reader.MotionReceived += _ => received.Signal();
+            reader.Start();
+            if (listener.Poll(start < MostStarts ? Soon : Limits.Unexpected, SelectMode.SelectRead))
+                return reader;
+
+            reader.Dispose();
+            Assert.True(start < MostStarts, "nobody connected");
+        }
+    }
+}

@@ -1,0 +1,92 @@
+using NeuronMocap.Recording;
+
+namespace NeuronMocap.Tests.Recording;
+
+/// <summary>Hostile recordings cost a bounded number of bytes read for each of their own. Counted, not timed.</summary>
+public class RecordingWorkTests
+{
+    private const int Blocks = 2_000;
+
+    // What is looked at for the next block, and again when the file is read after it was looked through.
+    private const long MostOfEachBlock = 8 * 4096;
+
+    // Payloads that are checked although another block may begin within.
+    private const long MostLookedInto = 17 * 1024 * 1024;
+
+    [Theory]
+    [InlineData(0, 0)]
+    [InlineData(0, 1)]
+    [InlineData(1, 1)]
+    [InlineData(40, 3)]
+    public void Blocks_with_garbage_between_them_cost_a_few_looks_at_each(int length, int garbage)
+    {
+        byte[] file = CreateFile(size: length + garbage, length);
+        Assert.InRange(CountRead(file), file.Length, Blocks * MostOfEachBlock);
+    }
+
+    // Each header announces a payload that reaches over thousands of others.
+    [Theory]
+    [InlineData(10_000)]
+    [InlineData(60_000)]
+    public void Blocks_that_overlap_cost_a_bounded_number_of_looks(int length)
+    {
+        byte[] file = CreateFile(size: 1, length);
+        Assert.InRange(CountRead(file), file.Length, (Blocks * MostOfEachBlock) + MostLookedInto);
+    }
+
+    [Fact]
+    public void Markers_without_blocks_are_looked_at_once()
+    {
+        byte[] file = [.. Head(out _), .. Enumerable.Range(0, 100_000).SelectMany(static _ => BlockHeader.Marker.ToArray())];
+        Assert.InRange(CountRead(file), file.Length, 8L * file.Length);
+    }
+
+    private static byte[] CreateFile(int size, int length)
+    {
+        byte[] head = Head(out uint seed);
+        byte[] block = new byte[RecordingLayout.BlockHeaderSize + size];
+        new BlockHeader(BlockKind.Entries, BlockEncoding.Plain, 0, length, 0, Checksum: 1).Write(block, seed);
+        return [.. head, .. Enumerable.Range(0, Blocks).SelectMany(_ => block), .. new byte[length]];
+    }
+
+    // Of a recording without an entry.
+    private static byte[] Head(out uint seed)
+    {
+        var file = new MemoryStream();
+        new RecordingWriter(file, RecordingMetadata.Empty).Dispose();
+        byte[] head = file.ToArray()[..RecordingLayout.FileHeaderSize];
+        RecordingHeader.Read(head, out seed);
+        return head;
+    }
+
+    private static long CountRead(byte[] file)
+    {
+        using var stream = new CountingStream(file);
+        using RecordingReader reader = RecordingReader.Open(stream);
+        while (reader.TryRead(out _))
+        {
+            // To the end.
+        }
+
+        return stream.BytesRead;
+    }
+
+    private sealed class CountingStream(byte[] bytes) : MemoryStream(bytes, writable: false)
+    {
+        public long BytesRead { get; private set; }
+
+        public override int Read(byte[] buffer, int offset, int count)
+        {
+            int read = base.Read(buffer, offset, count);
+            BytesRead += read;
+            return read;
+        }
+
+        public override int Read(Span<byte> buffer)
+        {
+            int read = base.Read(buffer);
+            BytesRead += read;
+            return read;
+        }
+    }
+}

@@ -1,0 +1,267 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Server;
+using NeuronMocap.Server.Sources;
+
+namespace NeuronMocap.Tests.Server;
+
+// Calculation packets alone: on a port of their own beside the motion, or without it.
+public sealed class BroadcasterCalculationPortTests
+{
+    private const int Frames = 50;
+
+    public static MatrixTheoryData<double, BroadcastFormat> Streams { get; } =
+        new([BroadcasterOptions.MaxRate, 2000], [BroadcastFormat.Binary, BroadcastFormat.Studio]);
+
+    [Theory, MemberData(nameof(Streams))]
+    public async Task Each_port_carries_its_own_packets_of_every_frame(double rate, BroadcastFormat format)
+    {
+        BroadcasterOptions options = Options(rate, format);
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient motion = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        using TestClient calculation = await TestClient.ConnectAsync(broadcaster.CalculationEndPoint);
+        Task<List<byte[]>> reading = calculation.ReadToEndAsync();
+        List<byte[]> motionPackets = await motion.ReadToEndAsync();
+        List<byte[]> calculationPackets = await reading.Soon();
+        motion.Dispose();
+        calculation.Dispose();
+        await broadcaster.Completion.Soon();
+
+        Expect.MotionFrames(motionPackets, options, Frames);
+        Expect.CalculationFrames(calculationPackets, options, Frames);
+        BroadcasterStatistics statistics = broadcaster.Statistics;
+        Assert.Equal((2L * Frames, 2L * Frames, 0L), (statistics.FramesSent, statistics.CalculationFramesSent, statistics.PacketsDropped));
+        Assert.Equal((2L, 0, 0), (statistics.Accepted, statistics.Clients, statistics.CalculationClients));
+    }
+
+    [Theory]
+    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(2000)]
+    public async Task Text_has_a_port_for_each_kind_of_line(double rate)
+    {
+        BroadcasterOptions options = Options(rate, BroadcastFormat.Text);
+        await using Broadcaster broadcaster = Started(options);
+        Task<string> calculation = TextClient.ReadToEndAsync(broadcaster.CalculationEndPoint);
+        string[] motionLines = (await TextClient.ReadToEndAsync(broadcaster.LocalEndPoint).Soon()).Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        string[] calculationLines = (await calculation.Soon()).Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        await broadcaster.Completion.Soon();
+
+        Assert.Equal(2 * Frames, motionLines.Length);
+        Assert.All(motionLines, line => Assert.EndsWith("||\r", line, StringComparison.Ordinal));
+        Assert.Equal(2 * Frames, calculationLines.Length);
+        Assert.All(calculationLines, line => Assert.Equal(946, TextClient.ParseColumns(line).Length));
+    }
+
+    [Theory]
+    [InlineData(BroadcasterOptions.MaxRate, null)]
+    [InlineData(2000, null)]
+    [InlineData(2000, 1000)]
+    public async Task Calculation_can_be_sent_alone(double rate, int? fragment)
+    {
+        BroadcasterOptions options = Options(rate, BroadcastFormat.Binary);
+        options.CalculationPort = null;
+        options.Motion = false;
+        options.Fragment = fragment;
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        List<byte[]> packets = await client.ReadToEndAsync();
+
+        Expect.CalculationFrames(packets, options, Frames);
+        Assert.Null(broadcaster.CalculationEndPoint);
+        Assert.Equal((0L, 2L * Frames), (broadcaster.Statistics.FramesSent, broadcaster.Statistics.CalculationFramesSent));
+    }
+
+    [Theory]
+    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(2000)]
+    public async Task Over_udp_calculation_comes_from_a_socket_of_its_own_to_its_port_of_each_destination(double rate)
+    {
+        using Socket motion = Receiver();
+        using Socket calculation = Receiver();
+        BroadcasterOptions options = Options(rate, BroadcastFormat.Binary);
+        options.Port = null;
+        options.WaitForClient = false;
+        options.UdpDestinations = [(IPEndPoint)motion.LocalEndPoint!];
+        options.CalculationPort = ((IPEndPoint)calculation.LocalEndPoint!).Port;
+        options.FrameLimit = 10;
+        await using Broadcaster broadcaster = Started(options);
+        (List<byte[]> motionPackets, HashSet<EndPoint> motionSenders) = await ReceiveAsync(motion, 20);
+        (List<byte[]> calculationPackets, HashSet<EndPoint> calculationSenders) = await ReceiveAsync(calculation, 20);
+        await broadcaster.Completion.Soon();
+
+        Expect.MotionFrames(motionPackets, options, 10);
+        Expect.CalculationFrames(calculationPackets, options, 10);
+        Assert.NotEqual(Assert.Single(motionSenders), Assert.Single(calculationSenders));
+        Assert.Null(broadcaster.CalculationEndPoint);
+        Assert.Equal((20L, 20L), (broadcaster.Statistics.FramesSent, broadcaster.Statistics.CalculationFramesSent));
+    }
+
+    [Fact]
+    public async Task The_same_udp_port_gets_both_from_two_sockets()
+    {
+        using Socket receiver = Receiver();
+        BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, BroadcastFormat.Binary);
+        options.Port = null;
+        options.WaitForClient = false;
+        options.UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!];
+        options.CalculationPort = ((IPEndPoint)receiver.LocalEndPoint!).Port;
+        options.FrameLimit = 10;
+        await using Broadcaster broadcaster = Started(options);
+        (List<byte[]> packets, HashSet<EndPoint> senders) = await ReceiveAsync(receiver, 40);
+
+        Assert.Equal(2, senders.Count);
+        Expect.MotionFrames([.. packets.Where(packet => packet.Length == 1480)], options, 10);
+        Expect.CalculationFrames([.. packets.Where(packet => packet.Length != 1480)], options, 10);
+    }
+
+    [Fact]
+    public async Task Receivers_of_both_ports_are_told_apart_and_each_port_has_its_own_limit()
+    {
+        BroadcasterOptions options = Options(2000, BroadcastFormat.Binary);
+        options.WaitForClient = false;
+        options.FrameLimit = null;
+        options.MaxClients = 1;
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient calculation = await TestClient.ConnectAsync(broadcaster.CalculationEndPoint, allowsCutEnd: true);
+        Assert.NotNull(await calculation.ReadAsync());
+        using TestClient motion = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
+        Assert.NotNull(await motion.ReadAsync());
+        using TestClient refused = await TestClient.ConnectAsync(broadcaster.CalculationEndPoint);
+        await Limits.UntilAsync(() => broadcaster.Statistics.Refused == 1);
+
+        Assert.Equal((2, 1), (broadcaster.Statistics.Clients, broadcaster.Statistics.CalculationClients));
+        await Limits.UntilAsync(() => broadcaster.GetClients().All(client => client.FramesSent + client.CalculationFramesSent > 0));
+        BroadcasterClient[] clients = [.. broadcaster.GetClients().OrderBy(client => client.IsCalculation)];
+        Assert.Equal([false, true], clients.Select(client => client.IsCalculation));
+        Assert.Equal([motion.Socket.LocalEndPoint, calculation.Socket.LocalEndPoint], clients.Select(client => client.RemoteEndPoint));
+        Assert.Equal((0L, 0L), (clients[0].CalculationFramesSent, clients[1].FramesSent));
+        Assert.True(clients[0].FramesSent > 0 && clients[1].CalculationFramesSent > 0);
+    }
+
+    // A take without pace ends only when both ports have had a client: the second may come when the first has been served.
+    [Fact]
+    public async Task A_take_without_pace_waits_for_a_client_of_each_port()
+    {
+        BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, BroadcastFormat.Binary);
+        await using Broadcaster broadcaster = Started(options);
+        using (TestClient motion = await TestClient.ConnectAsync(broadcaster.LocalEndPoint))
+            Expect.MotionFrames(await motion.ReadToEndAsync(), options, Frames);
+
+        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 0);
+        using (TestClient calculation = await TestClient.ConnectAsync(broadcaster.CalculationEndPoint))
+            Expect.CalculationFrames(await calculation.ReadToEndAsync(), options, Frames);
+
+        await broadcaster.Completion.Soon();
+    }
+
+    [Fact]
+    public async Task An_avatar_that_is_turned_is_turned_on_both_ports_from_the_same_frame_on()
+    {
+        BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, BroadcastFormat.Binary);
+        var actor = new SyntheticActor();
+        options.Sources = [actor];
+        options.Calculation = CalculationSynthesizer.Write;
+        options.Rate = 500;
+        options.FrameLimit = 40;
+        await using Broadcaster broadcaster = Started(options);
+        using TestClient motion = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        using TestClient calculation = await TestClient.ConnectAsync(broadcaster.CalculationEndPoint);
+        for (int i = 0; i < 10; i++)
+            Assert.NotNull(await motion.ReadAsync());
+
+        Assert.True(broadcaster.ZeroOut(0));
+        List<byte[]> turnedMotion = await motion.ReadToEndAsync();
+        List<byte[]> turnedCalculation = await calculation.ReadToEndAsync();
+        uint lastFrame = Expect.FrameIndex(turnedMotion[^1]);
+        float[] values = new float[946];
+        CalculationSynthesizer.Write(actor, lastFrame, values);
+        Assert.NotEqual(BitConverter.ToSingle(turnedCalculation[^1], 64 + (6 * 4)), values[6]);
+        Assert.Equal(40, turnedCalculation.Count);
+    }
+
+    [Fact]
+    public void A_port_that_is_taken_is_named_and_the_broadcaster_can_be_started_again()
+    {
+        using var other = new TcpListener(IPAddress.Loopback, 0);
+        other.Start();
+        BroadcasterOptions options = Options(2000, BroadcastFormat.Binary);
+        options.CalculationPort = ((IPEndPoint)other.LocalEndpoint).Port;
+        using var broadcaster = new Broadcaster(options);
+        BroadcasterException exception = Assert.Throws<BroadcasterException>(broadcaster.Start);
+        Assert.Equal("CalculationPort", exception.Setting);
+        Assert.Contains("CalculationPort", exception.Message, StringComparison.Ordinal);
+        Assert.Null(broadcaster.LocalEndPoint);
+        other.Stop();
+        broadcaster.Start();
+        Assert.Equal(options.CalculationPort, broadcaster.CalculationEndPoint!.Port);
+    }
+
+    [Fact]
+    public void Settings_that_contradict_each_other_are_refused_and_named()
+    {
+        AssertRefused("CalculationPort", options => options.CalculationPort = 65_536);
+        AssertRefused("CalculationPort", options => options.Calculation = null);
+        AssertRefused("CalculationPort", options => options.Motion = false);
+        AssertRefused("CalculationPort", options => options.CalculationPort = options.Port = 7001);
+        AssertRefused("CalculationPort", options => options.UdpDestinations = [new IPEndPoint(IPAddress.Loopback, 7001)]);
+        AssertRefused("Motion", options => (options.Motion, options.CalculationPort, options.Calculation) = (false, null, null));
+    }
+
+    private static void AssertRefused(string setting, Action<BroadcasterOptions> change)
+    {
+        BroadcasterOptions options = Options(2000, BroadcastFormat.Binary);
+        change(options);
+        Assert.Equal(setting, Assert.Throws<ArgumentException>(() => new Broadcaster(options)).ParamName);
+    }
+
+    private static BroadcasterOptions Options(double rate, BroadcastFormat format)
+    {
+        BroadcasterOptions options = Expect.Options(avatars: 2, frames: Frames);
+        options.Rate = rate;
+        options.Format = format;
+        options.CalculationPort = 0;
+        options.WaitForClient = true;
+        options.QueueLength = 1000;
+        if (format == BroadcastFormat.Studio)
+            options.StudioCalculation = static (_, frame, payload) => payload.Fill((byte)frame);
+        else
+            options.Calculation = format == BroadcastFormat.Text ? CalculationSynthesizer.Write : TestSource.WriteCalculation;
+
+        if (format == BroadcastFormat.Text)
+            options.Sources = [.. Enumerable.Range(0, 2).Select(avatar => new SyntheticActor(avatar: avatar))];
+
+        options.FrameLimit = Frames;
+        return options;
+    }
+
+    private static Broadcaster Started(BroadcasterOptions options)
+    {
+        var broadcaster = new Broadcaster(options);
+        broadcaster.Start();
+        return broadcaster;
+    }
+
+    // Room for all that a test sends: nothing is lost on the way to a socket whose buffer is not full.
+    private static Socket Receiver()
+    {
+        var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ReceiveBufferSize = 1_000_000 };
+        socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+        return socket;
+    }
+
+    private static async Task<(List<byte[]> Packets, HashSet<EndPoint> Senders)> ReceiveAsync(Socket socket, int count)
+    {
+        byte[] buffer = new byte[65_536];
+        var packets = new List<byte[]>();
+        var senders = new HashSet<EndPoint>();
+        while (packets.Count < count)
+        {
+            SocketReceiveFromResult result = await socket.ReceiveFromAsync(
+                buffer.AsMemory(), SocketFlags.None, new IPEndPoint(IPAddress.Any, 0), TestContext.Current.CancellationToken).Soon();
+            packets.Add(buffer[..result.ReceivedBytes]);
+            senders.Add(result.RemoteEndPoint);
+        }
+
+        return (packets, senders);
+    }
+}
