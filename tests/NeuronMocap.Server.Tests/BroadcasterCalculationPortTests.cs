@@ -1,9 +1,9 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Server;
 using NeuronMocap.Server.Sources;
+using NeuronMocap.Tests.Server;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 // Calculation packets alone: on a port of their own beside the motion, or without it.
 public sealed class BroadcasterCalculationPortTests

@@ -1,7 +1,7 @@
 using System.Net.Sockets;
-using NeuronMocap.Server;
+using NeuronMocap.Tests.Server;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 // Clients that misbehave, at both kinds of rate, each beside one that must not notice.
 public sealed class BroadcasterClientTests

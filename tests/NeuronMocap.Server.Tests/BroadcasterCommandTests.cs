@@ -3,11 +3,12 @@ using System.Text;
 using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
-using NeuronMocap.Server;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Commands;
+using NeuronMocap.Tests.Server;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 // Commands of the old generation, which share the connection with the frames.
 public sealed class BroadcasterCommandTests
@@ -34,9 +35,9 @@ public sealed class BroadcasterCommandTests
         (List<DataCommandReply> replies, List<byte[]> frames) = await ReadRepliesAsync(client, 5);
         int frequency = double.IsInfinity(rate) ? 60 : 500;
 
-        Assert.Equal(Commands.DataReplies.AvatarCount(2), replies[0].Packet.ToArray());
-        Assert.Equal(Commands.DataReplies.Frequency(1, frequency), replies[1].Packet.ToArray());
-        Assert.Equal(Commands.DataReplies.CombinationMode(1, 2), replies[2].Packet.ToArray());
+        Assert.Equal(DataReplies.AvatarCount(2), replies[0].Packet.ToArray());
+        Assert.Equal(DataReplies.Frequency(1, frequency), replies[1].Packet.ToArray());
+        Assert.Equal(DataReplies.CombinationMode(1, 2), replies[2].Packet.ToArray());
         AssertBones(replies[3]);
         AssertText(replies[4]);
         Expect.Frames(frames[..(frames.Count / 2 * 2)], options, frames.Count / 2);

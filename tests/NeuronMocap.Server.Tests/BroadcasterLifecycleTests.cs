@@ -1,10 +1,10 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Protocol;
-using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Server;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 public sealed class BroadcasterLifecycleTests
 {

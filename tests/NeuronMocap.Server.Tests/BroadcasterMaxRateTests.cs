@@ -1,8 +1,8 @@
 using NeuronMocap.Protocol;
-using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Server;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 public sealed class BroadcasterMaxRateTests
 {

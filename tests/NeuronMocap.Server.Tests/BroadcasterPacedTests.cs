@@ -1,7 +1,7 @@
 using System.Net.Sockets;
-using NeuronMocap.Server;
+using NeuronMocap.Tests.Server;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 public sealed class BroadcasterPacedTests
 {

@@ -2,21 +2,20 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
-using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Playback;
-using NeuronMocap.Tests.Reader;
+using NeuronMocap.Tests.Server;
 using NeuronMocap.Transport;
 using Worker = NeuronMocap.Server.Broadcasting.Worker;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 // A recording sent to programs that speak the protocol.
 public sealed class BroadcasterRecordingTests
 {
     [Theory]
-    [MemberData(nameof(FixtureReaderTests.Names), MemberType = typeof(FixtureReaderTests))]
+    [MemberData(nameof(WrittenStreams.Names), MemberType = typeof(WrittenStreams))]
     public async Task A_reader_gets_the_frames_and_the_noise_that_were_recorded(string name)
     {
         byte[] bytes = StreamFixture.Load(name).Bytes;
@@ -214,7 +213,7 @@ public sealed class BroadcasterRecordingTests
     private static async Task AssertSameAsync(TemporaryFile file, BroadcasterOptions options)
     {
         using RecordedFrameReader original = RecordedFrameReader.Open(file.Path);
-        string[] expected = [.. RecordedFrameReaderTests.ReadAll(original).Select(static read => Recordings.Describe(read.Frame))];
+        string[] expected = [.. RecordedFrames.ReadAll(original).Select(static read => Recordings.Describe(read.Frame))];
         await using var broadcaster = new Broadcaster(options);
         broadcaster.Start();
         await using var reader = new NeuronReader(new NeuronReaderOptions { Port = broadcaster.LocalEndPoint!.Port, Reconnect = { Enabled = false } });

@@ -1,12 +1,12 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Protocol;
-using NeuronMocap.Server;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Server;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 public sealed class BroadcasterStudioTests
 {

@@ -1,11 +1,11 @@
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
-using NeuronMocap.Server;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Server;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 public sealed class BroadcasterTextTests
 {

@@ -1,8 +1,8 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Server;
+using NeuronMocap.Tests.Server;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 public sealed class BroadcasterUdpTests
 {

@@ -1,9 +1,9 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Server;
 using NeuronMocap.Server.Broadcasting;
+using NeuronMocap.Tests.Server;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 // Clients that parse every receive alone get every avatar and all calculation data, because packets are sent one by one, apart in time. The time is the test's:
 // it passes when the clients have received what was sent, however busy the machine is.

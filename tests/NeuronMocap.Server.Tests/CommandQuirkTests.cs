@@ -1,10 +1,9 @@
 using NeuronMocap.Commands;
-using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Commands;
-using static NeuronMocap.Tests.Server.CommandServerTests;
+using static NeuronMocap.Server.Tests.CommandServerTests;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 // Every quirk of the server against the client: the right answer, or an exception with its reason.
 public sealed class CommandQuirkTests
@@ -75,6 +74,6 @@ public sealed class CommandQuirkTests
         using NeuronCommandClient client = CreateClient(
             server, options => options.Timeout = reason == CommandFailure.TimedOut ? TimeSpan.FromMilliseconds(60) : Limits.Unexpected);
         for (int i = 0; i < 3; i++)
-            await CommandAnswerTests.FailsAsync(client.GetRotationOrderAsync(), reason, "127.0.0.1");
+            await CommandCall.FailsAsync(client.GetRotationOrderAsync(), reason, "127.0.0.1");
     }
 }

@@ -5,14 +5,14 @@ using System.Numerics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
-using NeuronMocap.Server;
 using NeuronMocap.Server.Sources;
+using NeuronMocap.Server.Tests.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Bvh;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Server.Sources;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 public sealed class CommandServerTests
 {
@@ -65,9 +65,9 @@ public sealed class CommandServerTests
         using Broadcaster broadcaster = CreateBroadcaster();
         using CommandServer server = Start(broadcaster);
         using NeuronCommandClient client = CreateClient(server);
-        await CommandAnswerTests.FailsAsync(client.ZeroOutAsync(3), CommandFailure.Rejected, "avatar 3");
-        await CommandAnswerTests.FailsAsync(client.GetBoneDimensionsAsync(3), CommandFailure.Rejected, "avatar 3");
-        await CommandAnswerTests.FailsAsync(client.GetBvhHeaderAsync(int.MaxValue), CommandFailure.Rejected, "avatar 2147483647");
+        await CommandCall.FailsAsync(client.ZeroOutAsync(3), CommandFailure.Rejected, "avatar 3");
+        await CommandCall.FailsAsync(client.GetBoneDimensionsAsync(3), CommandFailure.Rejected, "avatar 3");
+        await CommandCall.FailsAsync(client.GetBvhHeaderAsync(int.MaxValue), CommandFailure.Rejected, "avatar 2147483647");
         await client.ZeroOutAsync(2).Soon();
     }
 
@@ -306,8 +306,8 @@ public sealed class CommandServerTests
         await server.DisposeAsync();
         server.Dispose();
 
-        await CommandAnswerTests.FailsAsync(call, CommandFailure.Closed, "closed the connection");
-        await CommandAnswerTests.FailsAsync(client.ConnectAsync(), CommandFailure.Refused, "refused");
+        await CommandCall.FailsAsync(call, CommandFailure.Closed, "closed the connection");
+        await CommandCall.FailsAsync(client.ConnectAsync(), CommandFailure.Refused, "refused");
         Assert.Throws<ObjectDisposedException>(server.Start);
     }
 

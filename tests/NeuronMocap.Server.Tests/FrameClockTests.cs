@@ -1,7 +1,7 @@
 using System.Diagnostics;
 using NeuronMocap.Server.Broadcasting;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 public sealed class FrameClockTests
 {

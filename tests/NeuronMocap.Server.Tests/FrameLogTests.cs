@@ -1,6 +1,6 @@
 using NeuronMocap.Server.Broadcasting;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 public sealed class FrameLogTests
 {

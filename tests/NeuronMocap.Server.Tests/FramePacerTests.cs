@@ -1,9 +1,9 @@
 using System.Diagnostics;
 using NeuronMocap.Protocol;
-using NeuronMocap.Server;
 using NeuronMocap.Server.Broadcasting;
+using NeuronMocap.Tests.Server;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 // What spreading packets may never cost: the rate. No real time passes: waits end late, as those of busy systems do, and the rest takes none.
 public sealed class FramePacerTests

@@ -2,7 +2,7 @@ using System.Diagnostics;
 using System.Threading.Channels;
 using NeuronMocap.Server.Broadcasting;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 // A pacer's time, which passes when the test says so: from one wait of the pacer to the next.
 internal sealed class ManualTime : PacerTime

@@ -4,15 +4,14 @@ using NeuronMocap.Recording;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Playback;
-using NeuronMocap.Tests.Reader;
 using NeuronMocap.Transport;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 public sealed class RecordedUnitsTests
 {
     [Theory]
-    [MemberData(nameof(FixtureReaderTests.Names), MemberType = typeof(FixtureReaderTests))]
+    [MemberData(nameof(WrittenStreams.Names), MemberType = typeof(WrittenStreams))]
     public void No_byte_is_left_out_or_added_however_it_was_split(string name)
     {
         byte[] bytes = StreamFixture.Load(name).Bytes;

@@ -1,7 +1,8 @@
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Clients;
+using NeuronMocap.Tests.Server;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 public sealed class RequestScannerTests
 {

@@ -3,12 +3,12 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
-using NeuronMocap.Server;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Commands;
+using NeuronMocap.Tests.Server;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 // User code that throws on a thread of a server: sources, writers of calculation data, handlers. An exception that left the thread would end this process.
 public sealed class ServerFaultTests
@@ -53,7 +53,7 @@ public sealed class ServerFaultTests
         for (int i = 0; i < 3; i++)
         {
             using NeuronCommandClient client = CommandServerTests.CreateClient(server);
-            await CommandAnswerTests.FailsAsync(client.GetBoneDimensionsAsync(0), CommandFailure.Closed, "closed the connection");
+            await CommandCall.FailsAsync(client.GetBoneDimensionsAsync(0), CommandFailure.Closed, "closed the connection");
         }
     }
 

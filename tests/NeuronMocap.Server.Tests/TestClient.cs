@@ -2,7 +2,7 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Protocol;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 // A TCP client that knows nothing of the library but the scanner. Every read fails on a reset: a graceful end is part of each test.
 internal sealed class TestClient : IDisposable

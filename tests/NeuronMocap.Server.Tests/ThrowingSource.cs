@@ -2,7 +2,7 @@ using System.Numerics;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 // A performance of which one member fails from the moment on that the test says so: the members are user code, whatever thread calls them.
 internal sealed class ThrowingSource(string member, Exception exception) : MotionSource

@@ -1,6 +1,6 @@
 using System.Buffers.Binary;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 // How the vendor's b15 and b17 libraries read (protocol.md section 5), from observation: every receive into 40,960 bytes is parsed alone, nothing is joined, and
 // after a motion frame the search goes on 64 bytes behind its end. Knows nothing of the library.

@@ -1,6 +1,6 @@
 using NeuronMocap.Tests.Network;
 
-namespace NeuronMocap.Tests.Server;
+namespace NeuronMocap.Server.Tests;
 
 // The parser that tests of the broadcaster rely on loses what the vendor's libraries were seen to lose, and nothing else.
 public sealed class VendorParserTests

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Net;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Mono;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Server;
 

@@ -1,5 +1,6 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Recording;
+using NeuronMocap.Tests.Mono;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Compatibility.Tests.Mono;

@@ -1,6 +1,7 @@
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Mono;
 using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Compatibility.Tests.Mono;

@@ -1,5 +1,4 @@
 using System.Globalization;
-using NeuronMocap.Compatibility.Tests.Infrastructure;
 using NeuronMocap.Native.Tests.Generations;
 using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Protocol;

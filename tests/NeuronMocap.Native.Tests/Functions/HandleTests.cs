@@ -1,4 +1,3 @@
-using NeuronMocap.Compatibility.Tests.Infrastructure;
 using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;

@@ -1,6 +1,5 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Compatibility.Tests.Infrastructure;
 using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Tests.Network;
 

@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Compatibility.Tests.Infrastructure;
 using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;

@@ -2,7 +2,7 @@ using System.Numerics;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Tests.Server.Sources;
+namespace NeuronMocap.Server.Tests.Sources;
 
 // A body in rest pose whose bones a test moves by a formula. It fails a test that asks for a frame outside the performance.
 internal sealed class FormulaSource(double frameRate, long? frameCount, FormulaSource.Formula formula) : MotionSource

@@ -1,6 +1,6 @@
 using NeuronMocap.Server.Sources;
 
-namespace NeuronMocap.Tests.Server.Sources;
+namespace NeuronMocap.Server.Tests.Sources;
 
 public sealed class FrameRateEstimateTests
 {

@@ -10,7 +10,7 @@ using NeuronMocap.Tests.Playback;
 using NeuronMocap.Transport;
 using PlaybackOptions = NeuronMocap.Playback.PlaybackOptions;
 
-namespace NeuronMocap.Tests.Server.Sources;
+namespace NeuronMocap.Server.Tests.Sources;
 
 public sealed class RecordingSourceTests
 {

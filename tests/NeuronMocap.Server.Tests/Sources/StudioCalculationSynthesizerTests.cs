@@ -2,8 +2,10 @@ using System.Numerics;
 using System.Runtime.InteropServices;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Server;
+using NeuronMocap.Tests.Server.Sources;
 
-namespace NeuronMocap.Tests.Server.Sources;
+namespace NeuronMocap.Server.Tests.Sources;
 
 public sealed class StudioCalculationSynthesizerTests
 {

@@ -1,8 +1,9 @@
 using System.Numerics;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Server.Sources;
 
-namespace NeuronMocap.Tests.Server.Sources;
+namespace NeuronMocap.Server.Tests.Sources;
 
 public class SyntheticActorGaitTests
 {

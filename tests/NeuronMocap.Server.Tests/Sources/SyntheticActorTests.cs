@@ -3,8 +3,9 @@ using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Server.Sources;
 
-namespace NeuronMocap.Tests.Server.Sources;
+namespace NeuronMocap.Server.Tests.Sources;
 
 public class SyntheticActorTests
 {

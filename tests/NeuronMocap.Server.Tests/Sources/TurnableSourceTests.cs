@@ -4,8 +4,9 @@ using NeuronMocap.Bvh;
 using NeuronMocap.Frames;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Server.Sources;
 
-namespace NeuronMocap.Tests.Server.Sources;
+namespace NeuronMocap.Server.Tests.Sources;
 
 // What a zero-out does to a performance.
 public sealed class TurnableSourceTests

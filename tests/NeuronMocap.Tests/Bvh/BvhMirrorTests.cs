@@ -17,18 +17,6 @@ public class BvhMirrorTests
         AssertMirrored(take, take.Mirror(), OtherSide);
     }
 
-    [Fact]
-    public void A_recorded_take_is_mirrored_and_mirrored_back_bit_for_bit()
-    {
-        BvhDocument take = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
-        BvhDocument mirrored = take.Mirror();
-
-        AssertMirrored(take.Trim(700, 1), mirrored.Trim(700, 1), OtherSide);
-        Assert.Equal(NamesOf(take), NamesOf(mirrored));
-        AssertBits(Values(take), Values(mirrored.Mirror()));
-        Assert.Equal(BvhWriterTests.Saved(take), BvhWriterTests.Saved(mirrored.Mirror()));
-    }
-
     // Sides of different channels, orders and offsets, and joints that are their own partner.
     [Theory]
     [InlineData("lArm", "rArm")]
@@ -108,14 +96,14 @@ public class BvhMirrorTests
         Assert.Contains("LeftHand hangs from LeftArm, and nothing like it from RightArm", failure.Message, StringComparison.Ordinal);
     }
 
-    private static string OtherSide(string name) => name switch
+    internal static string OtherSide(string name) => name switch
     {
         _ when name.StartsWith("Left", StringComparison.Ordinal) => "Right" + name[4..],
         _ when name.StartsWith("Right", StringComparison.Ordinal) => "Left" + name[5..],
         _ => name,
     };
 
-    private static void AssertMirrored(BvhDocument take, BvhDocument mirrored, Func<string, string> otherSide)
+    internal static void AssertMirrored(BvhDocument take, BvhDocument mirrored, Func<string, string> otherSide)
     {
         for (int frame = 0; frame < take.FrameCount; frame++)
         {

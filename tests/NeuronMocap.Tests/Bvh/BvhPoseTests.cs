@@ -165,22 +165,6 @@ public class BvhPoseTests
     }
 
     [Fact]
-    public void A_recorded_take_keeps_its_pose_in_the_other_variant_and_in_every_order()
-    {
-        BvhDocument take = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
-        BvhDocument changed = take.WithVariant(SkeletonVariant.Neck1);
-        for (int frame = 0; frame < take.FrameCount; frame += 97)
-            AssertNear(new RawPose(take, frame).Distance(new RawPose(changed, frame), name => Rename(name, SkeletonVariant.Spine3, SkeletonVariant.Neck1)));
-
-        foreach (RotationOrder order in Enum.GetValues<RotationOrder>())
-        {
-            BvhDocument other = take.WithRotationOrder(order);
-            for (int frame = 0; frame < take.FrameCount; frame += 331)
-                AssertNear(new RawPose(take, frame).Distance(new RawPose(other, frame)));
-        }
-    }
-
-    [Fact]
     public void Another_skeleton_has_no_variant() => Assert.Throws<NeuronException>(() => Parse(TwoRows).WithVariant(SkeletonVariant.Spine3));
 
     private static BvhDocument NeuronTake(SkeletonFormat format, ChannelLayout layout, int frames)
@@ -189,7 +173,7 @@ public class BvhPoseTests
         return new RandomTakes((int)format.RotationOrder).Take(hierarchy, frames);
     }
 
-    private static string Rename(string name, SkeletonVariant from, SkeletonVariant to) =>
+    internal static string Rename(string name, SkeletonVariant from, SkeletonVariant to) =>
         BoneHierarchy.TryFind(name, from, out Bone bone) ? BoneHierarchy.GetName(bone, to) : name;
 
     private static string OrderOf(BvhJoint joint) =>
@@ -213,7 +197,7 @@ public class BvhPoseTests
             AssertNear(new RawPose(expected, frame).Distance(new RawPose(actual, frame), rename), places, rotations);
     }
 
-    private static void AssertNear((double Position, double Rotation) distance, double places = SamePlace, double rotations = SameRotation)
+    internal static void AssertNear((double Position, double Rotation) distance, double places = SamePlace, double rotations = SameRotation)
     {
         Assert.True(distance.Position <= places, $"A joint moved by {distance.Position}.");
         Assert.True(distance.Rotation <= rotations, $"A joint turned by {distance.Rotation}.");

@@ -6,11 +6,6 @@ namespace NeuronMocap.Tests.Bvh;
 public class BvhTextFormatTests
 {
     [Fact]
-    public void The_layout_of_a_recorded_take_is_axis_neurons() => Assert.Equal(
-        BvhTextFormat.AxisNeuron with { FrameTimeText = "0.008" },
-        BvhDocument.Load(Fixtures.Require("test-take", "test.bvh")).TextFormat);
-
-    [Fact]
     public void A_hierarchy_alone_says_nothing_of_rows() => Assert.Equal(
         BvhTextFormat.AxisNeuron with { LineEnd = "\n", OffsetDecimals = 0 },
         Parse(Hierarchy).TextFormat);

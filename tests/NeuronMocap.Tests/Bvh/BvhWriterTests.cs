@@ -12,15 +12,6 @@ public sealed class BvhWriterTests : IDisposable
     public void Dispose() => File.Delete(_path);
 
     [Fact]
-    public void A_recorded_take_is_written_byte_for_byte()
-    {
-        string path = Fixtures.Require("test-take", "test.bvh");
-        BvhDocument.Load(path).Save(_path);
-
-        Assert.True(File.ReadAllBytes(path).AsSpan().SequenceEqual(File.ReadAllBytes(_path)), "The file differs.");
-    }
-
-    [Fact]
     public void Any_document_is_read_back_with_the_same_values() =>
         Properties.Hold(Gen.Choose(0, int.MaxValue - 1), Properties.SimplerNumbers, count: 300, static seed =>
         {

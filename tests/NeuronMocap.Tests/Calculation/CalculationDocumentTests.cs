@@ -8,8 +8,6 @@ namespace NeuronMocap.Tests.Calculation;
 
 public sealed class CalculationDocumentTests
 {
-    public static TheoryData<string> Takes => [.. CalculationText.Takes];
-
     public static TheoryData<int> Widths => [946, 338];
 
     [Theory, MemberData(nameof(Widths))]
@@ -184,30 +182,7 @@ public sealed class CalculationDocumentTests
         }
     }
 
-    [Theory, MemberData(nameof(Takes))]
-    public void A_recording_is_read_without_repairs(string take)
-    {
-        byte[] text = File.ReadAllBytes(Fixtures.Require("calc", take));
-
-        var document = CalculationDocument.Parse(text, new CalculationReadOptions { Strict = true });
-
-        string[] lines = Encoding.ASCII.GetString(text).Split('\n', StringSplitOptions.RemoveEmptyEntries);
-        Assert.Equal(lines.Length, document.FrameCount);
-        for (int row = 0; row < lines.Length; row++)
-        {
-            float[] expected = [.. lines[row].Split((char[])['\t', '\r'], StringSplitOptions.RemoveEmptyEntries).Select(word => float.Parse(word, CultureInfo.InvariantCulture))];
-            Assert.Equal(expected.Select(BitConverter.SingleToInt32Bits), document.GetValues(row).ToArray().Select(BitConverter.SingleToInt32Bits));
-        }
-    }
-
-    [Theory, MemberData(nameof(Takes))]
-    public void A_recording_read_and_written_has_the_same_bytes(string take)
-    {
-        byte[] text = File.ReadAllBytes(Fixtures.Require("calc", take));
-        Assert.Equal(text, Write(CalculationDocument.Parse(text)));
-    }
-
-    private static byte[] Write(CalculationDocument document)
+    internal static byte[] Write(CalculationDocument document)
     {
         using var stream = new MemoryStream();
         document.Save(stream);

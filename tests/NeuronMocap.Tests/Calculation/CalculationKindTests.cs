@@ -10,8 +10,6 @@ namespace NeuronMocap.Tests.Calculation;
 /// <summary>What an export's header says, which kind of export it is, and lengths that nobody has.</summary>
 public sealed class CalculationKindTests
 {
-    public static TheoryData<string> Takes => [.. CalculationText.Takes];
-
     [Theory]
     [InlineData(240, false)]
     [InlineData(12, false)]
@@ -30,33 +28,8 @@ public sealed class CalculationKindTests
     [InlineData(240, false)]
     [InlineData(1, false)]
     [InlineData(60, true)]
-    public void Centres_of_bones_are_not_taken_for_their_ends(int frames, bool stands)
-    {
-        var actor = new SyntheticActor(120);
-        using var text = new MemoryStream();
-        using (var writer = new CalculationFileWriter(text, CalculationFrame.FullValueCount, leaveOpen: true))
-        {
-            float[] values = new float[writer.ValueCount];
-            for (int frame = 0; frame < frames; frame++)
-            {
-                CalculationSynthesizer.Write(actor, stands ? 0 : frame, values);
-                CalculationAxes.Export.ConvertFromBvh(values);
-                writer.WriteFrame(values);
-            }
-        }
-
-        Assert.Empty(CalculationSkeleton.Measure(CalculationDocument.Parse(text.ToArray())).Doubts);
-    }
-
-    [Theory, MemberData(nameof(Takes))]
-    public void Real_takes_have_centres_and_no_doubts(string name)
-    {
-        CalculationDocument document = CalculationDocument.Load(Infrastructure.Fixtures.Require("calc", name));
-        Assert.Empty(CalculationSkeleton.Measure(document).Doubts);
-        Assert.Null(document.InitialDirection);
-        Assert.Null(document.DeclaredFrameRate);
-        Assert.Equal(120, document.FrameRate);
-    }
+    public void Centres_of_bones_are_not_taken_for_their_ends(int frames, bool stands) =>
+        Assert.Empty(CalculationSkeleton.Measure(ActorExport.Write(frames, stands)).Doubts);
 
     [Fact]
     public void Lengths_that_nobody_has_are_told()

@@ -3,6 +3,7 @@ using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
+using static NeuronMocap.Tests.Commands.CommandCall;
 
 namespace NeuronMocap.Tests.Commands;
 
@@ -186,14 +187,6 @@ public class CommandAnswerTests
         byte[] bytes = new byte[BoneDimensions.Size];
         sizes.Write(bytes);
         return bytes;
-    }
-
-    internal static async Task<NeuronCommandException> FailsAsync(Task call, CommandFailure reason, string told)
-    {
-        NeuronCommandException exception = await Assert.ThrowsAsync<NeuronCommandException>(() => call.Soon());
-        Assert.Equal(reason, exception.Reason);
-        Assert.Contains(told, exception.Message, StringComparison.Ordinal);
-        return exception;
     }
 
     private static void Refuses(Action<NeuronCommandOptions> change, string setting)

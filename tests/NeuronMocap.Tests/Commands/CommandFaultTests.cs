@@ -5,6 +5,7 @@ using NeuronMocap.Commands;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
 using static NeuronMocap.Tests.Commands.CommandAnswerTests;
+using static NeuronMocap.Tests.Commands.CommandCall;
 
 namespace NeuronMocap.Tests.Commands;
 

@@ -12,7 +12,7 @@ public sealed class RawDumpTests
         using var file = new TemporaryFile(
             [.. Enumerable.Range(0, 4).SelectMany(static frame => TestPackets.Join(TestPackets.Motion(frame), TestPackets.Motion(frame, avatar: 1), TestPackets.Calculation(frame)))]);
         using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path, new PlaybackOptions { FrameRate = 50 });
-        double[] times = [.. RecordedFrameReaderTests.ReadAll(reader).Select(static read => read.Time.TotalMilliseconds)];
+        double[] times = [.. RecordedFrames.ReadAll(reader).Select(static read => read.Time.TotalMilliseconds)];
         Assert.Equal([0, 0, 0, 20, 20, 20, 40, 40, 40, 60, 60, 60], times);
         Assert.Equal(Recordings.At(80), reader.Duration);
     }
@@ -22,7 +22,7 @@ public sealed class RawDumpTests
     {
         using var file = new TemporaryFile(TestPackets.Motions(0, 121));
         using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
-        Assert.Equal(1.0, RecordedFrameReaderTests.ReadAll(reader)[^1].Time.TotalSeconds, 6);
+        Assert.Equal(1.0, RecordedFrames.ReadAll(reader)[^1].Time.TotalSeconds, 6);
     }
 
     [Theory]

@@ -22,7 +22,7 @@ public sealed class RecordedFrameReaderTests
         using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
         Assert.Equal(Recordings.At(30), reader.Duration);
 
-        (string, uint?, double)[] found = [.. ReadAll(reader).Select(static read => (read.Frame.GetType().Name, read.Frame.FrameIndex, read.Time.TotalMilliseconds))];
+        (string, uint?, double)[] found = [.. RecordedFrames.ReadAll(reader).Select(static read => (read.Frame.GetType().Name, read.Frame.FrameIndex, read.Time.TotalMilliseconds))];
 
         Assert.Equal(
             [(nameof(MotionFrame), 0u, 5), (nameof(MotionFrame), 1u, 30), (nameof(CalculationFrame), 7u, 30), (nameof(StudioCalculationFrame), 8u, 30)],
@@ -37,7 +37,7 @@ public sealed class RecordedFrameReaderTests
     {
         using TemporaryFile file = Recordings.OfTcp((0, [1, 2, 3, .. TestPackets.Motion(0)]), (1, TestPackets.Motion(1)[..200]));
         using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
-        Assert.Single(ReadAll(reader));
+        Assert.Single(RecordedFrames.ReadAll(reader));
         Assert.Equal((3, 200), (reader.GetSkipped(SkipReason.NoTokens), reader.GetSkipped(SkipReason.Incomplete)));
         Assert.Equal(203 + TestPackets.Motion(0).Length, reader.Statistics.BytesReceived);
     }
@@ -75,7 +75,7 @@ public sealed class RecordedFrameReaderTests
             writer.WriteBytes(Recordings.At(4), 0, TestPackets.Motion(3));
         });
         using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
-        Assert.Equal([3u], ReadAll(reader).Select(static read => read.Frame.FrameIndex));
+        Assert.Equal([3u], RecordedFrames.ReadAll(reader).Select(static read => read.Frame.FrameIndex));
     }
 
     [Fact]
@@ -93,7 +93,7 @@ public sealed class RecordedFrameReaderTests
             writer.WriteBytes(Recordings.At(4), 0, second.AsSpan(1024), sender: 1);
         });
         using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
-        Assert.Equal([(1u, 0), (2u, 1)], ReadAll(reader).Select(static read => ((uint)read.Frame.FrameIndex!, read.Frame.Source)));
+        Assert.Equal([(1u, 0), (2u, 1)], RecordedFrames.ReadAll(reader).Select(static read => ((uint)read.Frame.FrameIndex!, read.Frame.Source)));
         Assert.Equal(0, reader.Statistics.SkippedBytes);
     }
 
@@ -132,12 +132,12 @@ public sealed class RecordedFrameReaderTests
             metadata);
         using (RecordedFrameReader reader = RecordedFrameReader.Open(file.Path))
         {
-            Assert.Equal([1u], ReadAll(reader).Select(static read => read.Frame.FrameIndex));
+            Assert.Equal([1u], RecordedFrames.ReadAll(reader).Select(static read => read.Frame.FrameIndex));
             Assert.Equal(1, reader.Statistics.OversizedPackets);
         }
 
         using RecordedFrameReader wider = RecordedFrameReader.Open(file.Path, new PlaybackOptions { MaxValues = 354 });
-        Assert.Equal(2, ReadAll(wider).Count);
+        Assert.Equal(2, RecordedFrames.ReadAll(wider).Count);
     }
 
     [Theory]
@@ -149,10 +149,10 @@ public sealed class RecordedFrameReaderTests
         using TemporaryFile recording = Recordings.OfTcp([.. Splits.Random(fixture.Bytes, new Random(7)).Select(static (piece, i) => ((double)i, piece.ToArray()))]);
         using RecordedFrameReader ofDump = RecordedFrameReader.Open(dump.Path);
         using RecordedFrameReader ofRecording = RecordedFrameReader.Open(recording.Path);
-        string[] frames = [.. ReadAll(ofDump).Select(static read => Recordings.Describe(read.Frame))];
+        string[] frames = [.. RecordedFrames.ReadAll(ofDump).Select(static read => Recordings.Describe(read.Frame))];
 
         Assert.Equal(fixture.Expected.Count, frames.Length);
-        Assert.Equal(frames, ReadAll(ofRecording).Select(static read => Recordings.Describe(read.Frame)));
+        Assert.Equal(frames, RecordedFrames.ReadAll(ofRecording).Select(static read => Recordings.Describe(read.Frame)));
         Assert.Equal(fixture.Expected.Select(static expected => expected.Index), ofDumpIndices());
         Assert.Equal(fixture.Bytes.Length, ofDump.Statistics.BytesReceived);
         Assert.Equal(ofDump.Statistics.SkippedBytes, ofRecording.Statistics.SkippedBytes);
@@ -160,7 +160,7 @@ public sealed class RecordedFrameReaderTests
         IEnumerable<uint?> ofDumpIndices()
         {
             using RecordedFrameReader again = RecordedFrameReader.Open(dump.Path);
-            return [.. ReadAll(again).Select(static read => read.Frame.FrameIndex)];
+            return [.. RecordedFrames.ReadAll(again).Select(static read => read.Frame.FrameIndex)];
         }
     }
 
@@ -183,20 +183,4 @@ public sealed class RecordedFrameReaderTests
         Assert.Throws<ArgumentException>(() => RecordedFrameReader.Open(file.Path, new PlaybackOptions { FrameRate = 60 }));
         Assert.Throws<ArgumentException>(() => RecordedFrameReader.Open(file.Path, new PlaybackOptions { FrameRate = 0 }));
     }
-
-    internal static List<(AvatarFrame Frame, TimeSpan Time)> ReadAll(RecordedFrameReader reader)
-    {
-        List<(AvatarFrame, TimeSpan)> frames = [];
-        while (reader.Read())
-            frames.Add((Clone(reader.Frame), reader.Time));
-
-        return frames;
-    }
-
-    private static AvatarFrame Clone(AvatarFrame frame) => frame switch
-    {
-        MotionFrame motion => motion.Clone(),
-        CalculationFrame calculation => calculation.Clone(),
-        _ => ((StudioCalculationFrame)frame).Clone(),
-    };
 }

@@ -9,6 +9,7 @@ using NeuronMocap.Tests.Bvh;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Recording;
+using NeuronMocap.Tests.Server.Sources;
 
 namespace NeuronMocap.Tests.Reader;
 
@@ -28,7 +29,7 @@ public sealed class BvhExportTests : IDisposable
     [Fact]
     public async Task Every_frame_of_a_take_that_is_broadcast_stands_in_the_file_bit_for_bit()
     {
-        BvhDocument take = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh")).Trim(0, 600);
+        BvhDocument take = BvhDocument.Parse(NeuronTake.Write(600));
         await using var broadcaster = new Broadcaster(new BroadcasterOptions
         {
             Sources = [new BvhSource(take)],

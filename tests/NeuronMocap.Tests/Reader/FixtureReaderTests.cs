@@ -9,9 +9,9 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Tests.Reader;
 
 // The streams of a foreign encoder over real sockets, to the frames that an application sees.
-public sealed class FixtureReaderTests
+public class FixtureReaderTests
 {
-    public static TheoryData<string> Names => ["new-180", "new-186", "new-354", "new-360", "old-354", "studio-354", "calculation", "mixed", "zero-count", "text", "studio-calculation"];
+    public static TheoryData<string> Names => WrittenStreams.Names;
 
     [Theory]
     [MemberData(nameof(Names))]
@@ -33,9 +33,12 @@ public sealed class FixtureReaderTests
     [MemberData(nameof(Names))]
     public async Task Over_udp_in_datagrams_of_1024(string name) => await OverUdpAsync(name, 1024);
 
-    private static async Task OverTcpAsync(string name, int pieceSize)
+    /// <summary>Another encoder's streams, where a class derives from this one.</summary>
+    internal virtual StreamFixture Load(string name) => StreamFixture.Load(name);
+
+    private async Task OverTcpAsync(string name, int pieceSize)
     {
-        StreamFixture fixture = StreamFixture.Load(name);
+        StreamFixture fixture = Load(name);
         using var server = new TestServer();
         await using var reader = new NeuronReader(server.Options());
         using FrameQueue queue = reader.OpenQueue();
@@ -48,9 +51,9 @@ public sealed class FixtureReaderTests
         Assert.Equal(fixture.Bytes.Length, reader.GetStatistics().BytesReceived);
     }
 
-    private static async Task OverUdpAsync(string name, int datagramSize)
+    private async Task OverUdpAsync(string name, int datagramSize)
     {
-        StreamFixture fixture = StreamFixture.Load(name);
+        StreamFixture fixture = Load(name);
         await using var reader = new NeuronReader(new NeuronReaderOptions { Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0 });
         using FrameQueue queue = reader.OpenQueue();
         await reader.StartAsync().Soon();

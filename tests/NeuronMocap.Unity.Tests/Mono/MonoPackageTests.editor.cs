@@ -1,4 +1,4 @@
-using NeuronMocap.Compatibility.Tests.Mono;
+using NeuronMocap.Tests.Mono;
 
 namespace NeuronMocap.Unity.Tests.Mono;
 

@@ -1,7 +1,7 @@
 using System.Diagnostics;
 using Mono.Cecil;
 
-namespace NeuronMocap.Compatibility.Tests.Mono;
+namespace NeuronMocap.Tests.Mono;
 
 /// <summary>
 /// Debian's Mono, the nearest there is to the runtime of Unity's editor: compiles a program of C# files against copies of the netstandard2.1

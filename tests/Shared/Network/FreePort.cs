@@ -1,7 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 
-namespace NeuronMocap.Compatibility.Tests.Infrastructure;
+namespace NeuronMocap.Tests.Network;
 
 internal static class FreePort
 {

@@ -5,7 +5,7 @@ using NeuronMocap.Bvh;
 using NeuronMocap.Skeleton;
 using static NeuronMocap.Tests.Bvh.BvhSamples;
 
-namespace NeuronMocap.Tests.Bvh;
+namespace NeuronMocap.Data.Tests.Takes;
 
 // A take that somebody recorded with a suit; not part of the repository.
 public class BvhTakeTests

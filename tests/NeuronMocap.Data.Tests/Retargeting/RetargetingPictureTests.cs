@@ -4,8 +4,10 @@ using NeuronMocap.Kinematics;
 using NeuronMocap.Retargeting;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Retargeting;
+using NeuronMocap.Tests.Retargeting.Pictures;
 
-namespace NeuronMocap.Tests.Retargeting.Pictures;
+namespace NeuronMocap.Data.Tests.Retargeting;
 
 /// <summary>
 /// The picture of docs/retargeting.md: ten frames of a recorded take, the actor beside a character that was made quite otherwise.

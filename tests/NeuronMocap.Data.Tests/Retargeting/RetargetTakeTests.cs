@@ -2,8 +2,9 @@ using System.Numerics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Retargeting;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Retargeting;
 
-namespace NeuronMocap.Tests.Retargeting;
+namespace NeuronMocap.Data.Tests.Retargeting;
 
 // A take that somebody recorded with a suit; not part of the repository.
 public sealed class RetargetTakeTests

@@ -1,0 +1,17 @@
+using System.Reflection;
+using Xunit.v3;
+
+[assembly: TestFramework(typeof(NeuronMocap.Data.Tests.DataTestFramework))]
+
+namespace NeuronMocap.Data.Tests;
+
+/// <summary>Finds the tests only where the folder shared/data exists; elsewhere <see cref="DataFolderTests"/> alone, which says that it is missing.</summary>
+public sealed class DataTestFramework : XunitTestFramework
+{
+    protected override ITestFrameworkDiscoverer CreateDiscoverer(Assembly assembly) => new Discoverer(new XunitTestAssembly(assembly));
+
+    private sealed class Discoverer(IXunitTestAssembly assembly) : XunitTestFrameworkDiscoverer(assembly)
+    {
+        protected override Type[] GetExportedTypes() => Fixtures.Exists ? base.GetExportedTypes() : [typeof(DataFolderTests)];
+    }
+}

@@ -1,0 +1,19 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Server.Sources;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Reader;
+
+namespace NeuronMocap.Data.Tests.Takes;
+
+public sealed class ForeignTakeTests : TakeTests
+{
+    internal override BvhDocument Load() => BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
+
+    [Fact]
+    public void The_performer_stands()
+    {
+        var source = new BvhSource(Load());
+        Assert.Equal(2156, source.FrameCount);
+        Assert.All(Enumerable.Range(0, 200), frame => Assert.Equal(new FootContacts(Left: true, Right: true), source.GetFootContacts(frame)));
+    }
+}

@@ -1,0 +1,36 @@
+using System.Numerics;
+using NeuronMocap.Calculation;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tests.Calculation;
+
+// Where the bones of a measured export are.
+internal static class CalculationPoses
+{
+    public static BoneTransform[] WorldOf(CalculationSkeleton skeleton, CalculationDocument document, int frame)
+    {
+        var pose = new BoneTransform[BoneHierarchy.BoneCount];
+        skeleton.CopyLocalTransforms(document.GetValues(frame), pose);
+        ForwardKinematics.ToWorld(pose, pose, skeleton.Body.Variant);
+        return pose;
+    }
+
+    // Where a bone ends, in its own axes: hands as far as their default fingers, which are scaled to that, within a millimetre.
+    public static Vector3 EndOf(Bone bone, SkeletonBody body) => bone switch
+    {
+        Bone.Hips => Vector3.Zero,
+        Bone.RightHand => -Vector3.UnitX * LengthOf(body, Bone.RightInHandMiddle, Bone.RightHandMiddle3),
+        Bone.LeftHand => Vector3.UnitX * LengthOf(body, Bone.LeftInHandMiddle, Bone.LeftHandMiddle3),
+        Bone.RightFoot or Bone.LeftFoot or Bone.Head => body.EndSites[(int)bone],
+        _ => body.GetOffset(bone + 1),
+    };
+
+    private static float LengthOf(SkeletonBody body, Bone first, Bone last)
+    {
+        float length = body.EndSites[(int)last].X;
+        for (Bone bone = first; bone <= last; bone++)
+            length += body.GetOffset(bone).X;
+
+        return MathF.Abs(length);
+    }
+}
