@@ -6,11 +6,10 @@ namespace NeuronMocap.Native.Tests.Infrastructure;
 /// <summary>A program of the system. Tests that need one are skipped where it is missing.</summary>
 internal static class SystemTool
 {
-    public static void Require(string name, string package)
-    {
-        string[] folders = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator);
-        Assert.SkipUnless(folders.Any(folder => File.Exists(Path.Combine(folder, name))), $"{name} is not installed (Debian's {package}).");
-    }
+    public static void Require(string name, string package) => Assert.SkipUnless(Exists(name), $"{name} is not installed (Debian's {package}).");
+
+    public static bool Exists(string name) =>
+        (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Any(folder => File.Exists(Path.Combine(folder, name)));
 
     public static async Task<(int Code, string Output, string Errors)> RunAsync(string name, params string[] arguments)
     {

@@ -6,6 +6,8 @@ namespace NeuronMocap.Native.Tests.Surface;
 // The headers with every compiler that is there: tests/native/layout.h asserts all sizes, offsets and values, and no warning is left.
 public sealed class LayoutTests
 {
+    private static readonly string[] Names = ["gcc", "g++", "clang", "clang++"];
+
     private static readonly string[] Strict =
     [
         "-fsyntax-only", "-pedantic", "-Wall", "-Wextra", "-Wpadded", "-Wshadow", "-Wconversion", "-Wwrite-strings", "-Werror",
@@ -18,24 +20,31 @@ public sealed class LayoutTests
         "-m32", "-ffreestanding", "-D_WIN32", "-D__declspec(x)=", "-D__stdcall=__attribute__((stdcall))", "-D__cdecl=__attribute__((cdecl))",
     ];
 
-    public static TheoryData<string, string, string> Compilers => new(
-        from standard in (string[])["c99", "c17", "c++98", "c++20"]
-        from compiler in standard.StartsWith("c++", StringComparison.Ordinal) ? (string[])["g++", "clang++"] : ["gcc", "clang"]
-        from generation in (string[])["B18", "B12", "B10"]
-        select (compiler, standard, generation));
+    /// <summary>A row for each compiler that is there, standard and generation; one that is skipped for each that is missing.</summary>
+    public static IEnumerable<TheoryDataRow<string, string, string>> Compilers => Names.SelectMany(Rows);
+
+    /// <summary>The same without the missing ones, unless all are.</summary>
+    public static IEnumerable<TheoryDataRow<string, string, string>> InstalledCompilers =>
+        Names.Any(SystemTool.Exists) ? Names.Where(SystemTool.Exists).SelectMany(Rows) : Rows(Names[0]);
+
+    private static IEnumerable<TheoryDataRow<string, string, string>> Rows(string compiler) => SystemTool.Exists(compiler)
+        ? from standard in compiler.EndsWith("++", StringComparison.Ordinal) ? (string[])["c++98", "c++20"] : ["c99", "c17"]
+          from generation in (string[])["B18", "B12", "B10"]
+          select new TheoryDataRow<string, string, string>(compiler, standard, generation)
+        : [new(compiler, "", "") { Skip = $"{compiler} is not installed." }];
 
     [Theory, MemberData(nameof(Compilers))]
     public async Task The_layout_is_that_of_the_wire(string compiler, string standard, string generation) =>
         await CompileAsync(compiler, standard, generation);
 
-    [Theory, MemberData(nameof(Compilers))]
+    [Theory, MemberData(nameof(InstalledCompilers))]
     public async Task The_layout_is_the_same_with_32_bits(string compiler, string standard, string generation)
     {
         Assert.SkipUnless(RuntimeInformation.OSArchitecture == Architecture.X64, "Only compilers for x64 compile for 32 bits, too.");
         await CompileAsync(compiler, standard, generation, "-m32", "-ffreestanding");
     }
 
-    [Theory, MemberData(nameof(Compilers))]
+    [Theory, MemberData(nameof(InstalledCompilers))]
     public async Task The_headers_go_before_and_after_those_of_Windows(string compiler, string standard, string generation)
     {
         Assert.SkipUnless(RuntimeInformation.OSArchitecture == Architecture.X64, "Only compilers for x64 compile for 32 bits, too.");

@@ -19,7 +19,7 @@ internal static class WrittenStreams
         "studio-354" => Frames(3, Studio),
         "calculation" => new WireEncoder().Calculation(Contacts(Values(0, 338)), 10, 0).Calculation(Contacts(Values(1, 946)), 11, 1),
         "studio-calculation" => new WireEncoder().StudioCalculation(59, 9),
-        "text" => Frames(3, static (encoder, i) => encoder.Line(Values(i, 354), i % 2, $"Char0{i % 2}")),
+        "text" => Frames(2, static (encoder, i) => encoder.Line(Values(i, 354), i % 2, $"Char0{i % 2}")),
         "zero-count" => new WireEncoder().NewWithoutValues().New(Values(0, 354), 77, displacement: true),
         "mixed" => Mixed(),
         _ => throw new ArgumentOutOfRangeException(nameof(name), name, "There is no stream of this name."),
