@@ -1,6 +1,5 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Server.Tests;

@@ -3,7 +3,6 @@ using System.Text;
 using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Server;

@@ -1,8 +1,6 @@
 using System.Diagnostics;
 using System.Net.Sockets;
 using System.Runtime.ExceptionServices;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Server.Tests;

@@ -1,5 +1,3 @@
-using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Server.Tests;

@@ -1,12 +1,9 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Playback;
-using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
+using NeuronMocap.Recording;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Playback;
 using NeuronMocap.Tests.Server;
-using NeuronMocap.Transport;
 using Worker = NeuronMocap.Server.Broadcasting.Worker;
 
 namespace NeuronMocap.Server.Tests;

@@ -1,9 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Server.Tests;

@@ -1,5 +1,4 @@
 using NeuronMocap.Commands;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Commands;
 using static NeuronMocap.Server.Tests.CommandServerTests;
 

@@ -5,7 +5,6 @@ using System.Numerics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Server.Tests.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Bvh;

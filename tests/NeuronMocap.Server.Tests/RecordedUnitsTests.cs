@@ -1,10 +1,8 @@
 using System.Text;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Playback;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Server.Tests;
 

@@ -4,7 +4,6 @@ using System.Net.Sockets;
 using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Server;
 

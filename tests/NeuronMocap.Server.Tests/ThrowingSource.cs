@@ -1,5 +1,4 @@
 using System.Numerics;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Tests;

@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Numerics;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Skeleton;
+using NeuronMocap.Motion;
 
 namespace NeuronMocap.Data.Tests.Calculation;
 

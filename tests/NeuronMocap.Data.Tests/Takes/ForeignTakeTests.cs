@@ -1,6 +1,5 @@
 using NeuronMocap.Bvh;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
+using NeuronMocap.Server;
 using NeuronMocap.Tests.Reader;
 
 namespace NeuronMocap.Data.Tests.Takes;

@@ -1,7 +1,6 @@
 using System.Globalization;
 using NeuronMocap.Native.Tests.Generations;
 using NeuronMocap.Native.Tests.Infrastructure;
-using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;

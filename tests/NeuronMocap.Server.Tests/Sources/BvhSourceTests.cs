@@ -1,9 +1,6 @@
 using System.Numerics;
 using System.Text;
 using NeuronMocap.Bvh;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Server.Sources;
 

@@ -1,8 +1,5 @@
 using System.Numerics;
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Calculation;
 using NeuronMocap.Tests.Server;
 

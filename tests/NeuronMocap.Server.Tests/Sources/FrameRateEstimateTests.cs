@@ -1,5 +1,3 @@
-using NeuronMocap.Server.Sources;
-
 namespace NeuronMocap.Server.Tests.Sources;
 
 public sealed class FrameRateEstimateTests

@@ -1,5 +1,4 @@
 using System.Numerics;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Server.Sources;
 

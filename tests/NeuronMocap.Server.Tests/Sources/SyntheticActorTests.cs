@@ -1,7 +1,4 @@
 using System.Numerics;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Server.Sources;
 

@@ -1,6 +1,5 @@
 using System.Numerics;
 using NeuronMocap.Calculation;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Calculation;
 

@@ -1,4 +1,3 @@
-using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Recording;

@@ -1,5 +1,4 @@
-using NeuronMocap.Frames;
-using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Playback;
 

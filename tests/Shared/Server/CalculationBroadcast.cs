@@ -1,7 +1,5 @@
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server;

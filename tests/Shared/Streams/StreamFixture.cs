@@ -1,5 +1,3 @@
-using NeuronMocap.Protocol;
-
 namespace NeuronMocap.Tests.Infrastructure;
 
 /// <summary>A byte stream that another encoder than the library's has written, and what must come out of it.</summary>
