@@ -1,8 +1,8 @@
 using System.Runtime.InteropServices;
 using Microsoft.Extensions.DependencyInjection;
+using Microsoft.Extensions.DependencyInjection;
 using NeuronDataReaderWraper;
 using NeuronMocap;
-using NeuronMocap.Hosting;
 
 Console.WriteLine(RuntimeInformation.FrameworkDescription);
 Console.WriteLine($"{await Demo.ReceiveAsync(10)} frames");

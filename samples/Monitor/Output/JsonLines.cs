@@ -5,12 +5,8 @@ using System.Diagnostics.CodeAnalysis;
 using System.Net;
 using System.Numerics;
 using System.Text.Json;
-using NeuronMocap.Delivery;
 using NeuronMocap.Diagnostics;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Output;
 

@@ -1,31 +1,34 @@
 using System.Reflection;
 using System.Runtime.Versioning;
-using NeuronMocap.Frames;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 
 namespace NeuronMocap.Tests.Architecture;
 
 public sealed class DependencyTests
 {
-    // The arrows of the design: bytes (Transport) -> packet (Protocol) -> frame (Frames) -> queue (Delivery). The root wires all.
-    private static readonly DependencyRules Client = new("NeuronMocap", new Dictionary<string, string[]>(StringComparer.Ordinal)
+    // Bytes (Transport) become packets (Protocol), frames (Frames) and reach a queue (Delivery). The root and Reader wire all.
+    private static readonly DependencyRules Client = new("/src/NeuronMocap/", new Dictionary<string, string[]>(StringComparer.Ordinal)
     {
-        ["Protocol"] = [],
-        ["Files"] = [],
+        ["Polyfills"] = [],
         ["Skeleton"] = [],
-        ["Kinematics"] = ["Skeleton"],
+        ["Motion"] = ["Skeleton"],
+        ["Retargeting"] = ["Skeleton"],
+        ["Protocol"] = ["Protocol/Text"],
+        ["Protocol/Text"] = ["Protocol"],
         ["Frames"] = ["Protocol", "Skeleton"],
         ["Transport"] = ["Protocol"],
         ["Delivery"] = ["Frames", "Protocol", "Skeleton"],
         ["Diagnostics"] = ["Delivery", "Protocol", "Transport"],
-        ["Telemetry"] = ["Delivery", "Recording", "Transport", "Protocol"],
+        ["Telemetry"] = ["Delivery", "Files/Recording", "Transport", "Protocol"],
         // Text that a server sends is BVH; how to connect, and why that failed, is the same as for a stream.
-        ["Commands"] = ["Bvh", "Delivery", "Protocol", "Skeleton", "Transport"],
-        ["Bvh"] = ["Files", "Frames", "Skeleton", "Protocol"],
-        ["Calculation"] = ["Files", "Frames", "Skeleton", "Protocol"],
-        ["Recording"] = ["Files", "Protocol", "Skeleton", "Transport"],
-        ["Playback"] = ["Delivery", "Frames", "Protocol", "Recording", "Skeleton", "Transport"],
-        ["Retargeting"] = ["Skeleton"],
+        ["Commands"] = ["Files/Bvh", "Delivery", "Protocol", "Skeleton", "Transport"],
+        ["Files"] = [],
+        ["Files/Bvh"] = ["Files", "Frames", "Skeleton", "Protocol"],
+        ["Files/Bvh/Export"] = ["Files/Bvh", "Files", "Delivery", "Frames", "Skeleton", "Protocol"],
+        ["Files/Calculation"] = ["Files", "Frames", "Skeleton", "Protocol"],
+        ["Files/Recording"] = ["Files", "Protocol", "Skeleton", "Transport"],
+        ["Files/Playback"] = ["Delivery", "Frames", "Protocol", "Files/Recording", "Skeleton", "Transport"],
+        ["Reader"] = ["Commands", "Delivery", "Files/Recording", "Frames", "Protocol", "Skeleton", "Telemetry", "Transport"],
     });
 
     // Packages that the net8.0 builds declare and that are no part of the framework.
@@ -63,7 +66,7 @@ public sealed class DependencyTests
     [Fact]
     public void Every_way_of_using_a_forbidden_type_is_found()
     {
-        var rules = new DependencyRules("NeuronMocap.Tests.Architecture.Samples", new Dictionary<string, string[]>(StringComparer.Ordinal)
+        var rules = new DependencyRules("/Architecture/Samples/", new Dictionary<string, string[]>(StringComparer.Ordinal)
         {
             ["Low"] = [],
             ["High"] = ["Low"],

@@ -1,8 +1,5 @@
-using NeuronMocap.Delivery;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Playback;
 
