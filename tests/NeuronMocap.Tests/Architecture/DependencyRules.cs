@@ -12,6 +12,9 @@ namespace NeuronMocap.Tests.Architecture;
 /// </summary>
 internal sealed class DependencyRules(string root, IReadOnlyDictionary<string, string[]> allowed)
 {
+    // Stand-ins for the framework's types are used like those: everywhere.
+    private const string Polyfills = "Polyfills";
+
     /// <summary>One line for each forbidden use, the offending member first.</summary>
     public List<string> Violations(Assembly assembly)
     {
@@ -42,8 +45,20 @@ internal sealed class DependencyRules(string root, IReadOnlyDictionary<string, s
         return [.. violations];
     }
 
+    /// <summary>Folders that reach themselves by the rules. Protocol and its text count as one.</summary>
+    public IEnumerable<string> Circles() => allowed.Keys.Select(Family).Distinct(StringComparer.Ordinal).Where(family => Reaches(family, family, []));
+
+    private bool Reaches(string from, string to, HashSet<string> seen) =>
+        allowed.Where(rule => string.Equals(Family(rule.Key), from, StringComparison.Ordinal))
+            .SelectMany(rule => rule.Value)
+            .Select(Family)
+            .Where(next => next.Length > 0 && !string.Equals(next, from, StringComparison.Ordinal))
+            .Any(next => string.Equals(next, to, StringComparison.Ordinal) || (seen.Add(next) && Reaches(next, to, seen)));
+
+    private static string Family(string folder) => folder is "Protocol/Text" ? "Protocol" : folder;
+
     private static bool MayUse(string folder, string[] uses, string target) =>
-        string.Equals(folder, target, StringComparison.Ordinal) || uses.Contains(target, StringComparer.Ordinal);
+        string.Equals(folder, target, StringComparison.Ordinal) || target is Polyfills || uses.Contains(target, StringComparer.Ordinal);
 
     // Empty for the root itself, null for what has no source file below it.
     private static string? FolderOf(TypeDefinition type, IReadOnlyDictionary<uint, string> folders)
