@@ -167,16 +167,16 @@ public sealed class CalculationDocumentTests
     [Fact]
     public void Cut_anywhere_all_rows_before_the_cut_are_read()
     {
-        byte[] text = CalculationText.Utf8(CalculationText.Rows(3));
-        int rowLength = CalculationText.Row(0).Length + 3;
-        int secondLength = CalculationText.Row(1).Length + 3;
+        byte[] text = CalculationText.Utf8(CalculationText.Rows(3, 338));
+        int rowLength = CalculationText.Row(0, 338).Length + 3;
+        int secondLength = CalculationText.Row(1, 338).Length + 3;
         for (int length = rowLength; length < text.Length; length += length % rowLength < 16 ? 1 : 7)
         {
             var document = CalculationDocument.Parse(text.AsSpan(0, length));
 
             int whole = length >= rowLength + secondLength - 3 ? 2 : 1;
             Assert.True(document.FrameCount == whole, $"Cut after {length} bytes: {document.FrameCount} frames.");
-            Assert.Equal(CalculationText.Values(whole - 1), document.GetValues(whole - 1));
+            Assert.Equal(CalculationText.Values(whole - 1, 338), document.GetValues(whole - 1));
         }
     }
 
