@@ -44,7 +44,7 @@ public sealed class BlockedCallbackTests : IDisposable
             Assert.Equal(i - 1, Volatile.Read(ref _ended));
             Assert.Equal("2 Service is stoped\n", log.LinesOf(server.Socket).Last());
             _release.Set();
-            await Limits.UntilAsync(() => Volatile.Read(ref _ended) == i && EndTests.HasEnded(server.Connection.Socket));
+            await Limits.UntilAsync(() => Volatile.Read(ref _ended) == i && server.Connection.Socket.HasEnded());
             Assert.Equal(i, log.Frames.Count);
             _release.Reset();
             await server.ReconnectAsync(log);
@@ -98,7 +98,7 @@ public sealed class BlockedCallbackTests : IDisposable
 
             Assert.Equal(0, Volatile.Read(ref _ended));
             _release.Set();
-            await Limits.UntilAsync(() => Volatile.Read(ref _ended) == count && servers.TrueForAll(static server => EndTests.HasEnded(server.Connection.Socket)));
+            await Limits.UntilAsync(() => Volatile.Read(ref _ended) == count && servers.TrueForAll(static server => server.Connection.Socket.HasEnded()));
             Assert.Equal(count, log.Frames.Count);
         }
         finally
@@ -177,7 +177,7 @@ public sealed class BlockedCallbackTests : IDisposable
             Assert.Single(log.LinesOf(server.Socket), IsEnd);
             Assert.Equal(i - 1, Volatile.Read(ref _ended));
             _release.Set();
-            await Limits.UntilAsync(() => Volatile.Read(ref _ended) == i && EndTests.HasEnded(server.Connection.Socket));
+            await Limits.UntilAsync(() => Volatile.Read(ref _ended) == i && server.Connection.Socket.HasEnded());
             Assert.Equal(i, log.Frames.Count);
             _release.Reset();
             await server.ReconnectAsync(log);

@@ -28,7 +28,7 @@ public sealed class ClosingTests
 
         VendorFunctions.Close(socket);
         callbacks.Continue();
-        await Limits.UntilAsync(() => EndTests.HasEnded(connection.Socket));
+        await Limits.UntilAsync(() => connection.Socket.HasEnded());
 
         Assert.Equal(0, callbacks.Frames);
         Assert.Equal("Service is stoped\n", callbacks.Statuses.Last());

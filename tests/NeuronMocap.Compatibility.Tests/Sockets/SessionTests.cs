@@ -26,7 +26,7 @@ public sealed class SessionTests
 
         Assert.All((IntPtr[])[server.Socket, managed, service], static socket =>
             Assert.Equal(SocketStatus.CS_OffWork, NeuronDataReader.BRGetSocketStatus(socket)));
-        await Limits.UntilAsync(() => EndTests.HasEnded(connection.Socket));
+        await Limits.UntilAsync(() => connection.Socket.HasEnded());
         Assert.Equal(told, log.Statuses.Count);
         Assert.Null(NeuronDataReader.frameDataReceivedCallback);
         Assert.Null(NeuronDataReaderManaged.NeuronDataReader.socketStatusChangedCallback);

@@ -3,6 +3,7 @@ using System.Text;
 using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Native.Tests.Commands;
 

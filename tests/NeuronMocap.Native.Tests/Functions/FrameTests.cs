@@ -1,6 +1,7 @@
 using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Native.Tests.Functions;
 

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Net.Sockets;
 using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Native.Tests.Functions;
 

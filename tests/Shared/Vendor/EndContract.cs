@@ -1,16 +1,18 @@
-using NeuronMocap.Native.Tests.Infrastructure;
+using System.Net.Sockets;
 using NeuronMocap.Tests.Network;
 
-namespace NeuronMocap.Native.Tests.Functions;
+namespace NeuronMocap.Tests.Vendor;
 
 // How connections end: by the server, by the program, and from inside callbacks.
-public sealed class EndTests
+public abstract class EndContract
 {
+    private protected abstract VendorDriver Start();
+
     [Fact]
     public async Task A_server_that_closes_is_told_on_another_thread_after_the_last_frame()
     {
         using var server = new TestServer();
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
         (string handle, TestConnection connection) = await driver.ConnectAsync(server);
         await driver.CallAsync("whenever status get-status sender");
 
@@ -31,14 +33,14 @@ public sealed class EndTests
     public async Task A_server_that_resets_leaves_the_systems_number()
     {
         using var server = new TestServer();
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
         (string handle, TestConnection connection) = await driver.ConnectAsync(server);
 
         connection.Reset();
         await driver.StatusesAsync(4);
 
         Assert.Equal(["0 Failed to read data.", @"0 Data thread exited.\n"], driver.LinesOf(handle).Skip(2));
-        Assert.Equal("Failed to read data. System error code: 104", await driver.CallAsync("error"));
+        Assert.Equal($"Failed to read data. System error code: {VendorError.CodeOf(SocketError.ConnectionReset)}", await driver.CallAsync("error"));
         await driver.EndAsync();
     }
 
@@ -49,7 +51,7 @@ public sealed class EndTests
     public async Task After_the_end_connecting_again_makes_a_new_connection(bool closesFirst)
     {
         using var server = new TestServer();
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
         (string dead, TestConnection connection) = await driver.ConnectAsync(server);
         connection.Close();
         await driver.StatusesAsync(4);
@@ -76,18 +78,18 @@ public sealed class EndTests
     public async Task Closing_is_told_once_by_the_caller_and_may_be_repeated()
     {
         using var server = new TestServer();
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
         (string handle, TestConnection connection) = await driver.ConnectAsync(server);
         await driver.CallAsync("whenever status get-status sender");
 
         await driver.CallAsync("close " + handle);
         await driver.CallAsync("close " + handle);
-        await driver.CallAsync("close " + Driver.None);
+        await driver.CallAsync("close " + VendorDriver.None);
 
         Assert.Equal(new DriverStatus("s", handle, "main", @"2 Service is stoped\n", 0), Assert.Single(driver.Statuses.Skip(2)));
         Assert.Equal(["2"], driver.Reactions);
         Assert.Equal("2", await driver.CallAsync("get-status " + handle));
-        await Limits.UntilAsync(() => HasEnded(connection));
+        await Limits.UntilAsync(() => connection.Socket.HasEnded());
         await driver.EndAsync();
         Assert.Equal(3, driver.Statuses.Count);
     }
@@ -96,7 +98,7 @@ public sealed class EndTests
     public async Task No_callback_comes_after_closing()
     {
         using var server = new TestServer();
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
         for (int i = 0; i < 5; i++)
         {
             (string handle, TestConnection connection) = await driver.ConnectAsync(server);
@@ -121,7 +123,7 @@ public sealed class EndTests
     public async Task Closing_in_the_frame_callback_makes_that_frame_the_last()
     {
         using var server = new TestServer();
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
         await driver.CallAsync("whenever frame close sender");
         (string handle, TestConnection connection) = await driver.ConnectAsync(server);
 
@@ -131,7 +133,7 @@ public sealed class EndTests
         Assert.Equal(@"2 Service is stoped\n", driver.Statuses[2].Line);
         Assert.Equal(driver.Frames[0].Thread, driver.Statuses[2].Thread);
         Assert.NotEqual("main", driver.Statuses[2].Thread);
-        await Limits.UntilAsync(() => HasEnded(connection));
+        await Limits.UntilAsync(() => connection.Socket.HasEnded());
         Assert.NotEqual(handle, await driver.ConnectAsync(server.Port));
         await driver.EndAsync();
         Assert.Single(driver.Frames);
@@ -141,7 +143,7 @@ public sealed class EndTests
     public async Task Closing_and_connecting_again_when_the_end_is_told_works()
     {
         using var server = new TestServer();
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
         (string first, TestConnection connection) = await driver.ConnectAsync(server);
         await driver.CallAsync("when status:Failed close sender");
         await driver.CallAsync($"when status:Service connect 127.0.0.1 {server.Port}");
@@ -166,7 +168,7 @@ public sealed class EndTests
     {
         using var server = new TestServer();
         using var other = new TestServer();
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
         (_, TestConnection connection) = await driver.ConnectAsync(server);
         await driver.CallAsync($"when frame connect 127.0.0.1 {other.Port}");
 
@@ -185,7 +187,7 @@ public sealed class EndTests
     public async Task A_busy_callback_does_not_hold_up_closing_for_long()
     {
         using var server = new TestServer();
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
         (string handle, TestConnection connection) = await driver.ConnectAsync(server);
         await driver.CallAsync("when frame hold");
         await connection.SendAsync(TestPackets.Motions(1, 2));
@@ -201,18 +203,6 @@ public sealed class EndTests
         await driver.FramesAsync(2);
         Assert.Equal([1u, 3u], driver.Frames.Select(static frame => frame.FrameIndex));
         await driver.EndAsync();
-    }
-
-    private static bool HasEnded(TestConnection connection)
-    {
-        try
-        {
-            return connection.Socket.Poll(0, System.Net.Sockets.SelectMode.SelectRead) && connection.Socket.Receive(new byte[1]) == 0;
-        }
-        catch (System.Net.Sockets.SocketException)
-        {
-            return true;
-        }
     }
 
     // In bursts, so that some frames are under way, and no faster than the driver can print them.

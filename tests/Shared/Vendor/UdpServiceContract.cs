@@ -1,16 +1,17 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Tests.Network;
 
-namespace NeuronMocap.Native.Tests.Functions;
+namespace NeuronMocap.Tests.Vendor;
 
-public sealed class UdpServiceTests
+public abstract class UdpServiceContract
 {
+    private protected abstract VendorDriver Start();
+
     [Fact]
     public async Task A_service_receives_and_calls_no_status_callback()
     {
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
         int port = FreePort.Udp();
         string service = await driver.CallAsync($"udp {port}");
         Assert.Equal("0", await driver.CallAsync("get-status " + service));
@@ -32,7 +33,7 @@ public sealed class UdpServiceTests
     [Fact]
     public async Task A_frame_in_two_datagrams_is_joined()
     {
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
         int port = FreePort.Udp();
         await driver.CallAsync($"udp {port}");
         byte[] packet = TestPackets.Motion(1);
@@ -47,11 +48,11 @@ public sealed class UdpServiceTests
     [Fact]
     public async Task Every_call_starts_a_service_of_its_own()
     {
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
         int port = FreePort.Udp();
         string first = await driver.CallAsync($"udp {port}");
         string second = await driver.CallAsync($"udp {port}");
-        Assert.NotEqual(Driver.None, second);
+        Assert.NotEqual(VendorDriver.None, second);
         Assert.NotEqual(first, second);
 
         Send(port, TestPackets.Motion(1));
@@ -70,22 +71,22 @@ public sealed class UdpServiceTests
         using var other = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ExclusiveAddressUse = true };
         other.Bind(new IPEndPoint(IPAddress.Any, 0));
         int port = ((IPEndPoint)other.LocalEndPoint!).Port;
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
 
-        Assert.Equal(Driver.None, await driver.CallAsync($"udp {port}"));
-        Assert.Equal($"Failed to bind UDP service to port {port}. System error code: 98", await driver.CallAsync("error"));
-        Assert.Equal(Driver.None, await driver.CallAsync("udp -1"));
-        Assert.Equal("Failed to bind UDP service to port -1. System error code: 22", await driver.CallAsync("error"));
-        Assert.Equal(Driver.None, await driver.CallAsync("udp 65536"));
-        Assert.Equal("Failed to bind UDP service to port 65536. System error code: 22", await driver.CallAsync("error"));
-        Assert.NotEqual(Driver.None, await driver.CallAsync("udp 0"));
+        Assert.Equal(VendorDriver.None, await driver.CallAsync($"udp {port}"));
+        Assert.Equal($"Failed to bind UDP service to port {port}. System error code: {VendorError.CodeOf(SocketError.AddressAlreadyInUse)}", await driver.CallAsync("error"));
+        Assert.Equal(VendorDriver.None, await driver.CallAsync("udp -1"));
+        Assert.Equal($"Failed to bind UDP service to port -1. System error code: {VendorError.CodeOf(SocketError.InvalidArgument)}", await driver.CallAsync("error"));
+        Assert.Equal(VendorDriver.None, await driver.CallAsync("udp 65536"));
+        Assert.Equal($"Failed to bind UDP service to port 65536. System error code: {VendorError.CodeOf(SocketError.InvalidArgument)}", await driver.CallAsync("error"));
+        Assert.NotEqual(VendorDriver.None, await driver.CallAsync("udp 0"));
         await driver.EndAsync();
     }
 
     [Fact]
     public async Task Closing_in_the_frame_callback_makes_that_frame_the_last()
     {
-        await using var driver = new Driver();
+        await using VendorDriver driver = Start();
         int port = FreePort.Udp();
         string service = await driver.CallAsync($"udp {port}");
         await driver.CallAsync("when frame close sender");

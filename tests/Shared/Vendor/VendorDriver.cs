@@ -1,7 +1,7 @@
 using System.Globalization;
 using NeuronMocap.Tests.Network;
 
-namespace NeuronMocap.Native.Tests.Infrastructure;
+namespace NeuronMocap.Tests.Vendor;
 
 /// <summary>A frame as a callback was given it. Thread is "main", or a number; Hash that of the floats' bytes.</summary>
 internal sealed record DriverFrame(string Object, string Sender, string Thread, ulong HeaderAddress, ulong DataAddress, byte[] Header, string Hash)
@@ -26,12 +26,14 @@ internal sealed record DriverFrame(string Object, string Sender, string Thread, 
 /// <summary>A status as a callback was given it: its number and its text, line feeds as \n. FramesBefore is how many frames had come.</summary>
 internal sealed record DriverStatus(string Object, string Sender, string Thread, string Line, int FramesBefore);
 
-/// <summary>The program driver of tests/native, which calls functions of the library as lines tell it to.</summary>
-internal sealed class Driver : IAsyncDisposable
+/// <summary>
+/// A program that calls the vendor's functions as lines tell it to, and says in lines what they and the callbacks say. driver.c in tests/native describes
+/// the lines.
+/// </summary>
+internal abstract class VendorDriver : IAsyncDisposable
 {
     public const string None = "(nil)";
 
-    private readonly NativeProgram _program = NativeProgram.Start("driver");
     private readonly Queue<string> _answers = [];
 
     public List<DriverFrame> Frames { get; } = [];
@@ -48,7 +50,7 @@ internal sealed class Driver : IAsyncDisposable
     /// <summary>Writes a line, and gives what it returned. Callbacks that came before that are kept.</summary>
     public async Task<string> CallAsync(string line)
     {
-        _program.Write(line);
+        Write(line);
         await UntilAsync(() => _answers.Count > 0);
         return _answers.Dequeue();
     }
@@ -66,7 +68,7 @@ internal sealed class Driver : IAsyncDisposable
     public async Task UntilAsync(Func<bool> condition)
     {
         while (!condition())
-            Keep(await _program.ReadAsync());
+            Keep(await ReadAsync());
     }
 
     public Task FramesAsync(int count) => UntilAsync(() => Frames.Count >= count);
@@ -74,18 +76,15 @@ internal sealed class Driver : IAsyncDisposable
     public Task StatusesAsync(int count) => UntilAsync(() => Statuses.Count >= count);
 
     /// <summary>Ends the program, which has to be content with that.</summary>
-    public async Task EndAsync()
-    {
-        int code = await _program.EndAsync();
-        foreach (string line in _program.ReadRest())
-            Keep(line);
-        Assert.Empty(_program.Errors);
-        Assert.Equal(0, code);
-    }
+    public abstract Task EndAsync();
 
-    public ValueTask DisposeAsync() => _program.DisposeAsync();
+    public abstract ValueTask DisposeAsync();
 
-    private void Keep(string line)
+    protected abstract void Write(string line);
+
+    protected abstract Task<string> ReadAsync();
+
+    protected void Keep(string line)
     {
         string[] words = line.Split(' ');
         switch (words[0])

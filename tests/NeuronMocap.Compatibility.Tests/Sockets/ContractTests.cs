@@ -1,0 +1,25 @@
+using NeuronMocap.Compatibility.Tests.Infrastructure;
+using NeuronMocap.Tests.Vendor;
+
+namespace NeuronMocap.Compatibility.Tests.Sockets;
+
+// What both surfaces of the vendor's functions promise, kept by the C# class.
+public sealed class ConnectContractTests : ConnectContract
+{
+    private protected override VendorDriver Start() => new ManagedDriver();
+}
+
+public sealed class EndContractTests : EndContract
+{
+    private protected override VendorDriver Start() => new ManagedDriver();
+}
+
+public sealed class UdpServiceContractTests : UdpServiceContract
+{
+    private protected override VendorDriver Start() => new ManagedDriver();
+}
+
+public sealed class UnansweredContractTests : UnansweredContract
+{
+    private protected override VendorDriver Start() => new ManagedDriver();
+}

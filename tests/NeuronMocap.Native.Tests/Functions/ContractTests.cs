@@ -1,0 +1,35 @@
+using NeuronMocap.Native.Tests.Infrastructure;
+using NeuronMocap.Tests.Vendor;
+
+namespace NeuronMocap.Native.Tests.Functions;
+
+// What both surfaces of the vendor's functions promise, kept by the C functions.
+public sealed class ConnectTests : ConnectContract
+{
+    private protected override VendorDriver Start() => new Driver();
+
+    // No text of C# is broken so.
+    [Fact]
+    public async Task A_name_that_is_no_text_is_a_failure_and_no_crash()
+    {
+        await using VendorDriver driver = Start();
+        Assert.Equal(VendorDriver.None, await driver.ConnectAsync(7001, "broken"));
+        Assert.Equal("Failed to connect to '\uFFFD\uFFFD.\uFFFD:7001'. System error code: 11001", await driver.CallAsync("error"));
+        await driver.EndAsync();
+    }
+}
+
+public sealed class EndTests : EndContract
+{
+    private protected override VendorDriver Start() => new Driver();
+}
+
+public sealed class UdpServiceTests : UdpServiceContract
+{
+    private protected override VendorDriver Start() => new Driver();
+}
+
+public sealed class UnansweredTests : UnansweredContract
+{
+    private protected override VendorDriver Start() => new Driver();
+}

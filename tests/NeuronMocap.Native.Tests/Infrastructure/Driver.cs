@@ -1,0 +1,24 @@
+using NeuronMocap.Tests.Vendor;
+
+namespace NeuronMocap.Native.Tests.Infrastructure;
+
+/// <summary>The program driver of tests/native: the vendor's functions as C programs have them.</summary>
+internal sealed class Driver : VendorDriver
+{
+    private readonly NativeProgram _program = NativeProgram.Start("driver");
+
+    public override async Task EndAsync()
+    {
+        int code = await _program.EndAsync();
+        foreach (string line in _program.ReadRest())
+            Keep(line);
+        Assert.Empty(_program.Errors);
+        Assert.Equal(0, code);
+    }
+
+    public override ValueTask DisposeAsync() => _program.DisposeAsync();
+
+    protected override void Write(string line) => _program.Write(line);
+
+    protected override Task<string> ReadAsync() => _program.ReadAsync();
+}
