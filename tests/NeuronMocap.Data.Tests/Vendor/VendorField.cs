@@ -1,6 +1,6 @@
 using System.Text.RegularExpressions;
 
-namespace NeuronMocap.Compatibility.Tests.Surface;
+namespace NeuronMocap.Data.Tests.Vendor;
 
 /// <summary>One field of a vendor struct as the table writes it, such as "UInt32 `DataCount`" or "string `AvatarName` (ByValTStr 32)".</summary>
 internal sealed partial record VendorField(string Type, string Name, int? Size)

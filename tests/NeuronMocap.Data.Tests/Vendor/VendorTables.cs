@@ -1,6 +1,6 @@
 using System.Text.RegularExpressions;
 
-namespace NeuronMocap.Compatibility.Tests.Surface;
+namespace NeuronMocap.Data.Tests.Vendor;
 
 /// <summary>The tables of the vendor's C# types and methods, read from shared/unity.md section 1.1 where that lies beside the repository.</summary>
 internal sealed partial class VendorTables

@@ -2,12 +2,12 @@ using System.Reflection;
 using System.Runtime.InteropServices;
 using System.Text.RegularExpressions;
 
-namespace NeuronMocap.Compatibility.Tests.Surface;
+namespace NeuronMocap.Data.Tests.Vendor;
 
 /// <summary>Both namespaces against the tables of the vendor's wrappers: what any of the three generations has, both have.</summary>
 public sealed partial class VendorSurfaceTests
 {
-    private static readonly Assembly Library = typeof(CompatibilityEvents).Assembly;
+    private static readonly Assembly Library = typeof(NeuronMocap.Compatibility.CompatibilityEvents).Assembly;
 
     private static readonly Dictionary<string, Type> Keywords = new(StringComparer.Ordinal)
     {
