@@ -95,7 +95,7 @@ static inline int serve(enum serving serving, const char *value)
         prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (getppid() != program)
             _exit(0);
-        alarm(60);
+        alarm(120);
         serve_for_ever(listener, serving, line);
     }
 
