@@ -9,7 +9,7 @@ namespace NeuronMocap.Compatibility.Tests.Sockets;
 
 public sealed class ConnectTests
 {
-    private static readonly TimeSpan Bound = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan Bound = Limits.Unexpected / 2;
 
     [Fact]
     public void A_connection_is_told_from_the_first_step_on()
