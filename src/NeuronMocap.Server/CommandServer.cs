@@ -128,7 +128,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     {
         lock (_gate)
         {
-            if (_isOver || (_sessions.Count >= _options.MaxClients && !TryMakeRoom()))
+            if (_isOver || (CountClients() >= _options.MaxClients && !TryMakeRoom()))
             {
                 socket.Dispose();
                 return;
@@ -147,6 +147,9 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
             }
         }
     }
+
+    // A client that connects anew has closed its old connection, whose session may not have had time to notice. Only a full server has to look.
+    private int CountClients() => _sessions.Count < _options.MaxClients ? _sessions.Count : _sessions.Count(static session => !session.IsLeft);
 
     // Whoever never asked gives way before whoever did: connections that only take up room push out each other.
     private bool TryMakeRoom()

@@ -6,9 +6,6 @@ namespace NeuronMocap;
 /// <content>Start, run and stop, and what each change of the status sets off.</content>
 public sealed partial class NeuronReader
 {
-    // Longest wait for a handler that is running while the reader is disposed of.
-    private static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(2);
-
     // Of a StartAsync: what timers can take.
     private static readonly TimeSpan LongestWait = TimeSpan.FromDays(24);
 
@@ -93,7 +90,7 @@ public sealed partial class NeuronReader
         // Not for both in one task, nor for Completion: that would take a thread of the pool, and in a busy process there may be none for a while.
         Stop();
         if (!IsHandlerThread)
-            Task.WaitAll([_stopped.Task, _reporter.Over], StopTimeout);
+            Task.WaitAll([_stopped.Task, _reporter.Over], _options.StopTimeout);
     }
 
     /// <summary>As <see cref="Dispose"/>, without blocking the thread.</summary>
@@ -107,7 +104,7 @@ public sealed partial class NeuronReader
         // What follows is the caller's, and not for a thread of the reader.
         Task stopped = Task.WhenAll(_stopped.Task, _reporter.Over).ContinueWith(
             static _ => { }, CancellationToken.None, TaskContinuationOptions.RunContinuationsAsynchronously, TaskScheduler.Default);
-        await Task.WhenAny(stopped, Task.Delay(StopTimeout)).ConfigureAwait(false);
+        await Task.WhenAny(stopped, Task.Delay(_options.StopTimeout)).ConfigureAwait(false);
     }
 
     // Only the thread itself can find its own number here, so no barrier is needed.

@@ -133,7 +133,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         if (_jointStatus is not null)
             _calculation = CreateCalculationConnection(_options.CalculationLink!, _jointStatus);
 
-        _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke);
+        _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke) { Patience = _options.StopTimeout / 2 };
     }
 
     /// <summary>

@@ -102,6 +102,9 @@ public sealed partial class NeuronReaderOptions
     /// </summary>
     public int MaxValues { get; set; } = ProtocolConstants.DefaultMaxValues;
 
+    // How long a stop waits for a handler that is still busy. Tests set it: a busy machine holds any thread up for longer.
+    internal TimeSpan StopTimeout { get; set; } = TimeSpan.FromSeconds(2);
+
     internal string DisplayName => Name ?? (Transport == TransportKind.Udp ? $"UDP port {Port}" : Link.Target);
 
     internal FrameFormat Format => new(RotationOrder, SkeletonVariant);

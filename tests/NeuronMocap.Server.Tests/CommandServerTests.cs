@@ -220,6 +220,33 @@ public sealed class CommandServerTests
         await next.GetRotationOrderAsync().Soon();
     }
 
+    // A client connects anew for most commands. The thread that serves its old connection is held up here, so that it notices the end too late.
+    [Fact]
+    public async Task A_client_that_connects_anew_has_room_before_its_old_connection_is_noticed_to_be_closed()
+    {
+        using var held = new ManualResetEventSlim();
+        int sessions = 0;
+        using Broadcaster broadcaster = CreateBroadcaster();
+        using CommandServer server = Start(broadcaster, options => (options.MaxClients, options.IdleTimeout) = (1, TimeSpan.FromHours(1)), HoldFirst);
+        using (Connect(server))
+            await Limits.UntilAsync(() => Volatile.Read(ref sessions) == 1);
+
+        using NeuronCommandClient client = CreateClient(server);
+        await client.GetRotationOrderAsync().Soon();
+        held.Set();
+        await Limits.UntilAsync(() => server.ClientCount == 1);
+        await client.GetRotationOrderAsync().Soon();
+
+        // The session asks for the time before it waits for a request.
+        long HoldFirst()
+        {
+            if (Thread.CurrentThread.Name == "NeuronMocap commands" && Interlocked.Increment(ref sessions) == 1)
+                held.Wait(Limits.Unexpected);
+
+            return 0;
+        }
+    }
+
     // Idle connections cannot keep others out: whoever never asked gives way first, then whoever asked nothing for the longest time.
     [Fact]
     public async Task When_there_is_no_room_the_oldest_idle_client_gives_way()

@@ -5,8 +5,9 @@ namespace NeuronMocap.Compatibility.Sockets;
 // What a handle stands for. Open is called once, by the thread that asked for the handle; Dispose, which closes it, by anyone at any time.
 internal abstract class VendorSocket : IDisposable
 {
-    // How long closing waits for a callback that runs, about as long as the vendor's libraries. It may wait for the thread that closes.
-    public static readonly TimeSpan Patience = TimeSpan.FromMilliseconds(75);
+    // How long closing waits for a callback that runs, about as long as the vendor's libraries. It may wait for the thread that closes. Set by tests: on a
+    // busy machine the system holds any callback up for longer.
+    public static TimeSpan Patience { get; set; } = TimeSpan.FromMilliseconds(75);
 
     // How many this thread is opening: a callback of one may ask for another.
     [ThreadStatic]

@@ -51,6 +51,22 @@ internal sealed class CommandSession : IDisposable
     // Any thread.
     public IdleClock Idle => _idle;
 
+    // Any thread. The client has closed its side and there is nothing left to answer: the session is about to end.
+    public bool IsLeft
+    {
+        get
+        {
+            try
+            {
+                return _idle.Elapsed is not null && _socket.Poll(0, SelectMode.SelectRead) && _socket.Available == 0;
+            }
+            catch (Exception exception) when (SocketErrors.IsExpected(exception))
+            {
+                return true;
+            }
+        }
+    }
+
     public void Dispose() => _socket.Dispose();
 
     private void Run()

@@ -11,14 +11,12 @@ namespace NeuronMocap.Reader;
 // The recordings and exports of one reader, and what is written at the head of its recordings. Any thread.
 internal sealed class ReaderRecordings
 {
-    // Half of what a stop of the reader may take.
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
-
     // Servers count from 0; a recording has the sizes of the first one's body.
     private const int Avatar = 0;
 
     private readonly object _lock = new();
     private readonly NeuronCommandOptions? _commands;
+    private readonly TimeSpan _patience;
     private volatile IFileOutput[] _all = [];
     private RecordingMetadata _metadata;
     private NeuronCommandClient? _client;
@@ -29,6 +27,7 @@ internal sealed class ReaderRecordings
     {
         Tap = new StreamTap(gate);
         _commands = options.Commands;
+        _patience = options.StopTimeout / 2;
         _metadata = new RecordingMetadata()
             .With(RecordingMetadata.Program, DescribeProgram())
             .With(RecordingMetadata.Server, options.Transport == TransportKind.Udp ? $"UDP port {options.Port}" : options.Link.Target)
@@ -113,7 +112,7 @@ internal sealed class ReaderRecordings
         }
     }
 
-    // Ends all of them, and those that somebody begins now. Completes when their files are closed, or after a second.
+    // Ends all of them, and those that somebody begins now. Completes when their files are closed, or after half of what a stop may take.
     public async Task StopAsync()
     {
         lock (_lock)
@@ -127,7 +126,7 @@ internal sealed class ReaderRecordings
             output.Stop();
 
         if (all.Length > 0)
-            await Task.WhenAny(Task.WhenAll(all.Select(static output => output.Ended)), Task.Delay(Patience)).ConfigureAwait(false);
+            await Task.WhenAny(Task.WhenAll(all.Select(static output => output.Ended)), Task.Delay(_patience)).ConfigureAwait(false);
     }
 
     private void Learn(string key, string value)

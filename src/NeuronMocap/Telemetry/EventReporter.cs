@@ -11,9 +11,6 @@ namespace NeuronMocap.Telemetry;
 // that looks at the counters, so that the receive thread has nothing to do with them, however many there are.
 internal sealed class EventReporter(string name, IReaderFigures figures, Action<ReaderEvent> report)
 {
-    // For a report that another thread is just making: half of what a stop may take, so that the last status is still told within it.
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
-
     private static readonly (SkipReason Reason, string Name)[] SkipReasons =
     [
         (SkipReason.NoTokens, nameof(SkipReason.NoTokens)),
@@ -35,6 +32,9 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
     private long _droppedTold;
     private volatile Exception? _failure;
     private volatile bool _ended;
+
+    // For a report that another thread is just making: half of what a stop may take, so that the last status is still told within it.
+    public TimeSpan Patience { get; init; } = TimeSpan.FromSeconds(1);
 
     // Whether the calling thread is making a report, so that a handler calls.
     public bool IsReporting => Monitor.IsEntered(_lock);

@@ -1,5 +1,6 @@
 using System.Runtime.InteropServices;
 using NeuronDataReaderWraper;
+using NeuronMocap.Compatibility.Sockets;
 
 namespace NeuronMocap.Compatibility.Tests.Infrastructure;
 
@@ -36,6 +37,8 @@ internal sealed class CallbackLog : IDisposable
     public static readonly IntPtr StatusObject = 13;
     public static readonly IntPtr CommandObject = 14;
 
+    private static readonly TimeSpan UsualPatience = VendorSocket.Patience;
+
     private readonly object _lock = new();
     private readonly List<LoggedFrame> _frames = [];
     private readonly List<LoggedFrame> _calculation = [];
@@ -43,8 +46,11 @@ internal sealed class CallbackLog : IDisposable
     private readonly List<Exception> _failures = [];
     private readonly HashSet<IntPtr> _sockets = [];
 
-    public CallbackLog()
+    /// <summary>Begins to log.</summary>
+    /// <param name="isPatient">Whether closing waits for a callback that runs until it ends, and not as short as usual.</param>
+    public CallbackLog(bool isPatient = false)
     {
+        VendorSocket.Patience = isPatient ? Limits.Unexpected : UsualPatience;
         NeuronDataReader.BRRegisterFrameDataCallback(FrameObject, OnFrameData);
         NeuronDataReader.BRRegisterCalculationDataCallback(CalculationObject, OnCalculationData);
         NeuronDataReader.BRRegisterSocketStatusCallback(StatusObject, OnStatusChanged);
@@ -79,6 +85,7 @@ internal sealed class CallbackLog : IDisposable
 
     public void Dispose()
     {
+        VendorSocket.Patience = UsualPatience;
         foreach (IntPtr socket in _sockets)
             NeuronDataReader.BRCloseSocket(socket);
 

@@ -11,7 +11,7 @@ public sealed class DiagnosisTests
     [Fact]
     public async Task A_healthy_stream_is_shown_step_by_step_with_the_code_and_ends_with_0()
     {
-        MonitorResult result = await MonitorRunner.RunAsync("--diagnose", "--demo", "--duration", "5");
+        MonitorResult result = await MonitorRunner.RunAsync("--diagnose", "--demo", "--duration", "15");
 
         Assert.Equal(0, result.ExitCode);
         Assert.Empty(result.Error);
@@ -30,7 +30,7 @@ public sealed class DiagnosisTests
     [InlineData(7)]
     public async Task A_terminal_that_does_not_tell_its_size_is_written_to_as_a_narrow_one(int columns)
     {
-        MonitorResult result = await MonitorRunner.RunOnTerminalAsync(columns, "--diagnose", "--demo", "--duration", "5");
+        MonitorResult result = await MonitorRunner.RunOnTerminalAsync(columns, "--diagnose", "--demo", "--duration", "15");
 
         Assert.Equal(0, result.ExitCode);
         Assert.StartsWith("Looking for frames from 127.0.0.1:", result.Output[0], StringComparison.Ordinal);
@@ -64,7 +64,7 @@ public sealed class DiagnosisTests
         using var probe = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         probe.Bind(new IPEndPoint(IPAddress.Any, 0));
         string port = $"{((IPEndPoint)probe.LocalEndPoint!).Port}";
-        MonitorResult result = await MonitorRunner.RunAsync("--diagnose", "--udp", port, "--duration", "5");
+        MonitorResult result = await MonitorRunner.RunAsync("--diagnose", "--udp", port, "--duration", "15");
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains($"UDP port {port}", result.Output[0], StringComparison.Ordinal);
@@ -77,7 +77,7 @@ public sealed class DiagnosisTests
     public async Task Programs_get_one_object_a_line(string output)
     {
         using FrameServer server = FrameServer.Sending("SSH-2.0-Test\r\n"u8.ToArray());
-        MonitorResult result = await MonitorRunner.RunAsync("--diagnose", server.Address, "--duration", "5", output);
+        MonitorResult result = await MonitorRunner.RunAsync("--diagnose", server.Address, "--duration", "15", output);
 
         Assert.Equal(1, result.ExitCode);
         Assert.Equal(output is "--json", result.OfType("step").Length > 0);
@@ -92,7 +92,7 @@ public sealed class DiagnosisTests
     public async Task Avatars_are_part_of_the_object()
     {
         using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, new float[354]));
-        MonitorResult result = await MonitorRunner.RunAsync("--diagnose", server.Address, "--duration", "5", "--quiet");
+        MonitorResult result = await MonitorRunner.RunAsync("--diagnose", server.Address, "--duration", "15", "--quiet");
 
         Assert.Equal(0, result.ExitCode);
         using JsonDocument diagnosis = JsonDocument.Parse(Assert.Single(result.Output));

@@ -22,9 +22,9 @@ public sealed class HostileNameTests
     }
 
     [Theory]
-    [InlineData("--diagnose", "--duration", "5")]
+    [InlineData("--diagnose", "--duration", "15")]
     [InlineData("--json", "--frames", "5")]
-    [InlineData("--json", "--diagnose", "--duration", "5")]
+    [InlineData("--json", "--diagnose", "--duration", "15")]
     public async Task Diagnosis_and_JSON_are_clean(params string[] args)
     {
         using FrameServer server = Serve();

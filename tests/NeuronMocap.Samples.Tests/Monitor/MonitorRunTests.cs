@@ -104,7 +104,7 @@ public sealed class MonitorRunTests
     public async Task The_time_of_a_quiet_summary_is_that_of_the_run()
     {
         using FrameServer server = FrameServer.Pacing(static number => FrameServer.Motion((uint)number, 1));
-        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--duration", "0.5", "--quiet");
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--duration", "2", "--quiet");
         using var summary = JsonDocument.Parse(Assert.Single(result.Output));
         double frames = summary.RootElement.GetProperty("seconds").GetDouble();
         Assert.InRange(frames, 1e-6, summary.RootElement.GetProperty("time").GetDouble());
@@ -125,7 +125,7 @@ public sealed class MonitorRunTests
     [Fact]
     public async Task A_refused_connection_is_tried_again_until_the_time_is_over()
     {
-        MonitorResult result = await MonitorRunner.RunAsync("--connect", FrameServer.RefusingAddress(), "--duration", "0.7", "--json");
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", FrameServer.RefusingAddress(), "--duration", "3", "--json");
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("refused", Assert.Single(result.Error), StringComparison.Ordinal);
@@ -137,7 +137,7 @@ public sealed class MonitorRunTests
     {
         using FrameServer server = FrameServer.Silent();
 
-        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--duration", "1", "--quiet");
+        MonitorResult result = await MonitorRunner.RunAsync("--connect", server.Address, "--duration", "4", "--quiet");
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("broadcasting", Assert.Single(result.Error), StringComparison.Ordinal);
@@ -174,7 +174,8 @@ public sealed class MonitorRunTests
     {
         using var sender = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         int port = FreeUdpPort();
-        Task<MonitorResult> running = MonitorRunner.RunAsync("--udp", $"{port}", "--allow-sender", allowed, "--allow-sender", "192.0.2.2", "--frames", "3", "--duration", "2", "--quiet");
+        string longest = exitCode == 0 ? "60" : "4";
+        Task<MonitorResult> running = MonitorRunner.RunAsync("--udp", $"{port}", "--allow-sender", allowed, "--allow-sender", "192.0.2.2", "--frames", "3", "--duration", longest, "--quiet");
         for (int i = 0; !running.IsCompleted; i++)
         {
             sender.SendTo(FrameServer.Motion((uint)i, 1), new IPEndPoint(IPAddress.Loopback, port));

@@ -11,6 +11,8 @@ internal static class StarvedPool
         using var free = new ManualResetEvent(initialState: false);
         using var left = new CountdownEvent(1);
         ThreadPool.GetMaxThreads(out int workers, out int completers);
+        ThreadPool.GetMinThreads(out int fewestWorkers, out int fewestCompleters);
+        Assert.True(ThreadPool.SetMinThreads(1, fewestCompleters));
         Assert.True(ThreadPool.SetMaxThreads(Environment.ProcessorCount, completers));
         try
         {
@@ -26,6 +28,7 @@ internal static class StarvedPool
         finally
         {
             ThreadPool.SetMaxThreads(workers, completers);
+            ThreadPool.SetMinThreads(fewestWorkers, fewestCompleters);
             free.Set();
             left.Signal();
             left.Wait();

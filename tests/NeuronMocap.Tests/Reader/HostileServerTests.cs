@@ -99,32 +99,35 @@ public abstract class HostileServerTests
     [Fact]
     public async Task Pauses_between_frames_and_in_one_are_told_and_lose_nothing()
     {
-        StatusLog? log = null;
+        NeuronReader? told = null;
         await using Broadcaster broadcaster = Started();
         await using var proxy = new FaultProxy(broadcaster.LocalEndPoint!, async link =>
         {
             await link.ForwardAsync(5 * FrameSize);
-            await Limits.UntilAsync(() => Count(log!, ConnectionState.Silent) == 1);
+            await SilenceAsync(5);
             await link.ForwardAsync((5 * FrameSize) + 700);
-            await Limits.UntilAsync(() => Count(log!, ConnectionState.Silent) == 2);
+            await SilenceAsync(10);
             await link.ForwardAsync((90 * FrameSize) - 700);
             await link.HoldAsync();
         });
-        await using var reader = CreateReader(Options(proxy));
-        log = new StatusLog(reader);
+        await using NeuronReader reader = told = CreateReader(Options(proxy));
+        var log = new StatusLog(reader);
         List<uint?> indices = Indices(reader);
         reader.Start();
         await reader.WaitForFramesAsync(Frames);
+        await log.WaitAsync(ConnectionState.Receiving);
 
         Assert.Equal(Enumerable.Range(0, Frames).Select(i => (uint?)i), indices);
-        Assert.Equal(
-            [
-                ConnectionState.Connecting, ConnectionState.Connected, ConnectionState.Receiving, ConnectionState.Silent,
-                ConnectionState.Receiving, ConnectionState.Silent, ConnectionState.Receiving,
-            ],
-            log.All.Select(status => status.State).Take(7));
+
+        // A busy machine may make pauses of its own.
+        List<ConnectionState> states = [.. log.All.Select(static status => status.State)];
+        Assert.Equal([ConnectionState.Connecting, ConnectionState.Connected], states[..2]);
+        Assert.InRange(states.Count(static state => state == ConnectionState.Receiving), 3, int.MaxValue);
+        Assert.InRange(states.Count(static state => state == ConnectionState.Silent), 2, int.MaxValue);
         Assert.All(log.All.Where(status => status.State == ConnectionState.Silent), status => Assert.Equal(ConnectionReason.NoData, status.Reason));
         Assert.Equal((0L, 0L), (reader.GetStatistics().SkippedBytes, reader.GetStatistics().Reconnects));
+
+        Task SilenceAsync(int frames) => Limits.UntilAsync(() => told!.GetStatistics().MotionFrames == frames && told.Status.State == ConnectionState.Silent);
     }
 
     [Fact]
@@ -205,8 +208,6 @@ public abstract class HostileServerTests
         reader.MotionReceived += frame => indices.Add(frame.FrameIndex);
         return indices;
     }
-
-    private static int Count(StatusLog log, ConnectionState state) => log.All.Count(status => status.State == state);
 }
 
 public sealed class BlockingHostileServerTests : HostileServerTests

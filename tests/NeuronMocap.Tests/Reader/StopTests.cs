@@ -230,6 +230,7 @@ public sealed class StopTests
         using var server = new TestServer();
         NeuronReaderOptions options = server.Options(reconnect: true);
         options.Reconnect.InitialDelay = options.Reconnect.MaxDelay = TimeSpan.FromHours(1);
+        options.StopTimeout = TimeSpan.FromMilliseconds(100);
         var reader = new NeuronReader(options);
         var log = new StatusLog(reader);
         using var leave = new SemaphoreSlim(0);

@@ -196,8 +196,8 @@ public sealed class StreamFormatTests
         byte[] line = TestPackets.Line(1, count: 126);
         await connection.SendAsync(line);
 
-        ConnectionStatus status = await log.WaitAsync(ConnectionState.Silent);
-        Assert.Equal(ConnectionReason.UnknownFormat, status.Reason);
+        // On a busy machine the connection may be silent before the line arrives.
+        ConnectionStatus status = await log.WaitAsync(static status => status is { State: ConnectionState.Silent, Reason: ConnectionReason.UnknownFormat });
         Assert.Contains("180, 186, 354 or 360", status.Message, StringComparison.Ordinal);
         Assert.Contains("set Skeleton to", status.Message, StringComparison.Ordinal);
         Assert.Equal(line.Length, reader.GetStatistics().SkippedBytes);
@@ -217,8 +217,8 @@ public sealed class StreamFormatTests
         using TestConnection connection = await server.AcceptAsync();
         await connection.SendAsync(TestPackets.Join(Encoding.ASCII.GetBytes(rest), TestPackets.Line(1, lead: "0 Char 02 ")));
 
-        ConnectionStatus status = await log.WaitAsync(ConnectionState.Silent);
-        Assert.Equal(ConnectionReason.UnknownFormat, status.Reason);
+        // On a busy machine the connection may be silent before the line arrives.
+        ConnectionStatus status = await log.WaitAsync(static status => status is { State: ConnectionState.Silent, Reason: ConnectionReason.UnknownFormat });
         Assert.Contains("the avatar's name has spaces and numbers in it", status.Message, StringComparison.Ordinal);
         Assert.Contains("Rename the avatar", status.Message, StringComparison.Ordinal);
     }

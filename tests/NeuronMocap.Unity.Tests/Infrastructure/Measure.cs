@@ -14,7 +14,7 @@ internal static class Measure
         Action[] calls = [.. callbacks.Select(name => ScriptCallbacks.Of(script.GetType()).Bind(script, name)
             ?? throw new InvalidOperationException($"There is no {name}."))];
         Run(calls, loop, 120);
-        return Run(calls, loop, 60);
+        return Allocations.Least(() => Run(calls, loop, 60));
     }
 
     /// <summary>A public or private field's value.</summary>

@@ -14,13 +14,11 @@ internal sealed class BlackHole : IDisposable
         _listener.Bind(new IPEndPoint(IPAddress.Loopback, 0));
         _listener.Listen(backlog: 1);
 
-        // The first that does not connect finds the queue full.
-        while (true)
+        // Those that do not connect find the queue full. Two of them, asked without the help of another thread: one may merely be late.
+        for (int unanswered = 0; unanswered < 2;)
         {
-            var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
-            _queued.Add(socket);
-            if (!socket.ConnectAsync(IPAddress.Loopback, Port).Wait(TimeSpan.FromMilliseconds(200)))
-                return;
+            if (!TryConnect())
+                unanswered++;
         }
     }
 
@@ -31,5 +29,21 @@ internal sealed class BlackHole : IDisposable
         _listener.Dispose();
         foreach (Socket socket in _queued)
             socket.Dispose();
+    }
+
+    private bool TryConnect()
+    {
+        var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { Blocking = false };
+        _queued.Add(socket);
+        try
+        {
+            socket.Connect(IPAddress.Loopback, Port);
+        }
+        catch (SocketException exception) when (exception.SocketErrorCode is SocketError.WouldBlock or SocketError.InProgress)
+        {
+            // The answer is still to come.
+        }
+
+        return socket.Poll(TimeSpan.FromMilliseconds(100), SelectMode.SelectWrite);
     }
 }

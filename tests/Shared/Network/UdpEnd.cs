@@ -21,6 +21,7 @@ internal sealed class UdpEnd(NeuronReader reader) : IAsyncDisposable
             LocalAddress = IPAddress.Loopback,
             Port = 0,
             SilenceTimeout = TimeSpan.FromMilliseconds(100),
+            StopTimeout = Limits.Unexpected,
             Reconnect = { Enabled = false },
         };
         configure?.Invoke(options);

@@ -9,7 +9,7 @@ int main(int count, char **arguments)
     int number = count > 1 ? atoi(arguments[1]) : 0, is_fault = count > 2, port = serve(SEND, "1.5");
     volatile int zero = 0, *volatile nowhere = NULL;
 
-    alarm(30);
+    alarm(120);
     setrlimit(RLIMIT_CORE, &no_core);
     /* Whoever started the program may have it ignored. */
     signal(number, SIG_DFL);

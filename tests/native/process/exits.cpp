@@ -77,7 +77,7 @@ int main(int count, char **arguments)
     const struct rlimit no_core = {0, 0};
     pthread_t thread;
 
-    alarm(20);
+    alarm(120);
     setrlimit(RLIMIT_CORE, &no_core);
     BRRegisterFrameDataCallback(NULL, on_frame);
     BRRegisterSocketStatusCallback(NULL, on_status);

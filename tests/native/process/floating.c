@@ -59,7 +59,7 @@ int main(int count, char **arguments)
     char text[64];
     SOCKET_REF socket = NULL, other = NULL;
 
-    alarm(30);
+    alarm(120);
     expected = strtof(value, NULL);
     make_unusual();
     CALL(BRRegisterFrameDataCallback(NULL, on_frame));

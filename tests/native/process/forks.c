@@ -55,7 +55,7 @@ int main(void)
     FILE *output;
     char line[16];
 
-    alarm(30);
+    alarm(120);
     if ((child = fork()) == 0) {
         receive(port);
         exit(0);
@@ -65,7 +65,7 @@ int main(void)
 
     for (i = 0; i < 20; i++) {
         if ((child = fork()) == 0) {
-            alarm(10);
+            alarm(120);
             expect_no_library(port, (SOCKET_REF)1);
             if (i % 4 == 0)
                 exit(0);

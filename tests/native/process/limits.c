@@ -61,7 +61,7 @@ int main(int count, char **arguments)
     unsigned long most;
 
     CHECK(count == 3);
-    alarm(30);
+    alarm(120);
     port = serve(SEND, "1.5");
     most = strtoul(arguments[2], NULL, 10);
     if (strcmp(arguments[1], "addresses") == 0)

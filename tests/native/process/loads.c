@@ -64,7 +64,7 @@ int main(int count, char **arguments)
     CHECK(count == 3);
     library = arguments[1];
     port = serve(SEND, "1.5");
-    alarm(30);
+    alarm(120);
     for (i = 0; i < 4; i++) {
         CHECK(pthread_create(&thread, NULL, use_in_thread, NULL) == 0 && pthread_join(thread, NULL) == 0);
         use(library, flags[i], 1);

@@ -12,7 +12,7 @@ int main(void)
     BoneDimension sizes;
     size_t i, j;
 
-    alarm(30);
+    alarm(120);
     CHECK(stale != NULL && service != NULL);
     foreign[4] = stale;
     BRCloseSocket(stale);

@@ -95,7 +95,7 @@ static inline int serve(enum serving serving, const char *value)
         prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (getppid() != program)
             _exit(0);
-        alarm(60);
+        alarm(120);
         serve_for_ever(listener, serving, line);
     }
 
@@ -103,11 +103,11 @@ static inline int serve(enum serving serving, const char *value)
     return ntohs(address.sin_port);
 }
 
-/* Waits for what another thread does, for 20 s at most. */
+/* Waits for what another thread does, for a minute at most. */
 #define AWAIT(condition) \
     do { \
         int waited = 0; \
-        while (!(condition) && waited++ < 20000) \
+        while (!(condition) && waited++ < 60000) \
             usleep(1000); \
         CHECK(condition); \
     } while (0)

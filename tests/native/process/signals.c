@@ -76,7 +76,7 @@ int main(void)
     int port = serve(SEND, "1.5"), refusing = serve(REFUSE, "0"), i;
     SOCKET_REF socket, commands;
 
-    alarm(30);
+    alarm(120);
     main_thread = pthread_self();
     set_handlers();
     signal(SIGPIPE, SIG_DFL);

@@ -60,7 +60,7 @@ int main(void)
     struct stat input, input_after;
     mode_t mask;
 
-    alarm(60);
+    alarm(120);
     /* What it was given. */
     for (i = 3; i < 256; i++)
         close(i);

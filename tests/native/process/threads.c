@@ -80,7 +80,7 @@ int main(int count, char **arguments)
     sigset_t all;
     void *socket;
 
-    alarm(30);
+    alarm(120);
     port = serve(strcmp(how, "random") == 0 ? MIXED : SEND, "1.5");
     sigfillset(&all);
     pthread_attr_init(&attributes);

@@ -24,7 +24,7 @@ int main(int count, char **)
     const struct rlimit no_core = {0, 0};
     const int port = serve(SEND, "1.5");
 
-    alarm(20);
+    alarm(120);
     setrlimit(RLIMIT_CORE, &no_core);
     throws_in_status = count > 1;
     BRRegisterFrameDataCallback(NULL, on_frame);

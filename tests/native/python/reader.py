@@ -43,6 +43,11 @@ CalculationDataReceived = CFUNCTYPE(None, c_void_p, c_void_p, POINTER(CalcDataHe
 SocketStatusChanged = CFUNCTYPE(None, c_void_p, c_void_p, c_int, c_char_p)
 CommandDataReceived = CFUNCTYPE(None, c_void_p, c_void_p, POINTER(CommandPack), c_void_p)
 
+# In one piece: print writes word by word, and other threads' words come in between.
+def say(*words):
+    sys.stdout.write(" ".join(map(str, words)) + "\n")
+
+
 # Whether frames are printed, and how many of each connection came.
 verbose = True
 counts = {}
@@ -76,7 +81,7 @@ def on_frame(custom, sender, header, data):
         return
     version = head.DataVersion
     values = data[:head.DataCount]
-    print("frame", custom, head.Token1 == 0xDDFF and head.Token2 == 0xEEFF, f"{version.Major}.{version.Minor}.{version.Revision}.{version.BuildNumb}",
+    say("frame", custom, head.Token1 == 0xDDFF and head.Token2 == 0xEEFF, f"{version.Major}.{version.Minor}.{version.Revision}.{version.BuildNumb}",
           head.AvatarIndex, head.AvatarName.decode(), head.FrameIndex, head.WithDisp, head.WithReference, len(values), values[0], values[-1])
     if head.FrameIndex == 13:
         raise ZeroDivisionError("of the callback")
@@ -85,19 +90,19 @@ def on_frame(custom, sender, header, data):
 @CalculationDataReceived
 def on_calculation(custom, sender, header, data):
     head = header.contents
-    print("calculation", custom, head.Token1 == 0x88FF and head.Token2 == 0x99FF, head.FrameIndex, head.DataCount, data[head.DataCount - 1])
+    say("calculation", custom, head.Token1 == 0x88FF and head.Token2 == 0x99FF, head.FrameIndex, head.DataCount, data[head.DataCount - 1])
 
 
 @SocketStatusChanged
 def on_status(custom, sender, status, message):
     if verbose:
-        print("status", custom, status, message.decode().rstrip("\n"))
+        say("status", custom, status, message.decode().rstrip("\n"))
 
 
 @CommandDataReceived
 def on_command(custom, sender, pack, data):
     head = pack.contents
-    print("answer", custom, head.CommandId, head.CmdParaments[0], data)
+    say("answer", custom, head.CommandId, head.CmdParaments[0], data)
 
 
 def register(library):
@@ -117,16 +122,16 @@ def receive_in_a_thread(library, host, port, frames, results):
 
 def receive(library, port, commands):
     global verbose
-    print("sizes", sizeof(BvhDataHeader), sizeof(CalcDataHeader), sizeof(CommandPack), sizeof(BoneDimension))
+    say("sizes", sizeof(BvhDataHeader), sizeof(CalcDataHeader), sizeof(CommandPack), sizeof(BoneDimension))
     register(library)
-    print("refused", library.BRConnectTo(b"127.0.0.1", 1), library.BRGetLastErrorMessage().decode())
+    say("refused", library.BRConnectTo(b"127.0.0.1", 1), library.BRGetLastErrorMessage().decode())
     connection = library.BRConnectTo(b"127.0.0.1", port)
-    print("connected", connection is not None, library.BRGetSocketStatus(connection), library.BRCommandFetchDataFromServer(connection, 5))
+    say("connected", connection is not None, library.BRGetSocketStatus(connection), library.BRCommandFetchDataFromServer(connection, 5))
     sys.stdin.readline()
 
     pipe = library.BRConnectCmd(b"127.0.0.1", commands)
     order, size, text = c_int(), BoneDimension(), create_string_buffer(20000)
-    print("commands", library.ZeroOut(pipe, 0), library.ZeroOut(pipe, 99), library.GetBvhRotation(pipe, byref(order)), order.value,
+    say("commands", library.ZeroOut(pipe, 0), library.ZeroOut(pipe, 99), library.GetBvhRotation(pipe, byref(order)), order.value,
           library.GetBoneSize(pipe, 0, byref(size)), size.Head > 0, library.GetBvhHeader(pipe, 0, text, len(text)), text.value[:9].decode(),
           library.GetBvhHeader(None, 0, text, len(text)))
 
@@ -135,11 +140,11 @@ def receive(library, port, commands):
     threads = [threading.Thread(target=receive_in_a_thread, args=(library, host, port, 50, results)) for host in (b"localhost", b"127.1", b"127.0.1")]
     for thread in threads:
         thread.start()
-    print("threads started")
+    say("threads started")
     for thread in threads:
         thread.join()
-    print("threads", sorted(results))
-    print("ends without closing", library.BRGetSocketStatus(connection))
+    say("threads", sorted(results))
+    say("ends without closing", library.BRGetSocketStatus(connection))
 
 
 def wait(library, port):
@@ -151,7 +156,7 @@ def wait(library, port):
         while True:
             time.sleep(60)
     except KeyboardInterrupt:
-        print("interrupted")
+        say("interrupted")
         raise
     finally:
         # An interpreter that ends makes a thread exit that calls into it, in the middle of the library.

@@ -22,7 +22,7 @@ public sealed partial class JsonPageTests
     [Fact]
     public async Task Every_field_of_every_line_is_on_the_page_and_no_other()
     {
-        MonitorResult diagnosis = await MonitorRunner.RunAsync("--diagnose", "--demo", "--quiet", "--duration", "5");
+        MonitorResult diagnosis = await MonitorRunner.RunAsync("--diagnose", "--demo", "--quiet", "--duration", "15");
         Dictionary<string, SortedSet<string>> written = [];
         foreach (string line in AllLines().Append(diagnosis.Output[^1]))
         {
@@ -58,7 +58,7 @@ public sealed partial class JsonPageTests
 
     [Theory]
     [InlineData("--demo")]
-    [InlineData("--diagnose", "--demo", "--duration", "5")]
+    [InlineData("--diagnose", "--demo", "--duration", "15")]
     [InlineData("--commands", "--demo")]
     [InlineData("--commands", "--demo", "--zero-out", "all")]
     public async Task Every_line_of_a_run_parses_and_has_a_type_of_the_page(params string[] args)
