@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Tests.Server;
+using static NeuronMocap.Server.Tests.Broadcasts;
 
 namespace NeuronMocap.Server.Tests;
 
@@ -231,21 +232,6 @@ public sealed class BroadcasterCalculationPortTests
 
         options.FrameLimit = Frames;
         return options;
-    }
-
-    private static Broadcaster Started(BroadcasterOptions options)
-    {
-        var broadcaster = new Broadcaster(options);
-        broadcaster.Start();
-        return broadcaster;
-    }
-
-    // Room for all that a test sends: nothing is lost on the way to a socket whose buffer is not full.
-    private static Socket Receiver()
-    {
-        var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ReceiveBufferSize = 1_000_000 };
-        socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
-        return socket;
     }
 
     private static async Task<(List<byte[]> Packets, HashSet<EndPoint> Senders)> ReceiveAsync(Socket socket, int count)

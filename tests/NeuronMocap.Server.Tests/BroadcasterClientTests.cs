@@ -1,5 +1,6 @@
 using System.Net.Sockets;
 using NeuronMocap.Tests.Server;
+using static NeuronMocap.Server.Tests.Broadcasts;
 
 namespace NeuronMocap.Server.Tests;
 
@@ -113,13 +114,6 @@ public sealed class BroadcasterClientTests
         options.FrameLimit = null;
         options.QueueLength = 20_000;
         return options;
-    }
-
-    private static Broadcaster Started(BroadcasterOptions options)
-    {
-        var broadcaster = new Broadcaster(options);
-        broadcaster.Start();
-        return broadcaster;
     }
 
     private static async Task AssertGetsTheRestAsync(TestClient client, byte[] first, BroadcasterOptions options)

@@ -6,6 +6,7 @@ using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Server;
+using static NeuronMocap.Server.Tests.Broadcasts;
 
 namespace NeuronMocap.Server.Tests;
 
@@ -273,13 +274,6 @@ public sealed class BroadcasterCommandTests
         options.WaitForClient = true;
         options.QueueLength = 10_000;
         return options;
-    }
-
-    private static Broadcaster Started(BroadcasterOptions options)
-    {
-        var broadcaster = new Broadcaster(options);
-        broadcaster.Start();
-        return broadcaster;
     }
 
     private static Task<int> SendAsync(TestClient client, byte[] bytes) =>

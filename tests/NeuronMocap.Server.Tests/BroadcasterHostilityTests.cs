@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Net.Sockets;
 using System.Runtime.ExceptionServices;
 using NeuronMocap.Tests.Server;
+using static NeuronMocap.Server.Tests.Broadcasts;
 
 namespace NeuronMocap.Server.Tests;
 
@@ -116,8 +117,10 @@ public sealed class BroadcasterHostilityTests
         await Assert.ThrowsAsync<ObjectDisposedException>(() => broadcaster.Completion.Soon());
     }
 
-    [Fact]
-    public async Task Where_there_is_no_thread_for_a_client_it_is_refused_and_the_next_is_served()
+    [Theory]
+    [InlineData(typeof(InsufficientMemoryException))]
+    [InlineData(typeof(InvalidOperationException))]
+    public async Task Where_there_is_no_thread_for_a_client_it_is_refused_and_the_next_is_served(Type failure)
     {
         int refused = 0;
         BroadcasterOptions options = Expect.Options();
@@ -126,7 +129,7 @@ public sealed class BroadcasterHostilityTests
             StartWorker = worker =>
             {
                 if (refused++ == 0)
-                    ExceptionDispatchInfo.Throw(new InsufficientMemoryException());
+                    ExceptionDispatchInfo.Throw((Exception)Activator.CreateInstance(failure)!);
 
                 worker.Start();
             },
@@ -159,13 +162,6 @@ public sealed class BroadcasterHostilityTests
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         Assert.Null(await client.ReadAsync());
         await Assert.ThrowsAsync<InsufficientMemoryException>(() => broadcaster.Completion.Soon());
-    }
-
-    private static Broadcaster Started(BroadcasterOptions options)
-    {
-        var broadcaster = new Broadcaster(options);
-        broadcaster.Start();
-        return broadcaster;
     }
 
     private static async Task<List<byte[]>> ReadUntilAsync(TestClient client, Func<bool> condition, List<byte[]>? into = null)

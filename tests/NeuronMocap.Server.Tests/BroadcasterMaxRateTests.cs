@@ -1,4 +1,5 @@
 using NeuronMocap.Tests.Server;
+using static NeuronMocap.Server.Tests.Broadcasts;
 
 namespace NeuronMocap.Server.Tests;
 
@@ -121,13 +122,6 @@ public sealed class BroadcasterMaxRateTests
         options.Sources = [new TestSource(0, 9), new TestSource(1, 5), new TestSource(2)];
         options.FrameLimit = 100;
         Expect.Frames(await BroadcastAsync(options), options, 5);
-    }
-
-    private static Broadcaster Started(BroadcasterOptions options)
-    {
-        var broadcaster = new Broadcaster(options);
-        broadcaster.Start();
-        return broadcaster;
     }
 
     private static async Task<List<byte[]>> BroadcastAsync(BroadcasterOptions options)

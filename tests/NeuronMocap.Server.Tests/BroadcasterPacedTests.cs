@@ -1,5 +1,6 @@
 using System.Net.Sockets;
 using NeuronMocap.Tests.Server;
+using static NeuronMocap.Server.Tests.Broadcasts;
 
 namespace NeuronMocap.Server.Tests;
 
@@ -160,13 +161,6 @@ public sealed class BroadcasterPacedTests
         options.Rate = Rate;
         options.QueueLength = 10_000;
         return options;
-    }
-
-    private static Broadcaster Started(BroadcasterOptions options)
-    {
-        var broadcaster = new Broadcaster(options);
-        broadcaster.Start();
-        return broadcaster;
     }
 
     private static long GetDropped(Broadcaster broadcaster, TestClient client) =>

@@ -2,6 +2,7 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Tests.Server;
+using static NeuronMocap.Server.Tests.Broadcasts;
 
 namespace NeuronMocap.Server.Tests;
 
@@ -118,12 +119,5 @@ public sealed class BroadcasterStudioTests
         options.StudioCalculation = StudioCalculationSynthesizer.Write;
         options.WaitForClient = true;
         return options;
-    }
-
-    private static Broadcaster Started(BroadcasterOptions options)
-    {
-        var broadcaster = new Broadcaster(options);
-        broadcaster.Start();
-        return broadcaster;
     }
 }

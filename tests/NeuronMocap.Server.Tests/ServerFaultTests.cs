@@ -102,28 +102,6 @@ public sealed class ServerFaultTests
     }
 
     [Fact]
-    public async Task A_client_that_cannot_be_served_is_refused_and_the_next_one_is_served()
-    {
-        int started = 0;
-        await using var broadcaster = new Broadcaster(Expect.Options())
-        {
-            StartWorker = worker =>
-            {
-                if (started++ == 0)
-                    throw new InvalidOperationException("There is no such thread.");
-
-                worker.Start();
-            },
-        };
-        broadcaster.Start();
-        using TestClient first = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
-        Assert.Null(await first.ReadAsync());
-        using TestClient second = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
-        Assert.Equal(0u, Expect.FrameIndex((await second.ReadAsync())!));
-        Assert.Equal((1L, 1L), (broadcaster.Statistics.Accepted, broadcaster.Statistics.Refused));
-    }
-
-    [Fact]
     public async Task A_listener_goes_on_after_what_its_callback_throws()
     {
         var report = new FaultReport("test");

@@ -10,19 +10,8 @@ using NeuronMocap.Tests.Server.Sources;
 
 namespace NeuronMocap.Tests.Reader;
 
-public sealed class BvhExportTests : IDisposable
+public sealed class BvhExportTests : BvhExportTest
 {
-    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("neuronmocap");
-    private readonly TestServer _server = new();
-
-    private string Target => Path.Combine(_folder.FullName, "take.bvh");
-
-    public void Dispose()
-    {
-        _server.Dispose();
-        _folder.Delete(recursive: true);
-    }
-
     [Fact]
     public async Task Every_frame_of_a_take_that_is_broadcast_stands_in_the_file_bit_for_bit()
     {
@@ -90,7 +79,7 @@ public sealed class BvhExportTests : IDisposable
         BvhExport export = await ExportAsync(
             [TestPackets.Motion(0, 3), TestPackets.Motion(0, 1), TestPackets.Motion(1, 3)], new BvhExportOptions { IsForEachAvatar = true });
 
-        Assert.Equal(["take-avatar1.bvh", "take-avatar3.bvh"], _folder.GetFiles().Select(static file => file.Name).Order(StringComparer.Ordinal));
+        Assert.Equal(["take-avatar1.bvh", "take-avatar3.bvh"], Folder.GetFiles().Select(static file => file.Name).Order(StringComparer.Ordinal));
         Assert.Equal([2, 1], export.Files.Select(static file => file.FrameCount));
         Assert.Equal(TestPackets.Value(1, 3, 5), BvhDocument.Load(export.Files[0].Path).GetFrame(1)[5]);
     }
@@ -100,7 +89,7 @@ public sealed class BvhExportTests : IDisposable
     {
         BvhExport export = await ExportAsync([TestPackets.Motion(0), TestPackets.Motion(1, count: 180), TestPackets.Motion(2, count: 180), TestPackets.Motion(3)]);
 
-        Assert.Equal(["take-part2.bvh", "take-part3.bvh", "take.bvh"], _folder.GetFiles().Select(static file => file.Name).Order(StringComparer.Ordinal));
+        Assert.Equal(["take-part2.bvh", "take-part3.bvh", "take.bvh"], Folder.GetFiles().Select(static file => file.Name).Order(StringComparer.Ordinal));
         Assert.Equal([1, 2, 1], export.Files.Select(static file => file.FrameCount));
         Assert.Equal(180, BvhDocument.Load(export.Files[1].Path).ChannelCount);
         Assert.Equal([BvhBodySource.Stream, BvhBodySource.Default, BvhBodySource.Stream], export.Files.Select(static file => file.BodySource));
@@ -113,7 +102,7 @@ public sealed class BvhExportTests : IDisposable
         BvhExport export = await ExportAsync(packets);
 
         Assert.Contains("changed layout", Assert.IsType<NeuronException>(export.Failure).Message, StringComparison.Ordinal);
-        Assert.Equal(100, _folder.GetFiles().Length);
+        Assert.Equal(100, Folder.GetFiles().Length);
     }
 
     [Fact]
@@ -164,24 +153,6 @@ public sealed class BvhExportTests : IDisposable
     }
 
     [Fact]
-    public async Task A_file_that_is_there_is_replaced_only_when_asked_for_and_only_when_a_frame_comes()
-    {
-        await File.WriteAllTextAsync(Target, "precious", TestContext.Current.CancellationToken);
-        using var reader = new NeuronReader(_server.Options());
-        Assert.Throws<IOException>(() => reader.ExportBvh(Target));
-
-        reader.ExportBvh(Target, new BvhExportOptions { Overwrite = true }).Dispose();
-        Assert.Equal("precious", await File.ReadAllTextAsync(Target, TestContext.Current.CancellationToken));
-
-        string other = Path.Combine(_folder.FullName, "other.bvh");
-        reader.ExportBvh(other).Dispose();
-        Assert.False(File.Exists(other));
-        Assert.Throws<DirectoryNotFoundException>(() => reader.ExportBvh(Path.Combine(_folder.FullName, "nowhere", "take.bvh")));
-        Assert.Throws<ArgumentException>(() => reader.ExportBvh(" "));
-        Assert.Throws<ArgumentOutOfRangeException>(() => reader.ExportBvh(other, new BvhExportOptions { Capacity = 0 }));
-    }
-
-    [Fact]
     public async Task As_many_frames_as_asked_for_are_exported()
     {
         BvhExport export = await ExportAsync([TestPackets.Motions(0, 300)], new BvhExportOptions { MaxFrames = 257 });
@@ -194,12 +165,12 @@ public sealed class BvhExportTests : IDisposable
     public async Task What_does_not_fit_into_the_queue_is_dropped_and_counted_and_holds_up_nobody()
     {
         using var commands = new CommandScript(static _ => Task.CompletedTask);
-        NeuronReaderOptions options = _server.Options();
+        NeuronReaderOptions options = Server.Options();
         options.CommandPort = commands.Port;
         await using var reader = new NeuronReader(options);
         using BvhExport export = reader.ExportBvh(Target, Patient with { Capacity = 4 });
         reader.Start();
-        using TestConnection connection = await _server.AcceptAsync();
+        using TestConnection connection = await Server.AcceptAsync();
         await connection.SendAsync(TestPackets.Motions(0, 100));
 
         // Consumers get a packet one after the other, and the export after those that tell of it: the hundredth is its own only now.
@@ -211,116 +182,15 @@ public sealed class BvhExportTests : IDisposable
         Assert.False(reader.Completion.IsCompleted);
     }
 
-    // It may be a device: what an export did not make, it does not delete.
-    [Theory]
-    [InlineData(0)]
-    [InlineData(3)]
-    public async Task A_file_that_was_there_stays_where_the_export_is_empty(int room)
-    {
-        await File.WriteAllTextAsync(Target, string.Empty, TestContext.Current.CancellationToken);
-        await using var reader = new NeuronReader(_server.Options());
-        await using (BvhExport export = reader.ExportBvhTo(Target, new BvhExportOptions { Overwrite = true }, _ => new FullStream(room)))
-        {
-            reader.Start();
-            using TestConnection connection = await _server.AcceptAsync();
-            await connection.SendAsync(TestPackets.Motions(0, 3));
-            await export.Completion.Soon();
-            Assert.NotNull(export.Failure);
-        }
-
-        Assert.True(File.Exists(Target));
-    }
-
-    // Once it is closed, the file may be another writer's.
-    [Theory]
-    [InlineData(0)]
-    [InlineData(3)]
-    public async Task An_empty_file_is_deleted_before_it_is_closed(int frames)
-    {
-        FullFile? file = null;
-        await using var reader = new NeuronReader(_server.Options());
-        await using (BvhExport export = reader.ExportBvhTo(Target, options: null, path => file = new FullFile(path)))
-        {
-            reader.Start();
-            using TestConnection connection = await _server.AcceptAsync();
-            await connection.SendAsync(TestPackets.Motions(0, frames));
-            await reader.WaitForFramesAsync(frames);
-        }
-
-        Assert.True(file!.IsClosed);
-        Assert.False(file.WasThereWhenClosed);
-        Assert.False(File.Exists(Target));
-    }
-
-    [Fact]
-    public async Task A_file_that_cannot_be_closed_ends_the_export_as_well()
-    {
-        await using var reader = new NeuronReader(_server.Options());
-        await using BvhExport export = reader.ExportBvhTo(Target, options: null, static _ => new UnclosableStream());
-        reader.Start();
-        using TestConnection connection = await _server.AcceptAsync();
-        await connection.SendAsync(TestPackets.Motions(0, 3));
-        await reader.WaitForFramesAsync(3);
-        await export.StopAsync(TestContext.Current.CancellationToken).Soon();
-        Assert.IsType<NotSupportedException>(export.Failure);
-    }
-
-    [Fact]
-    public async Task A_file_that_cannot_be_emptied_is_closed()
-    {
-        var file = new UnemptiableStream();
-        await using var reader = new NeuronReader(_server.Options());
-        await using BvhExport export = reader.ExportBvhTo(Target, options: null, _ => file);
-        reader.Start();
-        using TestConnection connection = await _server.AcceptAsync();
-        await connection.SendAsync(TestPackets.Motions(0, 3));
-        await export.Completion.Soon();
-        Assert.IsType<UnauthorizedAccessException>(export.Failure);
-        Assert.False(file.CanWrite);
-    }
-
-    [Fact]
-    public async Task A_full_disk_ends_the_export_and_the_file_holds_what_is_told()
-    {
-        const int Sent = 200;
-        var events = new System.Collections.Concurrent.ConcurrentQueue<ReaderEvent>();
-        var disk = new FullStream(150_000);
-        await using var reader = new NeuronReader(_server.Options());
-        reader.EventReported += events.Enqueue;
-        await using BvhExport export = reader.ExportBvhTo(Target, options: null, _ => disk);
-        reader.Start();
-        using TestConnection connection = await _server.AcceptAsync();
-        await connection.SendAsync(TestPackets.Motions(0, Sent));
-        await export.Completion.Soon();
-
-        Assert.Equal("No space left on device.", Assert.IsType<IOException>(export.Failure).Message);
-        BvhDocument read = BvhDocument.Parse(disk.ToArray());
-        Assert.Empty(read.Repairs);
-        Assert.Equal(read.FrameCount, export.FramesWritten);
-        Assert.Equal(read.FrameCount, Assert.Single(export.Files).FrameCount);
-        Assert.InRange(read.FrameCount, 1, Sent - 1);
-        Assert.InRange(export.FramesDropped, 1, Sent - read.FrameCount);
-        Assert.Equal(TestPackets.Value(read.FrameCount - 1, 0, 5), read.GetFrame(read.FrameCount - 1)[5]);
-
-        // Told at once, and the reader goes on.
-        await Limits.UntilAsync(() => events.Any(static news => news.Id == ReaderEventId.ExportFailed));
-        ReaderEvent failed = Assert.Single(events, static news => news.Id == ReaderEventId.ExportFailed);
-        Assert.Equal((ReaderEventLevel.Error, export.Failure, Target), (failed.Level, failed.Exception, failed.Subject));
-        Assert.Contains($"holds {read.FrameCount} frames", failed.Message, StringComparison.Ordinal);
-        await connection.SendAsync(TestPackets.Motions(Sent, 1));
-        await reader.WaitForFramesAsync(Sent + 1);
-        Assert.DoesNotContain(events, static news => news.Id == ReaderEventId.ExportStopped);
-    }
-
     [Fact]
     public async Task The_beginning_and_the_end_of_an_export_are_told()
     {
         var events = new System.Collections.Concurrent.ConcurrentQueue<ReaderEvent>();
-        var reader = new NeuronReader(_server.Options());
+        var reader = new NeuronReader(Server.Options());
         reader.EventReported += events.Enqueue;
         BvhExport export = reader.ExportBvh(Target);
         reader.Start();
-        using TestConnection connection = await _server.AcceptAsync();
+        using TestConnection connection = await Server.AcceptAsync();
         await connection.SendAsync(TestPackets.Motions(0, 3));
         await Limits.UntilAsync(() => export.FramesWritten == 3);
         await reader.DisposeAsync();
@@ -336,9 +206,9 @@ public sealed class BvhExportTests : IDisposable
     [Fact]
     public async Task An_export_begins_and_ends_while_the_reader_runs()
     {
-        await using var reader = new NeuronReader(_server.Options());
+        await using var reader = new NeuronReader(Server.Options());
         reader.Start();
-        using TestConnection connection = await _server.AcceptAsync();
+        using TestConnection connection = await Server.AcceptAsync();
         await connection.SendAsync(TestPackets.Motions(0, 3));
         await reader.WaitForFramesAsync(3);
         BvhExport export = reader.ExportBvh(Target);
@@ -354,96 +224,11 @@ public sealed class BvhExportTests : IDisposable
         Assert.Equal(4, export.FramesWritten);
     }
 
-    // What a process that is killed at this moment would leave behind: what the system has.
-    [Fact]
-    public async Task At_any_moment_the_file_opens_with_what_was_flushed()
-    {
-        await using var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticActor(240)], Port = 0 });
-        broadcaster.Start();
-        await using var reader = new NeuronReader(new NeuronReaderOptions { Port = broadcaster.LocalEndPoint!.Port });
-        using BvhExport export = reader.ExportBvh(Target);
-        reader.Start();
-
-        var random = new Random(5);
-        await Limits.UntilAsync(() => export.FramesWritten > 0);
-        for (int moment = 0; moment < 20; moment++)
-        {
-            await Task.Delay(random.Next(30), TestContext.Current.CancellationToken);
-            long known = export.FramesWritten;
-            BvhDocument read = BvhDocument.Parse(ReadShared());
-            Assert.True(read.FrameCount >= known, $"{read.FrameCount} of {known} rows.");
-            Assert.Equal(354, read.ChannelCount);
-        }
-    }
-
-    private static readonly BvhExportOptions Patient = new() { HeaderTimeout = Limits.Unexpected };
-
     private static byte[] StudioMotion(int frame)
     {
         byte[] packet = TestPackets.Motion(frame);
         DataVersion.Studio.Write(packet.AsSpan(2));
         packet[50] = (byte)RotationOrder.ZXY;
         return packet;
-    }
-
-    // Sends packets to a reader whose connection ends after them.
-    private async Task<BvhExport> ExportAsync(byte[][] packets, BvhExportOptions? options = null, int? commandPort = null)
-    {
-        NeuronReaderOptions readerOptions = _server.Options();
-        readerOptions.CommandPort = commandPort;
-        await using var reader = new NeuronReader(readerOptions);
-        using BvhExport export = reader.ExportBvh(Target, options);
-        reader.Start();
-        using TestConnection connection = await _server.AcceptAsync();
-        foreach (byte[] packet in packets)
-            await connection.SendAsync(packet);
-
-        // A reader whose connection has ended asks nothing more.
-        if (commandPort is not null)
-            await Limits.UntilAsync(() => export.FramesWritten > 0);
-
-        connection.Close();
-        await export.Completion.Soon();
-        return export;
-    }
-
-    private byte[] ReadShared()
-    {
-        using var stream = new FileStream(Target, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
-        byte[] bytes = new byte[stream.Length];
-        stream.ReadExactly(bytes);
-        return bytes;
-    }
-
-    private sealed class FullFile(string path) : FileStream(path, FileMode.CreateNew, FileAccess.Write, FileShare.Read | FileShare.Delete, bufferSize: 1)
-    {
-        public bool IsClosed { get; private set; }
-
-        public bool WasThereWhenClosed { get; private set; }
-
-        public override void Write(byte[] array, int offset, int count) => throw new IOException("No space left on device.");
-
-        protected override void Dispose(bool disposing)
-        {
-            if (!IsClosed)
-                WasThereWhenClosed = File.Exists(Name);
-
-            IsClosed = true;
-            base.Dispose(disposing);
-        }
-    }
-
-    private sealed class UnclosableStream : MemoryStream
-    {
-        protected override void Dispose(bool disposing)
-        {
-            base.Dispose(disposing);
-            throw new NotSupportedException();
-        }
-    }
-
-    private sealed class UnemptiableStream() : MemoryStream(new byte[8])
-    {
-        public override void SetLength(long value) => throw new UnauthorizedAccessException();
     }
 }

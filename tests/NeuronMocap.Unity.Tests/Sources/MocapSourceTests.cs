@@ -217,19 +217,6 @@ public sealed class MocapSourceTests : SourceFixture
         Assert.Equal(new IPEndPoint(IPAddress.Loopback, port), source.Reader!.Status.LocalEndPoint);
     }
 
-    [Theory]
-    [InlineData(BroadcastFormat.Studio)]
-    [InlineData(BroadcastFormat.Binary)]
-    public void A_performer_has_the_timecode_of_its_newest_frame(BroadcastFormat format)
-    {
-        MocapSource source = Add(Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], Format = format }));
-        Performer performer = WaitForPose(source);
-        if (format == BroadcastFormat.Studio)
-            Loop.RunUntil(() => performer.Timecode is { Hours: < 24, Minutes: < 60, Seconds: < 60 });
-        else
-            Assert.Null(performer.Timecode);
-    }
-
     [Fact]
     public void Datagrams_are_received_and_the_port_is_free_at_once_when_it_is_disabled()
     {
@@ -245,117 +232,6 @@ public sealed class MocapSourceTests : SourceFixture
 
         WaitForPose(source);
         Assert.Contains($"UDP port {port}", source.StatusMessage, StringComparison.Ordinal);
-    }
-
-    [Fact]
-    public void Frames_with_values_that_are_no_numbers_are_left_out()
-    {
-        Broadcaster server = Serve(new ValuesSource(static (frame, _, values) =>
-        {
-            if (frame % 3 == 0)
-                values[frame % values.Length] = frame % 2 == 0 ? float.NaN : float.PositiveInfinity;
-            else if (frame % 3 == 1)
-                values[0] = 1e30f;
-        }));
-        MocapSource source = Add(server);
-        Performer performer = WaitForPose(source);
-        Loop.RunUntil(() =>
-        {
-            foreach (BoneTransform bone in performer.WorldPose)
-                Assert.True(bone.Position.Length() < 1000 && Math.Abs(bone.Rotation.Length() - 1) < 1e-3f);
-
-            return performer.RejectedFrames > 50;
-        });
-    }
-
-    [Fact]
-    public void Sizes_are_learnt_from_the_stream()
-    {
-        float thigh = 40;
-        Broadcaster server = Serve(new ValuesSource((_, layout, values) => values[layout.PositionIndex(Bone.LeftLeg) + 1] = -Volatile.Read(ref thigh)));
-        MocapSource source = Add(server);
-        Performer performer = WaitForPose(source);
-        Assert.Equal(-40, performer.Body.GetOffset(Bone.LeftLeg).Y, 0.001f);
-        int version = performer.BodyVersion;
-
-        Loop.RunFor(0.1f);
-        Assert.Equal(version, performer.BodyVersion);
-        Volatile.Write(ref thigh, 45);
-        Loop.RunUntil(() => performer.BodyVersion > version);
-        Assert.Equal(-45, performer.Body.GetOffset(Bone.LeftLeg).Y, 0.001f);
-    }
-
-    [Fact]
-    public void Sizes_are_asked_for_on_the_command_channel_where_the_stream_has_none()
-    {
-        var tall = SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperLeg = 0.6f });
-        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new ValuesSource(static (_, _, _) => { }, tall)], Displacement = false });
-        using var commands = new CommandServer(server, new CommandServerOptions { Port = 0 });
-        commands.Start();
-        MocapSource without = Add(server);
-        MocapSource with = Add(server, source => source.CommandPort = commands.LocalEndPoint!.Port);
-        Performer performer = WaitForPose(with);
-        Loop.RunUntil(() => performer.BodyVersion > 0);
-
-        Assert.Equal(60, performer.Body.GetOffset(Bone.LeftLeg).Length(), 0.01f);
-
-        // The pose is a short delay behind.
-        Loop.RunUntil(() => Math.Abs((performer.GetPosition(Bone.LeftLeg) - performer.GetPosition(Bone.LeftUpLeg)).magnitude - 0.6f) < 1e-4f);
-        Assert.Same(SkeletonBody.Default(), WaitForPose(without).Body);
-    }
-
-    [Fact]
-    public void Contacts_are_those_of_calculation_frames_where_there_are_any()
-    {
-        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], Calculation = CalculationSynthesizer.Write });
-        MocapSource source = Add(server);
-        Performer performer = WaitForPose(source);
-        Loop.RunUntil(() => performer.HasMeasuredContacts && performer.Contacts != default);
-
-        MocapSource estimated = Add(Serve(new SyntheticActor()));
-        Performer other = WaitForPose(estimated);
-        Loop.RunUntil(() => other.Contacts != default);
-        Assert.False(other.HasMeasuredContacts);
-    }
-
-    [Fact]
-    public void Contacts_arrive_over_a_calculation_port_of_TCP()
-    {
-        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], Calculation = CalculationSynthesizer.Write, CalculationPort = 0 });
-        MocapSource source = Add(server, source => source.CalculationPort = server.CalculationEndPoint!.Port);
-        Performer performer = WaitForPose(source);
-        Loop.RunUntil(() => performer.HasMeasuredContacts && performer.Contacts != default);
-        Loop.RunUntil(() => source.StatusMessage.Contains($"Calculation port {source.CalculationPort}: receiving.", StringComparison.Ordinal));
-        Assert.Single(source.Performers);
-    }
-
-    [Fact]
-    public void Contacts_arrive_over_a_calculation_port_of_UDP()
-    {
-        (int port, int calculationPort) = (FreeUdpPort(), FreeUdpPort());
-        MocapSource source = Add(source => (source.Transport, source.Port, source.CalculationPort) = (TransportKind.Udp, port, calculationPort));
-        Serve(new BroadcasterOptions
-        {
-            Sources = [new SyntheticActor()],
-            UdpDestinations = [new IPEndPoint(IPAddress.Loopback, port)],
-            Calculation = CalculationSynthesizer.Write,
-            CalculationPort = calculationPort,
-        });
-        Performer performer = WaitForPose(source);
-        Loop.RunUntil(() => performer.HasMeasuredContacts && performer.Contacts != default);
-        Assert.Equal(0, performer.Sender);
-    }
-
-    [Fact]
-    public void A_calculation_port_that_refuses_is_told_while_the_figure_moves()
-    {
-        int port = FreePort();
-        MocapSource source = Add(Serve(new SyntheticActor()), source => source.CalculationPort = port);
-        Performer performer = WaitForPose(source);
-        Loop.RunUntil(() => source.StatusMessage.Contains($"Calculation port {port}: connection refused", StringComparison.Ordinal));
-        Assert.Equal(SourceState.Receiving, source.State);
-        Loop.RunUntil(() => performer.Contacts != default);
-        Assert.False(performer.HasMeasuredContacts);
     }
 
     // The first server is gone for good, and its performer never.
@@ -435,7 +311,7 @@ public sealed class MocapSourceTests : SourceFixture
 
     private static void AssertNear(Quaternion expected, Quaternion actual) => Assert.True(Quaternion.Angle(expected, actual) < 0.05f, $"{expected} {actual}");
 
-    private static int FreeUdpPort()
+    internal static int FreeUdpPort()
     {
         using var socket = new System.Net.Sockets.UdpClient(new IPEndPoint(IPAddress.Loopback, 0));
         return ((IPEndPoint)socket.Client.LocalEndPoint!).Port;

@@ -2,7 +2,7 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Tests.Network;
 
-internal static class SocketExtensions
+internal static class SocketEnd
 {
     // In an orderly way or not: that depends on what was under way.
     public static bool HasEnded(this Socket socket)

@@ -1,0 +1,22 @@
+using System.Net;
+using System.Net.Sockets;
+
+namespace NeuronMocap.Server.Tests;
+
+internal static class Broadcasts
+{
+    public static Broadcaster Started(BroadcasterOptions options)
+    {
+        var broadcaster = new Broadcaster(options);
+        broadcaster.Start();
+        return broadcaster;
+    }
+
+    // A UDP port with room for all that a test sends: nothing is lost on the way to a socket whose buffer is not full.
+    public static Socket Receiver()
+    {
+        var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ReceiveBufferSize = 1_000_000 };
+        socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+        return socket;
+    }
+}
