@@ -3,7 +3,6 @@ using System.Net.Sockets;
 using System.Text;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Server;
-using static NeuronMocap.Server.Tests.Broadcasts;
 
 namespace NeuronMocap.Server.Tests;
 
@@ -138,6 +137,14 @@ public sealed class BroadcasterTextTests
         WaitForClient = true,
         QueueLength = 10_000,
     };
+
+    private static Broadcaster Started(BroadcasterOptions options)
+    {
+        options.WaitForClient &= options.Port is not null;
+        var broadcaster = new Broadcaster(options);
+        broadcaster.Start();
+        return broadcaster;
+    }
 
     private static void AssertLines(string text, BroadcasterOptions options, int frames)
     {
