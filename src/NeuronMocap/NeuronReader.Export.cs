@@ -39,7 +39,7 @@ public sealed partial class NeuronReader
         if (options.FrameTime == default(BvhFrameTime))
             throw new ArgumentException("FrameTime is above 0, or null.", nameof(options));
 
-        var bodies = new BvhExportBodies(options, _options.Commands, _format);
+        var bodies = new BvhExportBodies(options, _discovery?.Inquiry, _format);
         BvhExportFiles? files = null;
         FrameQueue? queue = null;
         BvhExport export;
@@ -54,7 +54,6 @@ public sealed partial class NeuronReader
             // The file cannot be opened, or there is no memory for the queue, or no thread.
             queue?.Dispose();
             files?.Close();
-            bodies.Dispose();
             throw;
         }
 

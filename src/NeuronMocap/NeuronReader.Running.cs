@@ -128,7 +128,7 @@ public sealed partial class NeuronReader
             _pipeline.Stop();
             _metrics.Dispose();
             _watchdog?.Dispose();
-            _discovery?.Dispose();
+            _discovery?.Stop();
             if (Interlocked.Exchange(ref _started, 1) == 0)
                 End();
             else
@@ -193,8 +193,9 @@ public sealed partial class NeuronReader
         try
         {
             _watchdog?.Dispose();
-            _discovery?.Dispose();
+            _discovery?.Stop();
             await _recordings.StopAsync().ConfigureAwait(false);
+            _discovery?.Dispose();
             await _reporter.EndAsync(Stopwatch.GetTimestamp()).ConfigureAwait(false);
         }
         finally
@@ -227,10 +228,7 @@ public sealed partial class NeuronReader
     private void OnFirstStatusChanged(ConnectionStatus status)
     {
         if (status.State == ConnectionState.Connected)
-        {
             _discovery?.Begin();
-            _recordings.Ask();
-        }
 
         if (_jointStatus is null)
             OnStatusChanged(status);

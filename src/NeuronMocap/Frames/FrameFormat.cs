@@ -23,6 +23,8 @@ internal sealed class FrameFormat(RotationOrder? order, SkeletonVariant? variant
 
     public FormatFindings Findings => _findings;
 
+    public SkeletonVariant Variant => variant ?? _findings.Variant ?? SkeletonFormat.Default.Variant;
+
     public static implicit operator FrameFormat(SkeletonFormat format) => new(format.RotationOrder, format.Variant);
 
     // Null leaves what is known. One thread at a time.
@@ -36,7 +38,7 @@ internal sealed class FrameFormat(RotationOrder? order, SkeletonVariant? variant
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public SkeletonFormat Of(ReadOnlySpan<byte> header) => new(
         order ?? ReadOrder(header) ?? _findings.Order ?? SkeletonFormat.Default.RotationOrder,
-        variant ?? _findings.Variant ?? SkeletonFormat.Default.Variant);
+        Variant);
 
     // The order that Axis Studio writes into the first reserved field (protocol.md section 9); null where there is none.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

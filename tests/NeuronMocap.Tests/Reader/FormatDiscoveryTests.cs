@@ -109,7 +109,7 @@ public sealed class FormatDiscoveryTests : IDisposable
         int requests = 0;
         using var commands = new CommandScript(request => Interlocked.Increment(ref requests) == 1 ? request.ReplyAsync([9, 0, 0, 0]) : AnswerAsync(request, Told));
         var format = new FrameFormat(order: null, variant: null);
-        using var discovery = new FormatDiscovery(new() { Port = commands.Port }, format, learnt: () => { });
+        using var discovery = new ServerDiscovery(new() { Port = commands.Port }, format, learnt: () => { });
 
         discovery.Begin();
         await Limits.UntilAsync(() => format.Findings.Failure is not null);
@@ -130,7 +130,7 @@ public sealed class FormatDiscoveryTests : IDisposable
         using CommandScript commands = Commands(Told);
         int calls = 0;
         var format = new FrameFormat(order: null, variant: null);
-        using var discovery = new FormatDiscovery(
+        using var discovery = new ServerDiscovery(
             new() { Port = commands.Port },
             format,
             learnt: () =>
