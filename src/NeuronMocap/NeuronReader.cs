@@ -114,7 +114,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 
         _status = new StatusBoard(OnFirstStatusChanged);
         _senders = new SenderFilter(_options.AllowedSenders);
-        player?.Attach(_senders, OnCallbackFailed);
+        Func<Link>? playback = player?.Attach(_senders, OnCallbackFailed);
         _format = player?.CreateFormat(_options.RotationOrder, _options.SkeletonVariant) ?? _options.Format;
         _discovery = _options.Commands is { } commands ? new ServerDiscovery(commands, _format, OnFormatLearnt) : null;
         var recognizer = new StreamRecognizer(_format);
@@ -123,7 +123,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _eventHandlers = new HandlerList<ReaderEvent>(OnCallbackFailed);
         _eventHandlers.Add(_options.CreateLog());
         _metrics = new ReaderMetrics(_options.DisplayName);
-        _supervisor = new ConnectionSupervisor(createLink ?? player?.LinkFactory ?? CreateLink, _options.Reconnect, _status, _activity, new Random().NextDouble);
+        _supervisor = new ConnectionSupervisor(createLink ?? playback ?? CreateLink, _options.Reconnect, _status, _activity, new Random().NextDouble);
         _recordings = new ReaderRecordings(_options, _metrics.Name, _gate)
         {
             IsObserved = () => !_eventHandlers.IsEmpty,
