@@ -36,7 +36,7 @@ internal sealed class VendorFunctions(IVendorCallbacks callbacks)
     // The numbers of the vendor's commands are those of the wire.
     public static bool Fetch(IntPtr socket, int command, int avatar) => FunctionGuard.Call(
         (socket, command, avatar),
-        static what => CommandsOf(what.socket)?.TryFetch((DataCommandId)what.command, what.avatar) ?? false,
+        static what => CommandsOf(what.socket)?.TryRequest((DataCommandId)what.command, what.avatar) ?? false,
         failure: false,
         "BRCommandFetchDataFromServer");
 

@@ -20,7 +20,7 @@ internal sealed class BvhExportBodies(BvhExportOptions options, ServerInquiry? i
     public void WaitForFormat(ManualResetEventSlim stop)
     {
         var waited = Stopwatch.StartNew();
-        while (inquiry is not null && !IsSettled(format.Findings) && waited.Elapsed < options.HeaderTimeout && !stop.Wait(PollPeriod))
+        while (inquiry is not null && !IsSettled(format.Discovered) && waited.Elapsed < options.HeaderTimeout && !stop.Wait(PollPeriod))
         {
         }
     }
@@ -37,7 +37,7 @@ internal sealed class BvhExportBodies(BvhExportOptions options, ServerInquiry? i
         return body?.Variant == frame.Format.Variant ? (body, source) : (null, BvhBodySource.Default);
     }
 
-    private static bool IsSettled(FormatFindings findings) => findings.Failure is not null || (findings.Order is not null && findings.Variant is not null);
+    private static bool IsSettled(DiscoveredFormat discovered) => discovered.Failure is not null || (discovered.Order is not null && discovered.Variant is not null);
 
     private (SkeletonBody? Body, BvhBodySource Source) Ask(int avatar, SkeletonVariant variant)
     {

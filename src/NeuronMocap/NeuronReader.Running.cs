@@ -252,6 +252,6 @@ public sealed partial class NeuronReader
     private void OnFormatLearnt()
     {
         _activity.Redescribe(Stopwatch.GetTimestamp(), isDue: true);
-        _recordings.Learn(_format.Findings.Order, _format.Findings.Variant);
+        _recordings.Learn(_format.Discovered.Order, _format.Discovered.Variant);
     }
 }

@@ -136,7 +136,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         }
 
         _pipeline = new ReceivePipeline(
-            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player?.PatienceSource, _gate);
+            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player?.BackPressure, _gate);
         if (_jointStatus is not null)
             _calculation = CreateCalculationConnection(_options.CalculationLink!, _jointStatus);
 

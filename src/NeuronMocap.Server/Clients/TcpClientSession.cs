@@ -209,7 +209,7 @@ internal sealed class TcpClientSession : Recipient
             {
                 scanner.Advance(read);
                 bool hasReplies = false;
-                while (scanner.TryRead(out CommandHeader request))
+                while (scanner.TryRead(out DataCommandHeader request))
                     hasReplies |= Commands?.Accept(request) ?? false;
 
                 if (!hasReplies)

@@ -15,7 +15,7 @@ internal static class Elsewhere
 {
     public static async Task<Search> FindAsync(DiagnosisTask task, IPAddress? host, bool isUdp)
     {
-        if (!task.Options.LookElsewhere)
+        if (!task.Options.SearchOtherPorts)
             return default;
 
         using var share = CancellationTokenSource.CreateLinkedTokenSource(task.Stop);

@@ -170,7 +170,7 @@ public sealed class RecordingPlayer : IDisposable
     }
 
     // Whether the receive path may wait for queues.
-    internal Func<bool> PatienceSource => () => _waitsForQueues && !_isPaced;
+    internal Func<bool> BackPressure => () => _waitsForQueues && !_isPaced;
 
     internal FrameFormat CreateFormat(RotationOrder? order, SkeletonVariant? variant) =>
         _source.CreateFormat(order ?? Options.RotationOrder, variant ?? Options.SkeletonVariant);

@@ -18,8 +18,8 @@ public sealed class DataCommandsTests : IDisposable
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
 
-        Assert.True(reader.DataCommands.TryFetch(DataCommandId.AvatarCount));
-        Assert.True(reader.DataCommands.TryFetch(DataCommandId.BoneSize, avatar: 2));
+        Assert.True(reader.DataCommands.TryRequest(DataCommandId.AvatarCount));
+        Assert.True(reader.DataCommands.TryRequest(DataCommandId.BoneSize, avatar: 2));
         Assert.True(reader.DataCommands.TryRegister(DataCommandId.CombinationMode));
         Assert.True(reader.DataCommands.TryUnregister(DataCommandId.CombinationMode));
 
@@ -115,7 +115,7 @@ public sealed class DataCommandsTests : IDisposable
     public async Task Without_a_connection_over_TCP_nothing_can_be_asked()
     {
         using var idle = new NeuronReader(_server.Options());
-        Assert.False(idle.DataCommands.TryFetch(DataCommandId.AvatarCount));
+        Assert.False(idle.DataCommands.TryRequest(DataCommandId.AvatarCount));
         Assert.False(idle.DataCommands.TryRegister(DataCommandId.AvatarCount));
         Assert.False(idle.DataCommands.TryUnregister(DataCommandId.AvatarCount));
 
@@ -152,7 +152,7 @@ public sealed class DataCommandsTests : IDisposable
 
         Task<bool> sending = Task.Run(() =>
         {
-            while (reader.DataCommands.TryFetch(DataCommandId.AvatarCount))
+            while (reader.DataCommands.TryRequest(DataCommandId.AvatarCount))
             {
             }
 
@@ -173,7 +173,7 @@ public sealed class DataCommandsTests : IDisposable
     {
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
-        reader.DataCommands.Received += reply => reader.DataCommands.TryFetch(DataCommandId.DataFrequency, reply.AvatarCount ?? 0);
+        reader.DataCommands.Received += reply => reader.DataCommands.TryRequest(DataCommandId.DataFrequency, reply.AvatarCount ?? 0);
 
         await connection.SendAsync(DataReplies.AvatarCount(7));
         Assert.Equal(Request(id: 3, parameter: 7), await ReadRequestAsync(connection));

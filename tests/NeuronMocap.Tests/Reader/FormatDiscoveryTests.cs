@@ -112,16 +112,16 @@ public sealed class FormatDiscoveryTests : IDisposable
         using var discovery = new ServerDiscovery(new() { Port = commands.Port }, format, learnt: () => { });
 
         discovery.Begin();
-        await Limits.UntilAsync(() => format.Findings.Failure is not null);
+        await Limits.UntilAsync(() => format.Discovered.Failure is not null);
         discovery.Check(Stopwatch.GetTimestamp());
         Assert.Equal(1, Volatile.Read(ref requests));
 
         await Limits.UntilAsync(() =>
         {
             discovery.Check(Stopwatch.GetTimestamp() + (6 * Stopwatch.Frequency));
-            return format.Findings is { Failure: null, Variant: not null };
+            return format.Discovered is { Failure: null, Variant: not null };
         });
-        Assert.Equal(new FormatFindings(Told.RotationOrder, Told.Variant, null), format.Findings);
+        Assert.Equal(new DiscoveredFormat(Told.RotationOrder, Told.Variant, null), format.Discovered);
     }
 
     [Fact]
@@ -140,11 +140,11 @@ public sealed class FormatDiscoveryTests : IDisposable
             });
 
         discovery.Begin();
-        await Limits.UntilAsync(() => format.Findings.Failure?.Contains("out of order", StringComparison.Ordinal) == true);
+        await Limits.UntilAsync(() => format.Discovered.Failure?.Contains("out of order", StringComparison.Ordinal) == true);
         await Limits.UntilAsync(() =>
         {
             discovery.Check(Stopwatch.GetTimestamp() + (6 * Stopwatch.Frequency));
-            return format.Findings is { Failure: null, Variant: not null };
+            return format.Discovered is { Failure: null, Variant: not null };
         });
     }
 
