@@ -1,5 +1,3 @@
-using NeuronMocap.Transport;
-
 namespace NeuronMocap.Diagnostics;
 
 // Where frames come from.

@@ -1,7 +1,7 @@
 using System.Reflection;
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
-using NeuronMocap.Kinematics;
+using NeuronMocap.Motion;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 

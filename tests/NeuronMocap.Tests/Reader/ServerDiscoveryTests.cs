@@ -5,6 +5,7 @@ using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
+using NeuronMocap.Reader;
 using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Commands;

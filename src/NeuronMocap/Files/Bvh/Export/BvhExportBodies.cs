@@ -1,0 +1,83 @@
+using System.Diagnostics;
+using System.Numerics;
+using NeuronMocap.Commands;
+using NeuronMocap.Frames;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Bvh;
+
+// Finds out what the hierarchies of an export's files are made of. The export's thread, which may wait.
+internal sealed class BvhExportBodies(BvhExportOptions options, ServerInquiry? inquiry, FrameFormat format)
+{
+    private static readonly TimeSpan PollPeriod = TimeSpan.FromMilliseconds(10);
+
+    private bool _hasGivenUp;
+
+    // Frames that are taken out of the queue are understood as the command channel says by then; a first part of a file in a rotation order that was only
+    // assumed is of no use to anybody.
+    public void WaitForFormat(ManualResetEventSlim stop)
+    {
+        var waited = Stopwatch.StartNew();
+        while (inquiry is not null && !IsSettled(format.Discovered) && waited.Elapsed < options.HeaderTimeout && !stop.Wait(PollPeriod))
+        {
+        }
+    }
+
+    // Of a stream with displacement only the End Sites of the body are of use.
+    public (SkeletonBody? Body, BvhBodySource Source) Find(MotionFrame frame)
+    {
+        (SkeletonBody? body, BvhBodySource source) = options.Body is { } given
+            ? (given, BvhBodySource.Options)
+            : Ask(frame.AvatarIndex, frame.Format.Variant);
+        if (frame.Layout.HasDisplacement)
+            return (body, BvhBodySource.Stream);
+
+        return body?.Variant == frame.Format.Variant ? (body, source) : (null, BvhBodySource.Default);
+    }
+
+    private static bool IsSettled(DiscoveredFormat discovered) => discovered.Failure is not null || (discovered.Order is not null && discovered.Variant is not null);
+
+    private (SkeletonBody? Body, BvhBodySource Source) Ask(int avatar, SkeletonVariant variant)
+    {
+        if (inquiry is null || _hasGivenUp || avatar < 0)
+            return default;
+
+        using var timeout = new CancellationTokenSource(options.HeaderTimeout);
+        try
+        {
+            BodyAnswer answer = AskAsync(inquiry, avatar, timeout.Token).GetAwaiter().GetResult();
+            return answer.Skeleton is { } skeleton
+                ? (CreateBody(skeleton), BvhBodySource.Header)
+                : (answer.GetBody(variant), BvhBodySource.Dimensions);
+        }
+        catch (Exception exception) when (exception is NeuronCommandException or OperationCanceledException or ObjectDisposedException)
+        {
+            // Whoever does not answer for one avatar is not asked for the next: its frames wait.
+            _hasGivenUp = true;
+            return default;
+        }
+    }
+
+    private static async Task<BodyAnswer> AskAsync(ServerInquiry inquiry, int avatar, CancellationToken timeout)
+    {
+        Task<BodyAnswer> answer = inquiry.GetBodyAsync(avatar, isRetry: false);
+        _ = answer.ContinueWith(static task => task.Exception, CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default); // observed
+        await TaskWaiting.WaitAsync(answer, timeout).ConfigureAwait(false);
+        return await answer.ConfigureAwait(false);
+    }
+
+    private static SkeletonBody CreateBody(BvhSkeletonMap map)
+    {
+        Span<Vector3> offsets = stackalloc Vector3[BoneHierarchy.BoneCount];
+        Span<Vector3> endSites = stackalloc Vector3[BoneHierarchy.BoneCount];
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            DefaultOffsets.TryGetEndSite(bone, out Vector3 end);
+            offsets[(int)bone] = map[bone].Offset;
+            endSites[(int)bone] = map[bone].EndSite ?? end;
+        }
+
+        return new SkeletonBody(offsets, endSites, map.Format.Variant);
+    }
+}

@@ -1,0 +1,38 @@
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Recording;
+
+// One connection of a playback. The run is what waits, on threads of the link's own.
+internal sealed class PlaybackLink(PlaybackRun run) : Link
+{
+    // Never disposed of: it has no timer, and the thread may still look at it.
+    private readonly CancellationTokenSource _closed = new();
+
+    public override ReceiveThread ReceiveThread => ReceiveThread.Dedicated;
+
+    public override string Target => run.Target;
+
+    public override Task<LinkEnd> OpenAsync(CancellationToken stop) => RunAsync(() => run.Open(_closed.Token));
+
+    public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver) => RunAsync(() => run.Receive(receiver, _closed.Token));
+
+    public override void Close()
+    {
+        _closed.Cancel();
+        run.Wake();
+    }
+
+    private async Task<LinkEnd> RunAsync(Func<LinkEnd> action)
+    {
+        LinkEnd end = LinkEnd.Requested;
+        await DedicatedThread.RunAsync("NeuronMocap playback", Run, TaskCreationOptions.None).ConfigureAwait(false);
+        return _closed.IsCancellationRequested ? LinkEnd.Requested : end;
+
+        void Run()
+        {
+            using TimerResolution resolution = TimerResolution.Raise();
+            end = action();
+        }
+    }
+}

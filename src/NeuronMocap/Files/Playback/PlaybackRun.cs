@@ -1,0 +1,176 @@
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Recording;
+
+// One playing of a file to a reader: does what the control says, connection after connection, until the file is over. Links run it on the playback's
+// thread, one at a time.
+internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, PlaybackFeed feed, Action completed)
+{
+    // Whether the first connection has stood since the link opened.
+    private bool _hasOpened;
+
+    // Of the link that plays.
+    private CancellationToken _closed;
+
+    public string Target => file.Target;
+
+    // Waits until a connection stands.
+    public LinkEnd Open(CancellationToken closed) => file.Use(() =>
+    {
+        _closed = closed;
+        return Open();
+    });
+
+    // Plays until the connection ends.
+    public LinkEnd Receive(IPacketReceiver receiver, CancellationToken closed) => file.Use(() =>
+    {
+        _closed = closed;
+        feed.Target = receiver;
+        return Receive(receiver);
+    });
+
+    // Any thread: a link was closed.
+    public void Wake() => control.Wake();
+
+    private LinkEnd Open()
+    {
+        _hasOpened = false;
+        while (!feed.Parser.IsOpen)
+        {
+            Arrival arrival = feed.Peek();
+            switch (control.WaitFor(arrival.Time, _closed, out _))
+            {
+                case PlaybackTurn.Stop:
+                    return LinkEnd.Requested;
+                case PlaybackTurn.Seek:
+                    feed.GoTo(control.TakeSeek(), IsStopped);
+                    continue;
+                case PlaybackTurn.StepBack:
+                    feed.GoBack(control.TakeStepsBack(), IsStopped);
+                    continue;
+                case PlaybackTurn.Step when arrival.Kind == ArrivalKind.End:
+                    control.EndStep();
+                    continue;
+            }
+
+            if (arrival.Kind == ArrivalKind.End)
+            {
+                if (EndPass() is { } end)
+                    return end;
+            }
+            else if (arrival.Kind == ArrivalKind.Bytes)
+            {
+                feed.Parser.Open(arrival);
+                _hasOpened |= !arrival.IsCalculation;
+            }
+            else
+            {
+                if (arrival.Kind == ArrivalKind.Opened)
+                {
+                    feed.Parser.Open(arrival);
+                    _hasOpened |= !arrival.IsCalculation;
+                }
+
+                feed.Advance();
+            }
+        }
+
+        return LinkEnd.None;
+    }
+
+    private LinkEnd Receive(IPacketReceiver receiver)
+    {
+        while (true)
+        {
+            Arrival arrival = feed.Peek();
+            PlaybackTurn turn = control.WaitFor(arrival.Time, _closed, out long timestamp);
+            if (turn == PlaybackTurn.Stop)
+                return LinkEnd.Requested;
+
+            if (turn is PlaybackTurn.Seek or PlaybackTurn.StepBack)
+            {
+                if (turn == PlaybackTurn.Seek)
+                    feed.GoTo(control.TakeSeek(), IsStopped);
+                else
+                    feed.GoBack(control.TakeStepsBack(), IsStopped);
+
+                if (!feed.Parser.IsOpen)
+                    return new LinkEnd(ConnectionReason.ClosedByPeer, "The playback has gone to another place, where no connection stood.");
+
+                receiver.OnLinkOpened();
+                continue;
+            }
+
+            if (turn == PlaybackTurn.Step && (arrival.Kind == ArrivalKind.End || feed.IsOfConnection(arrival)))
+            {
+                if (arrival.Kind == ArrivalKind.End || feed.PushToFrame(arrival, control.StepTo(arrival.Time)))
+                    control.EndStep();
+
+                continue;
+            }
+
+            if (Play(arrival, timestamp) is { } end)
+                return end;
+        }
+    }
+
+    // Recordings give the name of the reason.
+    private static LinkEnd Ended(string? reason) =>
+        Enum.TryParse(reason, out ConnectionReason recorded) && Enum.IsDefined(typeof(ConnectionReason), recorded) && recorded is not (ConnectionReason.None or ConnectionReason.Requested)
+            ? new LinkEnd(recorded, $"The recorded connection ended: {reason}.")
+            : new LinkEnd(ConnectionReason.ClosedByPeer, "The recorded connection ended.");
+
+    // Null unless the connection ends.
+    private LinkEnd? Play(in Arrival arrival, long timestamp)
+    {
+        if (arrival.Kind == ArrivalKind.End)
+        {
+            feed.Parser.Close(arrival.Time);
+            return EndPass() ?? new LinkEnd(ConnectionReason.EndOfRecording, $"The {file.Target} begins again.");
+        }
+
+        // Another connection, of which the next link is: this one's end was not recorded.
+        if (feed.Parser.Ends(arrival))
+        {
+            feed.Parser.Close();
+            return Ended(reason: null);
+        }
+
+        // The first one may come to stand after that of calculation data.
+        if (feed.Follow(arrival, timestamp) && !arrival.IsCalculation)
+        {
+            if (_hasOpened)
+                feed.Target!.OnLinkOpened();
+
+            _hasOpened = true;
+        }
+
+        string? reason = arrival.Reason;
+        feed.Advance();
+        if (feed.Parser.IsOpen)
+            return null;
+
+        // The last connection's end is that of the recording, which comes next.
+        return feed.Peek().Kind == ArrivalKind.End ? null : Ended(reason);
+    }
+
+    // Null when another pass follows.
+    private LinkEnd? EndPass()
+    {
+        if (!control.BeginPass())
+            return Complete();
+
+        feed.Rewind(TimeSpan.Zero);
+        return null;
+    }
+
+    private LinkEnd Complete()
+    {
+        completed();
+        return new LinkEnd(ConnectionReason.EndOfRecording, $"The {file.Target} is over.") { IsFinal = true };
+    }
+
+    // A place may be far from where reading can begin: whoever closes the link or disposes of the player does not wait until it is found.
+    private bool IsStopped() => _closed.IsCancellationRequested || control.IsOver;
+}
