@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
 using System.Net;
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Server.Clients;

@@ -1,4 +1,5 @@
 using System.Net.Sockets;
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Transport;

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using NeuronMocap.Commands;
 
 namespace NeuronMocap.Protocol;
 

@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using System.Runtime.InteropServices;
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Fuzz.Inputs;

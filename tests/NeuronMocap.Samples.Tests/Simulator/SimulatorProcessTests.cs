@@ -3,6 +3,7 @@ using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Samples.Tests.Infrastructure;
 using NeuronMocap.Server;

@@ -1,4 +1,5 @@
 using System.Text;
+using NeuronMocap.Commands;
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;

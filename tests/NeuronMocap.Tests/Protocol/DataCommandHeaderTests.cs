@@ -1,3 +1,4 @@
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Protocol;

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Tests.Network;

@@ -1,3 +1,4 @@
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;

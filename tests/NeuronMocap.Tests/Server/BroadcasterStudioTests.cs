@@ -2,6 +2,7 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Server;
 using NeuronMocap.Server.Broadcasting;
+using NeuronMocap.Server.Faults;
 
 namespace NeuronMocap.Tests.Server;
 

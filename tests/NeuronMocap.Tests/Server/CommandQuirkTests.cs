@@ -1,5 +1,6 @@
 using NeuronMocap.Commands;
 using NeuronMocap.Server;
+using NeuronMocap.Server.Faults;
 using NeuronMocap.Tests.Commands;
 using static NeuronMocap.Tests.Server.CommandServerTests;
 
