@@ -9,10 +9,12 @@ namespace NeuronMocap.Commands;
 internal sealed class ServerInquiry(NeuronCommandOptions options) : IDisposable
 {
     private readonly NeuronCommandClient _client = new(options);
-    private volatile Answers _answers = new();
+
+    // Their sources are never disposed of: they have no timers, and the requests that are under way still look at them.
+    private volatile Answers _answers = new(new CancellationTokenSource());
 
     // Forgets all answers: the reader has a new connection, perhaps to another server. Whoever waits gets the answer of that one.
-    public void Renew() => Interlocked.Exchange(ref _answers, new Answers()).Cancel();
+    public void Renew() => Interlocked.Exchange(ref _answers, new Answers(new CancellationTokenSource())).Cancel();
 
     // Each of these asks again where the server gave no answer; on a retry, after any failure.
     public Task<RotationOrder> GetRotationOrderAsync(bool isRetry) =>
@@ -67,12 +69,9 @@ internal sealed class ServerInquiry(NeuronCommandOptions options) : IDisposable
     }
 
     // What was answered during one connection of the reader.
-    private sealed class Answers
+    private sealed class Answers(CancellationTokenSource stop)
     {
-        // Never disposed of: it has no timer, and the requests that are under way still look at it.
-        private readonly CancellationTokenSource _stop = new();
-
-        public CancellationToken Stop => _stop.Token;
+        public CancellationToken Stop => stop.Token;
 
         public ConcurrentDictionary<int, SharedAnswer<RotationOrder>> Orders { get; } = new();
 
@@ -80,6 +79,6 @@ internal sealed class ServerInquiry(NeuronCommandOptions options) : IDisposable
 
         public ConcurrentDictionary<int, SharedAnswer<BoneDimensions>> Dimensions { get; } = new();
 
-        public void Cancel() => _stop.Cancel();
+        public void Cancel() => stop.Cancel();
     }
 }

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Reflection;
-using NeuronMocap.Commands;
 using NeuronMocap.Files;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;

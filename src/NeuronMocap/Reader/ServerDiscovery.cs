@@ -42,9 +42,9 @@ internal sealed class ServerDiscovery(NeuronCommandOptions options, FrameFormat 
     // A connection stands.
     public void Begin()
     {
+        Inquiry.Renew();
         lock (_lock)
         {
-            Inquiry.Renew();
             _failures = 0;
             _hasBegun = true;
         }
@@ -164,6 +164,7 @@ internal sealed class ServerDiscovery(NeuronCommandOptions options, FrameFormat 
     {
         bool isComplete = true;
         int unanswered = 0;
+        _hasNewBodies = false;
         foreach (Func<bool, Task> question in Questions())
         {
             try
@@ -187,7 +188,6 @@ internal sealed class ServerDiscovery(NeuronCommandOptions options, FrameFormat 
         if (_areSizesWanted)
             yield return async isRetry => SizesLearnt(await Inquiry.GetDimensionsAsync(FirstAvatar, isRetry).ConfigureAwait(false));
 
-        _hasNewBodies = false;
         foreach (int avatar in _bodies.Keys)
             yield return async isRetry => _bodies[avatar] = await Inquiry.GetBodyAsync(avatar, isRetry).ConfigureAwait(false);
     }

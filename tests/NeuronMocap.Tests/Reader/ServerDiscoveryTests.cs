@@ -164,6 +164,40 @@ public sealed class ServerDiscoveryTests : IDisposable
         Task RoundsAsync(int count) => Limits.UntilAsync(() => Volatile.Read(ref rounds) == count);
     }
 
+    [Fact]
+    public async Task A_new_avatar_asks_a_server_that_does_not_answer_only_once()
+    {
+        int requests = 0;
+        using var commands = new CommandScript(request =>
+        {
+            Interlocked.Increment(ref requests);
+            request.Connection.Close();
+            return Task.CompletedTask;
+        });
+        int rounds = 0;
+        using ServerDiscovery discovery = Create(commands, () => Interlocked.Increment(ref rounds));
+
+        discovery.Begin();
+        await Limits.UntilAsync(() => Volatile.Read(ref rounds) == 1);
+        Assert.Null(discovery.FindBody(0));
+        await Limits.UntilAsync(() =>
+        {
+            discovery.Check(Stopwatch.GetTimestamp());
+            return Volatile.Read(ref requests) == 3;
+        });
+
+        // That was the format once more, and the body's header. The next round is the one that is due.
+        for (int i = 0; i < 100; i++)
+            discovery.Check(Stopwatch.GetTimestamp());
+
+        await Limits.UntilAsync(() =>
+        {
+            discovery.Check(Stopwatch.GetTimestamp() + (6 * Stopwatch.Frequency));
+            return Volatile.Read(ref requests) >= 5;
+        });
+        Assert.Equal(3, Volatile.Read(ref rounds));
+    }
+
     private static SkeletonBody Tall(float upperLeg) =>
         SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperLeg = upperLeg }, Format.Variant);
 
