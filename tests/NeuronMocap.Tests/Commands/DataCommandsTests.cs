@@ -1,6 +1,5 @@
 using System.Net.Sockets;
 using NeuronMocap.Commands;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Commands;
