@@ -18,7 +18,7 @@ internal sealed record SourceSettings(FileInfo? Bvh, FileInfo? Calc, int Avatars
 internal sealed record SimulatorSources(IReadOnlyList<MotionSource> Avatars, RotationOrder? Order, string Description)
 {
     /// <summary>Makes the values of calculation packets: computed, or an export's own.</summary>
-    public CalculationWriter WriteCalculation { get; init; } = CalculationSynthesizer.Write;
+    public CalculationProvider WriteCalculation { get; init; } = CalculationSynthesizer.Write;
 
     /// <summary>Number of those values.</summary>
     public int CalculationValueCount { get; init; } = CalculationFrame.FullValueCount;

@@ -3,7 +3,6 @@ using System.Text;
 using NeuronMocap.Commands;
 using NeuronMocap.Compatibility.Callbacks;
 using NeuronMocap.Compatibility.Sockets;
-using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Compatibility;
@@ -36,7 +35,7 @@ internal sealed class VendorFunctions(IVendorCallbacks callbacks)
     // The numbers of the vendor's commands are those of the wire.
     public static bool Fetch(IntPtr socket, int command, int avatar) => FunctionGuard.Call(
         (socket, command, avatar),
-        static what => CommandsOf(what.socket)?.TryFetch((DataCommandId)what.command, what.avatar) ?? false,
+        static what => CommandsOf(what.socket)?.TryRequest((DataCommandId)what.command, what.avatar) ?? false,
         failure: false,
         "BRCommandFetchDataFromServer");
 

@@ -1,7 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
 using System.Net;
-using NeuronMocap.Protocol;
+using NeuronMocap.Commands;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Server.Clients;
 using NeuronMocap.Server.Sources;

@@ -38,10 +38,11 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     /// <exception cref="ArgumentException">A setting is out of its range; the message names it. Or the broadcaster plays a recording.</exception>
     public CommandServer(Broadcaster broadcaster, CommandServerOptions? options = null)
     {
-        _answers = new CommandAnswers(broadcaster ?? throw new ArgumentNullException(nameof(broadcaster)));
-        if (broadcaster.Plan is null)
+        ArgumentNullException.ThrowIfNull(broadcaster);
+        if (broadcaster.Plan is not { } plan)
             throw new ArgumentException("A recording does not say what a command channel answers.", nameof(broadcaster));
 
+        _answers = new CommandAnswers(plan, broadcaster.Rate, broadcaster.ZeroOut, broadcaster.ZeroOutAll);
         _options = (options ?? new CommandServerOptions()).CopyChecked();
     }
 

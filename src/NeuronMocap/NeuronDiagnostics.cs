@@ -50,12 +50,12 @@ public static class NeuronDiagnostics
         if (options.CalculationLink is { } second)
             conclusion = await CalculationExamination.AddAsync(task, ForDiagnosis(second), conclusion, other => ExamineAsync(options, other)).ConfigureAwait(false);
 
-        IReadOnlyList<Finding> findings = conclusion.Findings;
-        string advice = string.Join(" ", findings.Select(static finding => finding.Advice).Where(static text => text is not null));
+        IReadOnlyList<ExplainedVerdict> verdicts = conclusion.Verdicts;
+        string advice = string.Join(" ", verdicts.Select(static verdict => verdict.Advice).Where(static text => text is not null));
         return new StreamDiagnosis
         {
-            Findings = [.. findings.Select(static finding => finding.Verdict)],
-            Summary = string.Join(" ", findings.Select(static finding => finding.Advice is null ? finding.Text : $"{finding.Text} {finding.Advice}")),
+            Verdicts = [.. verdicts.Select(static verdict => verdict.Verdict)],
+            Summary = string.Join(" ", verdicts.Select(static verdict => verdict.Advice is null ? verdict.Text : $"{verdict.Text} {verdict.Advice}")),
             Advice = advice.Length > 0 ? advice : null,
             Code = conclusion.Place is { } place ? ReaderCode.For(options, place, how.Wanted) : null,
             Steps = log.Steps,

@@ -31,15 +31,8 @@ public sealed partial class NeuronReader
         if (string.IsNullOrWhiteSpace(path))
             throw new ArgumentException("A file has a name.", nameof(path));
 
-        options ??= new BvhExportOptions();
-        if (options.HeaderTimeout < TimeSpan.Zero || options.HeaderTimeout > TimeSpan.FromMinutes(5))
-            throw new ArgumentOutOfRangeException(nameof(options), options.HeaderTimeout, "HeaderTimeout is 0 to 5 minutes.");
-        if (options.Capacity is < 1 or > 1 << 20)
-            throw new ArgumentOutOfRangeException(nameof(options), options.Capacity, "Capacity is 1 to 1,048,576 frames.");
-        if (options.FrameTime == default(BvhFrameTime))
-            throw new ArgumentException("FrameTime is above 0, or null.", nameof(options));
-
-        var bodies = new BvhExportBodies(options, _options.Commands, _format);
+        options = BvhExportOptions.CopyChecked(options);
+        var bodies = new BvhExportBodies(options, _discovery?.Inquiry, _format);
         BvhExportFiles? files = null;
         FrameQueue? queue = null;
         BvhExport export;
@@ -54,7 +47,6 @@ public sealed partial class NeuronReader
             // The file cannot be opened, or there is no memory for the queue, or no thread.
             queue?.Dispose();
             files?.Close();
-            bodies.Dispose();
             throw;
         }
 

@@ -125,7 +125,7 @@ public sealed partial class NeuronReader
             _pipeline.Stop();
             _metrics.Dispose();
             _watchdog?.Dispose();
-            _discovery?.Dispose();
+            _discovery?.Stop();
             if (Interlocked.Exchange(ref _started, 1) == 0)
                 End();
             else
@@ -190,8 +190,9 @@ public sealed partial class NeuronReader
         try
         {
             _watchdog?.Dispose();
-            _discovery?.Dispose();
+            _discovery?.Stop();
             await _recordings.StopAsync().ConfigureAwait(false);
+            _discovery?.Dispose();
             await _reporter.EndAsync(Stopwatch.GetTimestamp()).ConfigureAwait(false);
         }
         finally
@@ -224,10 +225,7 @@ public sealed partial class NeuronReader
     private void OnFirstStatusChanged(ConnectionStatus status)
     {
         if (status.State == ConnectionState.Connected)
-        {
             _discovery?.Begin();
-            _recordings.Ask();
-        }
 
         if (_jointStatus is null)
             OnStatusChanged(status);
@@ -251,6 +249,6 @@ public sealed partial class NeuronReader
     private void OnFormatLearnt()
     {
         _activity.Redescribe(Stopwatch.GetTimestamp(), isDue: true);
-        _recordings.Learn(_format.Findings.Order, _format.Findings.Variant);
+        _recordings.Learn(_format.Discovered.Order, _format.Discovered.Variant);
     }
 }

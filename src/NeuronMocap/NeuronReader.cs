@@ -1,10 +1,12 @@
 using System.Diagnostics;
+using System.Diagnostics.CodeAnalysis;
 using NeuronMocap.Commands;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Reader;
 using NeuronMocap.Recording;
+using NeuronMocap.Skeleton;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;
 
@@ -49,7 +51,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly object? _gate;
     private readonly JointStatus? _jointStatus;
     private readonly CalculationConnection? _calculation;
-    private readonly FormatDiscovery? _discovery;
+    private readonly ServerDiscovery? _discovery;
     private readonly ReaderRecordings _recordings;
     private readonly bool _isPlayback;
     private Timer? _watchdog;
@@ -113,23 +115,29 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 
         _status = new StatusBoard(OnFirstStatusChanged);
         _senders = new SenderFilter(_options.AllowedSenders);
-        player?.Attach(_senders, OnCallbackFailed);
+        Func<Link>? playback = player?.Attach(_senders, OnCallbackFailed);
         _format = player?.CreateFormat(_options.RotationOrder, _options.SkeletonVariant) ?? _options.Format;
-        _discovery = _options.Commands is { } commands ? new FormatDiscovery(commands, _format, OnFormatLearnt) : null;
+        _discovery = _options.Commands is { } commands ? new ServerDiscovery(commands, _format, OnFormatLearnt) : null;
         var recognizer = new StreamRecognizer(_format);
         _activity = new LinkActivity(
             _status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp ? _senders : null, recognizer.Describe, player is null ? null : () => player.IsPaused);
         _eventHandlers = new HandlerList<ReaderEvent>(OnCallbackFailed);
         _eventHandlers.Add(_options.CreateLog());
         _metrics = new ReaderMetrics(_options.DisplayName);
-        _supervisor = new ConnectionSupervisor(createLink ?? player?.LinkFactory ?? CreateLink, _options.Reconnect, _status, _activity, new Random().NextDouble);
+        _supervisor = new ConnectionSupervisor(createLink ?? playback ?? CreateLink, _options.Reconnect, _status, _activity, new Random().NextDouble);
         _recordings = new ReaderRecordings(_options, _metrics.Name, _gate)
         {
             IsObserved = () => !_eventHandlers.IsEmpty,
             Report = () => _reporter!.Check(Stopwatch.GetTimestamp()),
         };
+        if (_discovery is not null)
+        {
+            _discovery.SizesLearnt = _recordings.Learn;
+            _recordings.Started = _discovery.WantSizes;
+        }
+
         _pipeline = new ReceivePipeline(
-            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player?.PatienceSource, _gate);
+            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player?.BackPressure, _gate);
         if (_jointStatus is not null)
             _calculation = CreateCalculationConnection(_options.CalculationLink!, _jointStatus);
 
@@ -204,6 +212,18 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     /// <summary>What was received so far of each avatar, in the order in which they appeared; at most 1024. Also after the end.</summary>
     /// <returns>A snapshot.</returns>
     public IReadOnlyList<AvatarStatistics> GetAvatarStatistics() => _pipeline.GetAvatarStatistics();
+
+    /// <summary>
+    /// Gets the sizes of an avatar's body, as the server's command channel describes them. A stream without displacement does not carry them.
+    /// The first call makes the reader ask in the background; it asks again on every new connection, and after a failure. Returns at once, on any
+    /// thread, and allocates nothing once the avatar is known.
+    /// </summary>
+    /// <param name="avatarIndex">Index of the avatar, from 0, as its frames carry it.</param>
+    /// <param name="body">The body, of the skeleton variant that the server uses; centimetres.</param>
+    /// <returns>
+    /// False when the server has not answered for this avatar yet, or <see cref="NeuronReaderOptions.CommandPort"/> is null.
+    /// </returns>
+    public bool TryGetBody(int avatarIndex, [NotNullWhen(true)] out SkeletonBody? body) => (body = _discovery?.FindBody(avatarIndex)) is not null;
 
     private Link CreateLink() => CreateLink(_options.Link);
 

@@ -81,8 +81,9 @@ public sealed partial class NeuronReaderOptions
 
     /// <summary>
     /// TCP port of the command channel on <see cref="Host"/>, 1 to 65535, also where frames come over UDP; null, the default, for none. With one, the
-    /// reader asks there for the rotation order and the skeleton variant, on every new connection, and every 5 s until it is answered. Frames do not
-    /// wait for the answer: those that come before it are understood as without this option. See <see cref="ProtocolConstants.DefaultCommandPort"/>.
+    /// reader asks there for the rotation order and the skeleton variant, and for bodies: <see cref="NeuronReader.TryGetBody"/>. It asks on every new
+    /// connection and, without an answer, again after 5, 10, 20 and then every 40 s. Frames do not wait for the answer: those that come before it are
+    /// understood as without this option. See <see cref="ProtocolConstants.DefaultCommandPort"/>.
     /// </summary>
     public int? CommandPort { get; set; }
 

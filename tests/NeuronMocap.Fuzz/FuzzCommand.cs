@@ -155,15 +155,15 @@ internal sealed class FuzzCommand : RootCommand
         run.Run(report.Tick);
         report.Summarize();
         isCutShort = run.IsCutShort;
-        FuzzFinding[] findings = [.. run.Progress.SelectMany(target => target.Findings)];
-        foreach (FuzzFinding finding in findings)
+        FailingInput[] all = [.. run.Progress.SelectMany(target => target.FailingInputs)];
+        foreach (FailingInput failing in all)
         {
-            string path = FindingFiles.Write(finding, seed, options.GetValue(_output)!);
-            Console.Error.WriteLine($"{finding.Target}: {finding.Failure.Kind}, {finding.Smallest.Length} bytes in {path}");
-            Console.Error.WriteLine(finding.Failure.Description);
+            string path = FailingInputFiles.Write(failing, seed, options.GetValue(_output)!);
+            Console.Error.WriteLine($"{failing.Target}: {failing.Failure.Kind}, {failing.Smallest.Length} bytes in {path}");
+            Console.Error.WriteLine(failing.Failure.Description);
         }
 
-        return findings.Length == 0;
+        return all.Length == 0;
     }
 
     // 20261122 is the seed of that day, on every computer, and gives the same run again.

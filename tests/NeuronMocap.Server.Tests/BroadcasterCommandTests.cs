@@ -166,7 +166,7 @@ public sealed class BroadcasterCommandTests
         // What was not dropped is answered when it reads.
         int replies = 0;
         while (replies < Flood - broadcaster.Statistics.RequestsDropped || broadcaster.Statistics.RepliesSent + broadcaster.Statistics.RequestsDropped < Flood)
-            replies += CommandHeader.TryRead((await flooder.ReadAsync())!, out _) ? 1 : 0;
+            replies += DataCommandHeader.TryRead((await flooder.ReadAsync())!, out _) ? 1 : 0;
 
         Assert.Equal(Flood, replies + broadcaster.Statistics.RequestsDropped);
         Assert.Equal(broadcaster.Statistics.RepliesSent, replies);
@@ -287,7 +287,7 @@ public sealed class BroadcasterCommandTests
         while (replies.Count < count)
         {
             byte[] packet = Assert.IsType<byte[]>(await client.ReadAsync());
-            if (CommandHeader.TryRead(packet, out _))
+            if (DataCommandHeader.TryRead(packet, out _))
                 replies.Add(new DataCommandReply(packet));
             else
                 frames.Add(packet);

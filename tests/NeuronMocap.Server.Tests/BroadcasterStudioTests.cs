@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Server.Broadcasting;
+using NeuronMocap.Server.Faults;
 using NeuronMocap.Tests.Server;
 using static NeuronMocap.Server.Tests.Broadcasts;
 

@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
+using NeuronMocap.Server.Faults;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Server;
 
@@ -34,16 +35,16 @@ public sealed class BroadcasterTextTests
     }
 
     [Theory]
-    [InlineData(TextQuirks.None, "", "||\r\n", "\n")]
-    [InlineData(TextQuirks.LineFeedOnly, "", "||\n", "\n")]
-    [InlineData(TextQuirks.StrayZeros, "\0", "||\r\n", "\n")]
-    [InlineData(TextQuirks.LineFeedOnly | TextQuirks.StrayZeros, "\0", "||\n", "\n")]
-    public async Task Quirks_change_what_stands_around_the_lines(TextQuirks quirks, string start, string motionEnd, string calculationEnd)
+    [InlineData((int)TextQuirks.None, "", "||\r\n", "\n")]
+    [InlineData((int)TextQuirks.LineFeedOnly, "", "||\n", "\n")]
+    [InlineData((int)TextQuirks.StrayZeros, "\0", "||\r\n", "\n")]
+    [InlineData((int)(TextQuirks.LineFeedOnly | TextQuirks.StrayZeros), "\0", "||\n", "\n")]
+    public async Task Quirks_change_what_stands_around_the_lines(int quirks, string start, string motionEnd, string calculationEnd)
     {
         BroadcasterOptions options = Options(BroadcasterOptions.MaxRate);
         options.FrameLimit = 1;
         options.Calculation = CalculationSynthesizer.Write;
-        options.TextQuirks = quirks;
+        options.TextQuirks = (TextQuirks)quirks;
         options.AvatarNames = ["Ann Bell"];
         await using Broadcaster broadcaster = Started(options);
         string text = await TextClient.ReadToEndAsync(broadcaster.LocalEndPoint);

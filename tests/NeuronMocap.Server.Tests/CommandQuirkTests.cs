@@ -1,4 +1,5 @@
 using NeuronMocap.Commands;
+using NeuronMocap.Server.Faults;
 using NeuronMocap.Tests.Commands;
 using static NeuronMocap.Server.Tests.CommandServerTests;
 

@@ -63,19 +63,19 @@ public sealed class RequestScannerTests
         0xFF,
     ];
 
-    private static void AssertRequests(IReadOnlyList<CommandHeader> found) =>
+    private static void AssertRequests(IReadOnlyList<DataCommandHeader> found) =>
         Assert.Equal([(4, 1), (6, 2), (5, 4)], found.Select(request => ((int)request.CommandId, request.Parameter)));
 
-    private static List<CommandHeader> Push(RequestScanner scanner, ReadOnlyMemory<byte> bytes)
+    private static List<DataCommandHeader> Push(RequestScanner scanner, ReadOnlyMemory<byte> bytes)
     {
-        var found = new List<CommandHeader>();
+        var found = new List<DataCommandHeader>();
         while (!bytes.IsEmpty)
         {
             int count = Math.Min(bytes.Length, scanner.Room.Length);
             bytes[..count].CopyTo(scanner.Room);
             bytes = bytes[count..];
             scanner.Advance(count);
-            while (scanner.TryRead(out CommandHeader request))
+            while (scanner.TryRead(out DataCommandHeader request))
                 found.Add(request);
         }
 

@@ -172,8 +172,8 @@ internal sealed class JsonLines
         _json.WriteString("verdict"u8, diagnosis.Verdict.ToString());
         _json.WriteBoolean("framesArrive"u8, diagnosis.FramesArrive);
         _json.WriteStartArray("findings"u8);
-        foreach (DiagnosisVerdict finding in diagnosis.Findings)
-            _json.WriteStringValue(finding.ToString());
+        foreach (DiagnosisVerdict verdict in diagnosis.Verdicts)
+            _json.WriteStringValue(verdict.ToString());
 
         _json.WriteEndArray();
         _json.WriteString("summary"u8, OptionNames.Translate(diagnosis.Summary));

@@ -1,4 +1,5 @@
 using NeuronMocap.Protocol;
+using NeuronMocap.Server.Faults;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Broadcasting;
@@ -46,9 +47,9 @@ internal sealed class FramePlan : BroadcastContent
     // Of the timecode: frames per second of the broadcast, or of the first source where there is no pace.
     public double FrameRate { get; }
 
-    public CalculationWriter? Calculation { get; }
+    public CalculationProvider? Calculation { get; }
 
-    public StudioCalculationWriter? StudioCalculation { get; }
+    public StudioCalculationProvider? StudioCalculation { get; }
 
     // 946, or 338 for the body alone: the start of the longer form (CalculationFrame.BodyValueCount).
     public int CalculationValueCount { get; }

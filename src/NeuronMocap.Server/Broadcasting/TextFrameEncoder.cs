@@ -1,4 +1,5 @@
 using NeuronMocap.Protocol;
+using NeuronMocap.Server.Faults;
 
 namespace NeuronMocap.Server.Broadcasting;
 

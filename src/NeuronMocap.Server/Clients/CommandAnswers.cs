@@ -1,13 +1,14 @@
 using System.Buffers.Binary;
 using System.Text;
 using NeuronMocap.Protocol;
+using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Clients;
 
-// What the command channel knows of a broadcast (protocol.md section 6). Any thread.
-internal sealed class CommandAnswers(Broadcaster broadcaster)
+// What the command channel knows of a broadcast (protocol.md section 6). ZeroOut is told an avatar, and says whether there is one. Any thread.
+internal sealed class CommandAnswers(FramePlan plan, double rate, Func<int, bool> zeroOut, Action zeroOutAll)
 {
     // Zero-out: 1, or 0 for an avatar that there is not. Else the answer, and nothing where there is none.
     public byte[] GetPayload(int commandId, ReadOnlySpan<byte> parameters)
@@ -16,12 +17,12 @@ internal sealed class CommandAnswers(Broadcaster broadcaster)
         switch ((CommandChannelId)commandId)
         {
             case CommandChannelId.ZeroOut:
-                return Encode(broadcaster.ZeroOut(avatar) ? 1 : 0);
+                return Encode(zeroOut(avatar) ? 1 : 0);
             case CommandChannelId.ZeroOutAll:
-                broadcaster.ZeroOutAll();
+                zeroOutAll();
                 return Encode(1);
             case CommandChannelId.RotationOrder:
-                return Encode((int)broadcaster.Plan!.Order);
+                return Encode((int)plan.Order);
             case CommandChannelId.BoneDimensions when Find(avatar) is { } source:
                 return GetDimensions(source);
             case CommandChannelId.BvhHeader when Find(avatar) is { } source:
@@ -45,13 +46,13 @@ internal sealed class CommandAnswers(Broadcaster broadcaster)
         return bytes;
     }
 
-    private MotionSource? Find(int avatar) => (uint)avatar < (uint)broadcaster.Plan!.AvatarCount ? broadcaster.Plan!.Sources[avatar] : null;
+    private MotionSource? Find(int avatar) => (uint)avatar < (uint)plan.AvatarCount ? plan.Sources[avatar] : null;
 
     // Appendix B goes on to the first lines of the motion; of a live stream there are no rows.
     private string GetHeader(MotionSource source)
     {
-        double rate = double.IsPositiveInfinity(broadcaster.Rate) ? source.FrameRate : broadcaster.Rate;
-        return SourceBody.GetHierarchy(source, broadcaster.Plan!.Order, broadcaster.Layout)
-            + FormattableString.Invariant($"MOTION\r\nFrames: 0\r\nFrame Time: {1 / rate:0.000000}\r\n");
+        double frameRate = double.IsPositiveInfinity(rate) ? source.FrameRate : rate;
+        return SourceBody.GetHierarchy(source, plan.Order, plan.Layout)
+            + FormattableString.Invariant($"MOTION\r\nFrames: 0\r\nFrame Time: {1 / frameRate:0.000000}\r\n");
     }
 }

@@ -2,6 +2,7 @@ using System.Net.Sockets;
 using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
+using NeuronMocap.Server.Faults;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Server.Clients;

@@ -1,3 +1,4 @@
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Server.Clients;
@@ -35,7 +36,7 @@ internal sealed class DataCommandQueue(DataCommandReplies replies)
     }
 
     // Returns whether there is something to send.
-    public bool Accept(in CommandHeader request)
+    public bool Accept(in DataCommandHeader request)
     {
         lock (_gate)
         {

@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using System.Text;
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Server.Sources;
@@ -51,9 +52,9 @@ internal sealed class DataCommandReplies(FramePlan plan, int? lengthField)
         payload.CopyTo(destination[ProtocolConstants.HeaderSize..]);
     }
 
-    private CommandHeader CreateHeader(DataCommandId id, int avatar, int payloadSize)
+    private DataCommandHeader CreateHeader(DataCommandId id, int avatar, int payloadSize)
     {
-        var header = new CommandHeader { CommandId = id };
+        var header = new DataCommandHeader { CommandId = id };
         return id switch
         {
             DataCommandId.BoneSize => header with { DataCount = BoneHierarchy.BoneCount },
@@ -74,10 +75,10 @@ internal sealed class DataCommandReplies(FramePlan plan, int? lengthField)
     private static byte[] CreateBoneSizes(MotionSource source)
     {
         float[] lengths = SourceBody.GetLengths(source);
-        byte[] entries = new byte[lengths.Length * CommandHeader.BoneSizeEntry];
+        byte[] entries = new byte[lengths.Length * DataCommandHeader.BoneSizeEntry];
         foreach (Bone bone in BoneHierarchy.Bones)
         {
-            Span<byte> entry = entries.AsSpan((int)bone * CommandHeader.BoneSizeEntry, CommandHeader.BoneSizeEntry);
+            Span<byte> entry = entries.AsSpan((int)bone * DataCommandHeader.BoneSizeEntry, DataCommandHeader.BoneSizeEntry);
             Encoding.UTF8.GetBytes(BoneHierarchy.GetName(bone, source.Variant), entry[..BoneNameSize]);
             BinaryPrimitives.WriteInt32LittleEndian(entry[BoneNameSize..], BitConverter.SingleToInt32Bits(lengths[(int)bone]));
         }

@@ -18,13 +18,13 @@ internal sealed class RequestScanner
     public void Advance(int count) => _count += count;
 
     // Asked until there is none; only then is there room again.
-    public bool TryRead(out CommandHeader request)
+    public bool TryRead(out DataCommandHeader request)
     {
         ReadOnlySpan<byte> bytes = _buffer.AsSpan(0, _count);
         int start = 0;
         while (bytes.Length - start >= ProtocolConstants.HeaderSize)
         {
-            if (CommandHeader.TryRead(bytes[start..], out request))
+            if (DataCommandHeader.TryRead(bytes[start..], out request))
             {
                 Drop(start + ProtocolConstants.HeaderSize);
                 return true;

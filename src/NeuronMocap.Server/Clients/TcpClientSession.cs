@@ -1,4 +1,5 @@
 using System.Net.Sockets;
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Transport;
@@ -209,7 +210,7 @@ internal sealed class TcpClientSession : Recipient
             {
                 scanner.Advance(read);
                 bool hasReplies = false;
-                while (scanner.TryRead(out CommandHeader request))
+                while (scanner.TryRead(out DataCommandHeader request))
                     hasReplies |= Commands?.Accept(request) ?? false;
 
                 if (!hasReplies)

@@ -19,7 +19,7 @@ public sealed class DataCommandReply
     /// <exception cref="ArgumentException">The bytes are not one whole command packet.</exception>
     public DataCommandReply(ReadOnlySpan<byte> packet)
     {
-        if (!CommandHeader.TryRead(packet, out CommandHeader header) || packet.Length != ProtocolConstants.HeaderSize + header.PayloadSize)
+        if (!DataCommandHeader.TryRead(packet, out DataCommandHeader header) || packet.Length != ProtocolConstants.HeaderSize + header.PayloadSize)
             throw new ArgumentException("The bytes are not one whole command packet.", nameof(packet));
 
         _packet = packet.ToArray();
@@ -27,7 +27,7 @@ public sealed class DataCommandReply
     }
 
     /// <summary>The fields of the header.</summary>
-    public CommandHeader Header { get; }
+    public DataCommandHeader Header { get; }
 
     /// <summary>What the reply is about. Servers may send numbers that the enumeration lacks.</summary>
     public DataCommandId Id => Header.CommandId;
@@ -60,10 +60,10 @@ public sealed class DataCommandReply
 
     private BoneSize[] ReadBoneSizes()
     {
-        var sizes = new BoneSize[Payload.Length / CommandHeader.BoneSizeEntry];
+        var sizes = new BoneSize[Payload.Length / DataCommandHeader.BoneSizeEntry];
         for (int i = 0; i < sizes.Length; i++)
         {
-            ReadOnlySpan<byte> entry = Payload.Span.Slice(i * CommandHeader.BoneSizeEntry, CommandHeader.BoneSizeEntry);
+            ReadOnlySpan<byte> entry = Payload.Span.Slice(i * DataCommandHeader.BoneSizeEntry, DataCommandHeader.BoneSizeEntry);
             float length = BitConverter.Int32BitsToSingle(BinaryPrimitives.ReadInt32LittleEndian(entry[BoneNameSize..]));
             sizes[i] = new BoneSize(ReadText(entry[..BoneNameSize]), length);
         }

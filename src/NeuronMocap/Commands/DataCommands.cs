@@ -54,13 +54,13 @@ public sealed class DataCommands
     /// <summary>Asks for a value that is not an avatar's own. The reply comes to <see cref="Received"/>.</summary>
     /// <param name="id">What to ask for.</param>
     /// <returns>False when the request could not be sent: no connection stands, or frames come over UDP.</returns>
-    public bool TryFetch(DataCommandId id) => TryFetch(id, avatar: 0);
+    public bool TryRequest(DataCommandId id) => TryRequest(id, avatar: 0);
 
     /// <summary>Asks for a value of an avatar. The reply comes to <see cref="Received"/>.</summary>
     /// <param name="id">What to ask for.</param>
     /// <param name="avatar">Number of the avatar on the server, from 0.</param>
     /// <returns>False when the request could not be sent: no connection stands, or frames come over UDP.</returns>
-    public bool TryFetch(DataCommandId id, int avatar) => TryRequest(id, avatar);
+    public bool TryRequest(DataCommandId id, int avatar) => TrySendRequest(id, avatar);
 
     /// <summary>
     /// Asks the server to send a value whenever it changes ("auto-sync"); it comes to <see cref="Received"/>. Asked for again by itself
@@ -72,7 +72,7 @@ public sealed class DataCommands
     {
         lock (_lock)
         {
-            bool sent = TryRequest(DataCommandId.RegisterEvent, (int)id);
+            bool sent = TrySendRequest(DataCommandId.RegisterEvent, (int)id);
             if (sent)
                 _registered.Add(id);
 
@@ -88,7 +88,7 @@ public sealed class DataCommands
         lock (_lock)
         {
             _registered.Remove(id);
-            return TryRequest(DataCommandId.UnregisterEvent, (int)id);
+            return TrySendRequest(DataCommandId.UnregisterEvent, (int)id);
         }
     }
 
@@ -102,7 +102,7 @@ public sealed class DataCommands
     /// <returns>The bones in the order of the server.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<IReadOnlyList<BoneSize>> GetBoneSizesAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
-        (await FetchInTurnAsync(_sizes, DataCommandId.BoneSize, avatar, cancellationToken).ConfigureAwait(false)).BoneSizes!;
+        (await RequestInTurnAsync(_sizes, DataCommandId.BoneSize, avatar, cancellationToken).ConfigureAwait(false)).BoneSizes!;
 
     /// <summary>Asks for an avatar's hierarchy; whose it is, see <see cref="GetBoneSizesAsync"/>.</summary>
     /// <param name="avatar">Number of the avatar on the server, from 0.</param>
@@ -110,14 +110,14 @@ public sealed class DataCommands
     /// <returns>The text of a BVH file's hierarchy, as the server sent it.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<string> GetBvhTextAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
-        (await FetchInTurnAsync(_texts, DataCommandId.BvhText, avatar, cancellationToken).ConfigureAwait(false)).BvhText!;
+        (await RequestInTurnAsync(_texts, DataCommandId.BvhText, avatar, cancellationToken).ConfigureAwait(false)).BvhText!;
 
     /// <summary>Asks for the number of avatars on the server.</summary>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The number as the server sent it.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<int> GetAvatarCountAsync(CancellationToken cancellationToken = default) =>
-        (await FetchAsync(DataCommandId.AvatarCount, avatar: 0, cancellationToken).ConfigureAwait(false)).AvatarCount!.Value;
+        (await RequestAsync(DataCommandId.AvatarCount, avatar: 0, cancellationToken).ConfigureAwait(false)).AvatarCount!.Value;
 
     /// <summary>Asks for an avatar's frequency. A reply for another avatar is passed over.</summary>
     /// <param name="avatar">Number of the avatar on the server, from 0.</param>
@@ -125,7 +125,7 @@ public sealed class DataCommands
     /// <returns>Frames per second.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<int> GetFrequencyAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
-        (await FetchAsync(DataCommandId.DataFrequency, avatar, cancellationToken).ConfigureAwait(false)).Frequency!.Value;
+        (await RequestAsync(DataCommandId.DataFrequency, avatar, cancellationToken).ConfigureAwait(false)).Frequency!.Value;
 
     /// <summary>Asks for which sensors an avatar wears. A reply for another avatar is passed over.</summary>
     /// <param name="avatar">Number of the avatar on the server, from 0.</param>
@@ -133,7 +133,7 @@ public sealed class DataCommands
     /// <returns>The mode; servers may send numbers that the enumeration lacks.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<SensorCombination> GetCombinationModeAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
-        (await FetchAsync(DataCommandId.CombinationMode, avatar, cancellationToken).ConfigureAwait(false)).CombinationMode!.Value;
+        (await RequestAsync(DataCommandId.CombinationMode, avatar, cancellationToken).ConfigureAwait(false)).CombinationMode!.Value;
 
     // Receive thread.
     internal void OnPacket(in ReceivedPacket packet)
@@ -152,7 +152,7 @@ public sealed class DataCommands
         lock (_lock)
         {
             foreach (DataCommandId id in _registered)
-                TryRequest(DataCommandId.RegisterEvent, (int)id);
+                TrySendRequest(DataCommandId.RegisterEvent, (int)id);
         }
     }
 
@@ -163,16 +163,16 @@ public sealed class DataCommands
         _waiters.FailAll();
     }
 
-    private async Task<DataCommandReply> FetchInTurnAsync(Turns turns, DataCommandId id, int avatar, CancellationToken cancellation)
+    private async Task<DataCommandReply> RequestInTurnAsync(Turns turns, DataCommandId id, int avatar, CancellationToken cancellation)
     {
         await turns.Free.WaitAsync(cancellation).ConfigureAwait(false);
         try
         {
             if (turns.HasLateReply)
-                await FetchAsync(DataCommandId.AvatarCount, avatar: 0, cancellation).ConfigureAwait(false);
+                await RequestAsync(DataCommandId.AvatarCount, avatar: 0, cancellation).ConfigureAwait(false);
 
             turns.HasLateReply = true;
-            DataCommandReply reply = await FetchAsync(id, avatar, cancellation).ConfigureAwait(false);
+            DataCommandReply reply = await RequestAsync(id, avatar, cancellation).ConfigureAwait(false);
             turns.HasLateReply = false;
             return reply;
         }
@@ -182,13 +182,13 @@ public sealed class DataCommands
         }
     }
 
-    private async Task<DataCommandReply> FetchAsync(DataCommandId id, int avatar, CancellationToken cancellation)
+    private async Task<DataCommandReply> RequestAsync(DataCommandId id, int avatar, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
         ReplyWaiters.Waiter waiter = _waiters.Add(reply => reply.Id == id && (reply.AvatarIndex ?? avatar) == avatar);
         try
         {
-            if (!TryFetch(id, avatar))
+            if (!TryRequest(id, avatar))
             {
                 throw new NeuronCommandException(
                     CommandFailure.NotConnected,
@@ -213,14 +213,14 @@ public sealed class DataCommands
         }
     }
 
-    private bool TryRequest(DataCommandId id, int parameter)
+    private bool TrySendRequest(DataCommandId id, int parameter)
     {
         Span<byte> request = stackalloc byte[ProtocolConstants.HeaderSize];
-        new CommandHeader { CommandId = id, Parameter = parameter }.Write(request);
+        new DataCommandHeader { CommandId = id, Parameter = parameter }.Write(request);
         return _trySend(request);
     }
 
-    // Of fetches whose replies do not tell the avatar: one at a time. A server answers in the order of the requests.
+    // Of requests whose replies do not tell the avatar: one at a time. A server answers in the order of the requests.
     private sealed class Turns
     {
         private volatile bool _hasLateReply;

@@ -32,4 +32,7 @@ public sealed class NeuronCommandException : NeuronException
 
     /// <summary>Why there is no answer.</summary>
     public CommandFailure Reason { get; }
+
+    // The server did answer, though not what was asked for.
+    internal bool IsAnswer => Reason is CommandFailure.Rejected or CommandFailure.InvalidReply;
 }

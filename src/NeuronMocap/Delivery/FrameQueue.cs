@@ -31,19 +31,19 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     private readonly LentFrames<StudioCalculationFrame> _studio = new(static () => new StudioCalculationFrame(), LentFrames<StudioCalculationFrame>.OfHandlers);
     private readonly Action<FrameQueue> _closed;
     private readonly IDurationRecorder? _handOver;
-    private readonly Func<bool>? _isPatient;
+    private readonly Func<bool>? _backPressure;
     private long _dropped;
     private int _pumping;
     private volatile bool _disposed;
 
-    // Patient: whether whoever puts frames in may wait for room, as a playback without pace can.
+    // BackPressure: whether the producer may wait for room, as an unpaced playback can.
     internal FrameQueue(
         int capacity,
         FrameFormat format,
         Action<FrameQueue> closed,
         string name = DefaultName,
         IDurationRecorder? handOver = null,
-        Func<bool>? isPatient = null)
+        Func<bool>? backPressure = null)
     {
         if (capacity is < 1 or > 1 << 20)
             throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "A queue holds 1 to 1,048,576 frames.");
@@ -52,7 +52,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
         _motion = new LentFrames<MotionFrame>(() => new MotionFrame(format), LentFrames<MotionFrame>.OfHandlers);
         _closed = closed;
         _handOver = handOver;
-        _isPatient = isPatient;
+        _backPressure = backPressure;
         Name = name;
     }
 
@@ -119,7 +119,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
 
     void IPacketConsumer.OnPacket(in ReceivedPacket packet)
     {
-        if (!_ring.TryEnqueue(packet) && !(_isPatient?.Invoke() == true && TryEnqueueLater(packet)))
+        if (!_ring.TryEnqueue(packet) && !(_backPressure?.Invoke() == true && TryEnqueueLater(packet)))
             Volatile.Write(ref _dropped, _dropped + 1);
     }
 
@@ -127,7 +127,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     private bool TryEnqueueLater(in ReceivedPacket packet)
     {
         var wait = new SpinWait();
-        while (!_disposed && _isPatient!())
+        while (!_disposed && _backPressure!())
         {
             wait.SpinOnce();
             if (_ring.TryEnqueue(packet))

@@ -15,7 +15,7 @@ internal static class AlternativePortScan
 {
     public static async Task<Search> FindAsync(DiagnosisContext task, IPAddress? host, bool isUdp)
     {
-        if (!task.Options.LookElsewhere)
+        if (!task.Options.SearchOtherPorts)
             return default;
 
         using var share = CancellationTokenSource.CreateLinkedTokenSource(task.Stop);

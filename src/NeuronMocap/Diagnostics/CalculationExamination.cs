@@ -12,23 +12,23 @@ internal static class CalculationExamination
     {
         DiagnosisOptions how = task.Options.Copy();
         how.Wanted = task.Wanted == PacketKind.StudioCalculation ? PacketKind.StudioCalculation : PacketKind.Calculation;
-        how.LookElsewhere = false;
+        how.SearchOtherPorts = false;
         how.Timeout = task.Options.Timeout - task.Elapsed > Least ? task.Options.Timeout - task.Elapsed : Least;
         Conclusion second = await examine(new DiagnosisContext(link, how, task.Log.With("calculation "), task.Stop)).ConfigureAwait(false);
-        Finding found = second.Findings[0];
+        ExplainedVerdict found = second.Verdicts[0];
         var joint = first with { CalculationSample = second.Sample };
 
         // Axis Studio's have a packet of their own, and are calculation data as well.
         if (!found.IsFault || found.Verdict == DiagnosisVerdict.StudioCalculationOnly)
-            return joint with { Findings = [.. first.Findings.Select((finding, index) => index == 0 ? Tell(finding, link.Port) : finding)] };
+            return joint with { Verdicts = [.. first.Verdicts.Select((verdict, index) => index == 0 ? Tell(verdict, link.Port) : verdict)] };
 
-        var missing = new Finding(
+        var missing = new ExplainedVerdict(
             DiagnosisVerdict.CalculationUnavailable,
             $"Calculation port {link.Port}: {(found.Verdict == DiagnosisVerdict.Refused ? "connection refused. " : string.Empty)}{found.Text}",
             found.Advice);
-        bool isAllElse = first.Findings is [{ Verdict: DiagnosisVerdict.Receiving }];
-        return joint with { Findings = isAllElse ? [missing with { Text = $"{first.Findings[0].Text} {missing.Text}" }] : [.. first.Findings, missing] };
+        bool isAllElse = first.Verdicts is [{ Verdict: DiagnosisVerdict.Receiving }];
+        return joint with { Verdicts = isAllElse ? [missing with { Text = $"{first.Verdicts[0].Text} {missing.Text}" }] : [.. first.Verdicts, missing] };
     }
 
-    private static Finding Tell(Finding finding, int port) => finding with { Text = $"{finding.Text} Calculation port {port}: frames arrive." };
+    private static ExplainedVerdict Tell(ExplainedVerdict verdict, int port) => verdict with { Text = $"{verdict.Text} Calculation port {port}: frames arrive." };
 }

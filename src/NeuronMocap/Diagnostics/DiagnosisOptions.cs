@@ -5,7 +5,7 @@ public sealed class DiagnosisOptions
 {
     /// <summary>
     /// Longest time of the whole diagnosis: 10 s unless set; 1 s to 5 minutes. Of it a quarter at most goes to the name, a quarter to
-    /// connecting, three tenths to waiting for the first byte, and a fifth to measuring the rate or looking elsewhere. Where frames arrive at
+    /// connecting, three tenths to waiting for the first byte, and a fifth to measuring the rate or searching other ports. Where frames arrive at
     /// once it is a fifth in all.
     /// </summary>
     public TimeSpan Timeout { get; set; } = TimeSpan.FromSeconds(10);
@@ -14,11 +14,11 @@ public sealed class DiagnosisOptions
     public PacketKind Wanted { get; set; } = PacketKind.Motion;
 
     /// <summary>
-    /// Whether to look beyond the port that the reader would use, where nothing comes from it: connect to the other usual data ports of the
+    /// Whether to search beyond the port that the reader would use, where nothing comes from it: connect to the other usual data ports of the
     /// same host, listen on the usual UDP ports of this computer, and ask a server that says nothing who it is, with two small requests on
     /// connections of their own (a command that only reads, and one of HTTP). Data servers pass over both. True unless set.
     /// </summary>
-    public bool LookElsewhere { get; set; } = true;
+    public bool SearchOtherPorts { get; set; } = true;
 
     // Axis Studio's "Advanced BVH", which is not read, but shows that the server runs.
     private const int AdvancedBvhPort = 7007;

@@ -30,7 +30,7 @@ internal static class ForeignBytes
             _ => (DiagnosisVerdict.UnknownFormat, $"{OtherProgramAdvice} {ServerSettings.Binary}"),
         };
         log.Failed(StepOf(guess.Format), $"{guess.Text}{quoted}");
-        return new Conclusion([new Finding(verdict, $"Data arrives on {place}, but it is {guess.Text}{quoted}.", advice)], sample);
+        return new Conclusion([new ExplainedVerdict(verdict, $"Data arrives on {place}, but it is {guess.Text}{quoted}.", advice)], sample);
     }
 
     private static string StepOf(ForeignFormat format) => format switch

@@ -8,37 +8,37 @@ internal static class RateExamination
 
     private static readonly int[] SuitRates = [60, 96, 120];
 
-    public static void Judge(StepLog log, AvatarSample[] avatars, bool isUdp, List<Finding> findings)
+    public static void Judge(StepLog log, AvatarSample[] avatars, bool isUdp, List<ExplainedVerdict> verdicts)
     {
-        int before = findings.Count;
+        int before = verdicts.Count;
         AvatarSample slowest = avatars.OrderBy(static avatar => avatar.Rate).First();
-        JudgeLoss(avatars, isUdp, findings);
+        JudgeLoss(avatars, isUdp, verdicts);
         if (avatars.FirstOrDefault(static avatar => avatar.StandsStill) is { } still)
         {
-            findings.Add(new Finding(
+            verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.StandsStill,
                 $"The frames of {StreamText.NameOf(still)} are all the same.",
                 "If nobody stands still on purpose, the take is paused or at its end, or the suit is no longer connected: see the server's window."));
         }
 
         if (slowest.Rate < LowestRate)
-            findings.Add(LowRate(slowest));
+            verdicts.Add(LowRate(slowest));
 
         string detail = Describe(avatars, slowest);
-        if (findings.Count > before)
+        if (verdicts.Count > before)
             log.Warning("rate", detail);
         else
             log.Ok("rate", detail);
     }
 
-    private static void JudgeLoss(AvatarSample[] avatars, bool isUdp, List<Finding> findings)
+    private static void JudgeLoss(AvatarSample[] avatars, bool isUdp, List<ExplainedVerdict> verdicts)
     {
         long lost = avatars.Sum(static avatar => avatar.Lost);
         long all = lost + avatars.Sum(static avatar => avatar.Frames);
         if (lost * 100 <= all)
             return;
 
-        findings.Add(new Finding(
+        verdicts.Add(new ExplainedVerdict(
             DiagnosisVerdict.LosingFrames,
             $"{lost} of {all} frames did not arrive.",
             isUdp
@@ -48,15 +48,15 @@ internal static class RateExamination
                     + "between suit and computer."));
     }
 
-    private static Finding LowRate(AvatarSample avatar)
+    private static ExplainedVerdict LowRate(AvatarSample avatar)
     {
         if (avatar.Rate <= 0)
-            return new Finding(DiagnosisVerdict.LowRate, $"Only {avatar.Frames} frames arrived while the diagnosis looked.", ServerSettings.FullRate);
+            return new ExplainedVerdict(DiagnosisVerdict.LowRate, $"Only {avatar.Frames} frames arrived while the diagnosis looked.", ServerSettings.FullRate);
 
         string reason = avatar.Step > 1
             ? $"the server sends one frame in {avatar.Step}"
             : Fraction(avatar.Rate) is { } fraction ? $"the server seems to send {fraction}" : "a suit measures 60, 96 or 120 times a second";
-        return new Finding(
+        return new ExplainedVerdict(
             DiagnosisVerdict.LowRate,
             StreamText.Invariant($"{avatar.Rate:0.0} frames per second are few: {reason}."),
             ServerSettings.FullRate);

@@ -8,10 +8,10 @@ public sealed record StreamDiagnosis
     }
 
     /// <summary>The most important thing that was found.</summary>
-    public DiagnosisVerdict Verdict => Findings[0];
+    public DiagnosisVerdict Verdict => Verdicts[0];
 
     /// <summary>Everything that was found, the most important first; never empty.</summary>
-    public IReadOnlyList<DiagnosisVerdict> Findings { get; init; } = [DiagnosisVerdict.Receiving];
+    public IReadOnlyList<DiagnosisVerdict> Verdicts { get; init; } = [DiagnosisVerdict.Receiving];
 
     /// <summary>Whether the frames that were asked for arrive where the reader would look for them.</summary>
     public bool FramesArrive => Verdict < DiagnosisVerdict.HostNotFound;

@@ -27,22 +27,22 @@ internal static class StreamExamination
 
     private static Conclusion JudgeFrames(DiagnosisContext task, StreamSample sample, StreamPlace place)
     {
-        var findings = new List<Finding>();
+        var verdicts = new List<ExplainedVerdict>();
         AvatarSample[] avatars = [.. sample.Avatars.Where(avatar => avatar.Kind == task.Wanted)];
         task.Log.Ok("token", DescribeTokens(sample));
-        JudgeVersion(task.Log, avatars[0], findings);
-        JudgeFormat(task.Log, sample, avatars, findings);
-        RateExamination.Judge(task.Log, avatars, place.Transport == TransportKind.Udp, findings);
+        JudgeVersion(task.Log, avatars[0], verdicts);
+        JudgeFormat(task.Log, sample, avatars, verdicts);
+        RateExamination.Judge(task.Log, avatars, place.Transport == TransportKind.Udp, verdicts);
 
         string summary = $"Frames arrive on {place}: {StreamText.Describe(avatars)}.";
-        if (findings.Count == 0)
+        if (verdicts.Count == 0)
         {
-            return new Conclusion([new Finding(DiagnosisVerdict.Receiving, $"{summary} {AllIsWell} {(avatars[0].Version == DataVersion.Studio ? OrderIsSaid : OrderIsNotSaid)}")], sample, place);
+            return new Conclusion([new ExplainedVerdict(DiagnosisVerdict.Receiving, $"{summary} {AllIsWell} {(avatars[0].Version == DataVersion.Studio ? OrderIsSaid : OrderIsNotSaid)}")], sample, place);
         }
 
-        findings.Sort(static (left, right) => right.Verdict.CompareTo(left.Verdict));
-        findings[0] = findings[0] with { Text = $"{summary} {findings[0].Text}" };
-        return new Conclusion(findings, sample, place);
+        verdicts.Sort(static (left, right) => right.Verdict.CompareTo(left.Verdict));
+        verdicts[0] = verdicts[0] with { Text = $"{summary} {verdicts[0].Text}" };
+        return new Conclusion(verdicts, sample, place);
     }
 
     private static Conclusion JudgeOtherKind(DiagnosisContext task, StreamSample sample, StreamPlace place)
@@ -59,7 +59,7 @@ internal static class StreamExamination
         if (task.Wanted == PacketKind.Motion)
             advice += $" To receive these calculation data beside the motion, set CalculationPort to {place.Port}.";
 
-        return new Conclusion([new Finding(verdict, text, advice)], sample);
+        return new Conclusion([new ExplainedVerdict(verdict, text, advice)], sample);
     }
 
     private static Conclusion JudgeEmpty(StepLog log, StreamSample sample, StreamPlace place)
@@ -78,12 +78,12 @@ internal static class StreamExamination
             DiagnosisVerdict.NoValues, $"Packets arrive on {place}, but none of them carries a pose.", ServerSettings.Play);
     }
 
-    private static void JudgeVersion(StepLog log, AvatarSample avatar, List<Finding> findings)
+    private static void JudgeVersion(StepLog log, AvatarSample avatar, List<ExplainedVerdict> verdicts)
     {
         if (avatar.Version == DataVersion.None)
         {
             log.Warning("version", "none: text, which has no frame index");
-            findings.Add(new Finding(
+            verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.TextFormat,
                 "Text is read as well as binary packets, but it has no frame index, so that lost frames cannot be counted, few digits, and takes more "
                 + "of the network and of both computers.",
@@ -94,7 +94,7 @@ internal static class StreamExamination
         if (avatar.Kind == PacketKind.Motion && avatar.Version.Layout == HeaderLayout.Old)
         {
             log.Warning("version", $"{avatar.Version}, the old header, which has no frame index");
-            findings.Add(new Finding(
+            verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.OldHeader,
                 "The old header (data version 1.0) is read as well as the new one, but it has no frame index: lost frames cannot be counted.",
                 ServerSettings.NewHeader));
@@ -104,12 +104,12 @@ internal static class StreamExamination
         log.Ok("version", $"{avatar.Version}{StreamText.ProducerOf(avatar)}");
     }
 
-    private static void JudgeFormat(StepLog log, StreamSample sample, AvatarSample[] avatars, List<Finding> findings)
+    private static void JudgeFormat(StepLog log, StreamSample sample, AvatarSample[] avatars, List<ExplainedVerdict> verdicts)
     {
-        int before = findings.Count;
+        int before = verdicts.Count;
         if (avatars.FirstOrDefault(avatar => !IsUsual(avatar)) is { } unusual)
         {
-            findings.Add(new Finding(
+            verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.UnusualValueCount,
                 $"A frame of {StreamText.NameOf(unusual)} carries {unusual.ValueCount} values, where the skeleton of 59 bones has "
                 + $"{UsualCounts(unusual.Kind)}.",
@@ -118,7 +118,7 @@ internal static class StreamExamination
 
         if (sample.SkippedBytes > FewForeignBytes && sample.SkippedBytes > sample.Bytes / 50)
         {
-            findings.Add(new Finding(
+            verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.ForeignBytes,
                 $"{100 * sample.SkippedBytes / sample.Bytes} % of the bytes that arrive belong to no frame; they are skipped. Frames are cut on the "
                 + "way, or another stream is mixed in.",
@@ -128,14 +128,14 @@ internal static class StreamExamination
         int senders = avatars.Select(static avatar => avatar.Source).Distinct().Count();
         if (senders > 1)
         {
-            findings.Add(new Finding(
+            verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.SeveralSenders,
                 $"{senders} programs send frames to this port; the reader keeps them apart.",
                 "If only one is meant, switch the broadcasting of the others off, or give them another destination port."));
         }
 
         string detail = $"{StreamText.DescribeFormat(avatars[0])}; {StreamText.DescribeAvatars(avatars)}";
-        if (findings.Count > before)
+        if (verdicts.Count > before)
             log.Warning("format", detail);
         else
             log.Ok("format", detail);

@@ -85,19 +85,19 @@ internal static class TcpFaults
         };
         task.Log.Failed("port", $"TCP port {task.Link.Port}: {detail}");
         Search search = await AlternativePortScan.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
-        Finding plain = verdict switch
+        ExplainedVerdict plain = verdict switch
         {
-            DiagnosisVerdict.Refused => new Finding(
+            DiagnosisVerdict.Refused => new ExplainedVerdict(
                 verdict,
                 $"{task.Link.Target} refuses the connection: nothing listens on that port. Axis Neuron or Axis Studio does not run there, or its "
                 + "broadcasting is off, set to UDP, or on another port.",
                 $"{ServerSettings.BroadcastTcp(task.Wanted, task.Link.Port, !IPAddress.IsLoopback(address))}{OtherComputer(address)}"),
             DiagnosisVerdict.NoAnswer => NoAnswer(task, address, search.HostAnswers),
-            DiagnosisVerdict.Unreachable => new Finding(
+            DiagnosisVerdict.Unreachable => new ExplainedVerdict(
                 verdict,
                 $"{task.Link.Target} cannot be reached: the network says that there is no such computer.",
                 "Check the address, that the computer is switched on, and that both computers are in the same network."),
-            _ => new Finding(verdict, failure.Message),
+            _ => new ExplainedVerdict(verdict, failure.Message),
         };
         return Conclude(task, plain, search);
     }
@@ -106,7 +106,7 @@ internal static class TcpFaults
     {
         task.Log.Failed("first bytes", "none: the server closed the connection");
         Search search = await AlternativePortScan.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
-        var plain = new Finding(
+        var plain = new ExplainedVerdict(
             DiagnosisVerdict.ClosedAtOnce,
             $"{task.Link.Target} accepts the connection and closes it without sending anything. A forwarded port (a container, a VPN, a tunnel) "
             + "behind which nothing listens does so, a server that allows no further client, or another program.",
@@ -118,14 +118,14 @@ internal static class TcpFaults
     public static async Task<Conclusion> SilentAsync(DiagnosisContext task, IPAddress address, TimeSpan silence)
     {
         task.Log.Failed("first bytes", StreamText.Invariant($"none in {silence.TotalSeconds:0.#} s"));
-        if (task.Options.LookElsewhere && await ServerQuestion.AskAsync(task, address).ConfigureAwait(false) is { } answer)
+        if (task.Options.SearchOtherPorts && await ServerQuestion.AskAsync(task, address).ConfigureAwait(false) is { } answer)
             return await AddElsewhereAsync(task, Answered(task, answer), address, isUdp: false).ConfigureAwait(false);
 
-        if (task.Options.LookElsewhere)
+        if (task.Options.SearchOtherPorts)
             task.Log.Ok("question", "asked who it is, it says nothing");
 
         Search search = await AlternativePortScan.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
-        var plain = new Finding(
+        var plain = new ExplainedVerdict(
             DiagnosisVerdict.Silent,
             $"{task.Link.Target} accepts the connection, but sends nothing: most likely no suit is connected and calibrated and no take is played.",
             $"{ServerSettings.Play} Where the avatar does move in the server's window, its BVH broadcasting is off for this port. "
@@ -136,20 +136,20 @@ internal static class TcpFaults
     // Something else comes from the port; frames may come from another one.
     public static async Task<Conclusion> AddElsewhereAsync(DiagnosisContext task, Conclusion conclusion, IPAddress? address, bool isUdp)
     {
-        if (!conclusion.Findings[0].IsFault)
+        if (!conclusion.Verdicts[0].IsFault)
             return conclusion;
 
         Search search = await AlternativePortScan.FindAsync(task, address, isUdp).ConfigureAwait(false);
         if (search.Found is not { } found || !found.Sample.Has(task.Wanted))
             return conclusion;
 
-        Finding instead = found.Place.Transport == TransportKind.Udp
-            ? new Finding(
+        ExplainedVerdict instead = found.Place.Transport == TransportKind.Udp
+            ? new ExplainedVerdict(
                 DiagnosisVerdict.SentOverUdp,
                 $"Frames do arrive on {found.Place}, from {found.Sender}.",
                 $"Receive over UDP on port {found.Place.Port} here.")
-            : new Finding(DiagnosisVerdict.OtherPort, $"Frames do arrive on {found.Place}.", $"Use port {found.Place.Port} over TCP here.");
-        return conclusion with { Findings = [.. conclusion.Findings, instead], Place = found.Place };
+            : new ExplainedVerdict(DiagnosisVerdict.OtherPort, $"Frames do arrive on {found.Place}.", $"Use port {found.Place.Port} over TCP here.");
+        return conclusion with { Verdicts = [.. conclusion.Verdicts, instead], Place = found.Place };
     }
 
     private static Conclusion Answered(DiagnosisContext task, StreamSample answer)
@@ -173,13 +173,13 @@ internal static class TcpFaults
             $"Check the port against the one in the server's broadcasting settings; it is usually {ProtocolConstants.DefaultPort}.");
     }
 
-    private static Finding NoAnswer(DiagnosisContext task, IPAddress address, bool hostAnswers)
+    private static ExplainedVerdict NoAnswer(DiagnosisContext task, IPAddress address, bool hostAnswers)
     {
         string where = hostAnswers
             ? "The computer itself answers on other ports, so a firewall blocks this one, or nothing listens there."
             : "The address is wrong, the computer is switched off or in another network, or a firewall drops the connection (that of Windows also "
                 + "does when nothing listens).";
-        return new Finding(
+        return new ExplainedVerdict(
             DiagnosisVerdict.NoAnswer,
             $"{task.Link.Target} does not answer. {where}",
             "On that computer, allow Axis Neuron or Axis Studio in Windows Defender Firewall (private networks), and check that it broadcasts. "
@@ -187,7 +187,7 @@ internal static class TcpFaults
     }
 
     // A stream that was found in another place explains more than the silence in this one.
-    private static Conclusion Conclude(DiagnosisContext task, Finding plain, in Search search)
+    private static Conclusion Conclude(DiagnosisContext task, ExplainedVerdict plain, in Search search)
     {
         if (search.Found is not { } found)
             return new Conclusion([search.AdvancedBvh is { } other ? AddAdvancedBvh(plain, other) : plain]);
@@ -200,12 +200,12 @@ internal static class TcpFaults
         }
 
         string instead = $"Nothing comes from TCP port {task.Link.Port}, but frames arrive on {found.Place}";
-        Finding better = found.Place.Transport == TransportKind.Tcp
-            ? new Finding(
+        ExplainedVerdict better = found.Place.Transport == TransportKind.Tcp
+            ? new ExplainedVerdict(
                 DiagnosisVerdict.OtherPort,
                 $"{instead}.",
                 $"Use port {found.Place.Port} here, or set the port in the server's broadcasting settings to {task.Link.Port}.")
-            : new Finding(
+            : new ExplainedVerdict(
                 DiagnosisVerdict.SentOverUdp,
                 $"{instead}, from {found.Sender}: the server is set to UDP.",
                 $"Receive over UDP on port {found.Place.Port} here, or choose TCP on the server. "
@@ -213,7 +213,7 @@ internal static class TcpFaults
         return new Conclusion([better], Place: found.Place);
     }
 
-    private static Finding AddAdvancedBvh(Finding plain, Probe probe)
+    private static ExplainedVerdict AddAdvancedBvh(ExplainedVerdict plain, Probe probe)
     {
         FormatGuess guess = probe.Sample.Guess();
         return plain with { Text = $"{plain.Text} The server does run: {probe.Place} has {guess.Text}.", Advice = guess.Advice };

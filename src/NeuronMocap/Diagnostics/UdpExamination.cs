@@ -108,16 +108,16 @@ internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddr
 
     private static Conclusion Instead(Probe found)
     {
-        Finding finding = found.Place.Transport == TransportKind.Udp
-            ? new Finding(
+        ExplainedVerdict verdict = found.Place.Transport == TransportKind.Udp
+            ? new ExplainedVerdict(
                 DiagnosisVerdict.OtherPort,
                 $"Frames arrive on {found.Place}, from {found.Sender}, and not on the port that was asked for.",
                 $"Use port {found.Place.Port} here, or change the client's or destination's port in the server's broadcasting settings.")
-            : new Finding(
+            : new ExplainedVerdict(
                 DiagnosisVerdict.OfferedOverTcp,
                 $"No datagram arrives, but {found.Place} has the stream: the server is set to TCP.",
                 $"Receive over TCP from {found.Place.Host}, port {found.Place.Port}; or choose UDP on the server.");
-        return new Conclusion([finding], Place: found.Place);
+        return new Conclusion([verdict], Place: found.Place);
     }
 
     // A name that cannot be looked up is no fault here: over UDP nobody needs it.

@@ -12,7 +12,7 @@ internal sealed class FrameFormat(RotationOrder? order, SkeletonVariant? variant
     private const uint StudioVersion = 0x01010001;
 
     // Replaced as a whole, so that it is read as a whole.
-    private volatile FormatFindings _findings = FormatFindings.None;
+    private volatile DiscoveredFormat _discovered = DiscoveredFormat.None;
 
     // Who is asked for what neither the options nor the frames say.
     public string FormatOrigin { get; init; } = "the command channel";
@@ -21,22 +21,24 @@ internal sealed class FrameFormat(RotationOrder? order, SkeletonVariant? variant
 
     public SkeletonVariant? OptionVariant => variant;
 
-    public FormatFindings Findings => _findings;
+    public DiscoveredFormat Discovered => _discovered;
+
+    public SkeletonVariant Variant => variant ?? _discovered.Variant ?? SkeletonFormat.Default.Variant;
 
     public static implicit operator FrameFormat(SkeletonFormat format) => new(format.RotationOrder, format.Variant);
 
     // Null leaves what is known. One thread at a time.
     public void Learn(RotationOrder? order, SkeletonVariant? variant) =>
-        _findings = _findings with { Order = order ?? _findings.Order, Variant = variant ?? _findings.Variant };
+        _discovered = _discovered with { Order = order ?? _discovered.Order, Variant = variant ?? _discovered.Variant };
 
     // Null when all was answered. One thread at a time.
-    public void LearnFailure(string? failure) => _findings = _findings with { Failure = failure };
+    public void LearnFailure(string? failure) => _discovered = _discovered with { Failure = failure };
 
     // The caller has seen a motion header.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public SkeletonFormat Of(ReadOnlySpan<byte> header) => new(
-        order ?? ReadOrder(header) ?? _findings.Order ?? SkeletonFormat.Default.RotationOrder,
-        variant ?? _findings.Variant ?? SkeletonFormat.Default.Variant);
+        order ?? ReadOrder(header) ?? _discovered.Order ?? SkeletonFormat.Default.RotationOrder,
+        Variant);
 
     // The order that Axis Studio writes into the first reserved field (protocol.md section 9); null where there is none.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

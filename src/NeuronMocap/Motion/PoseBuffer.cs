@@ -27,7 +27,7 @@ public sealed class PoseBuffer
     /// <exception cref="ArgumentOutOfRangeException">One of the options is out of range.</exception>
     public PoseBuffer(PoseBufferOptions? options = null)
     {
-        options = PoseBufferOptions.Check(options ?? new PoseBufferOptions());
+        options = PoseBufferOptions.CopyChecked(options);
         _delay = options.Delay.TotalSeconds;
         _ring = new PoseRing(options.Capacity);
         _timeline = new PoseTimeline(options, _ring.Capacity);

@@ -109,7 +109,7 @@ public sealed class PacketScanner
         PacketKind.Motion => sizeof(float) * (long)MotionHeader.ReadValueCount(header),
         PacketKind.Calculation => sizeof(float) * (long)CalculationHeader.ReadValueCount(header),
         PacketKind.StudioCalculation => StudioCalculationHeader.ReadByteCount(header),
-        _ => CommandHeader.Read(header).PayloadSize,
+        _ => DataCommandHeader.Read(header).PayloadSize,
     };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Reflection;
-using NeuronMocap.Commands;
 using NeuronMocap.Files;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
@@ -11,22 +10,15 @@ namespace NeuronMocap.Reader;
 // The recordings and exports of one reader, and what is written at the head of its recordings. Any thread.
 internal sealed class ReaderRecordings
 {
-    // Servers count from 0; a recording has the sizes of the first one's body.
-    private const int Avatar = 0;
-
     private readonly object _lock = new();
-    private readonly NeuronCommandOptions? _commands;
     private readonly TimeSpan _patience;
     private volatile IFileOutput[] _all = [];
     private RecordingMetadata _metadata;
-    private NeuronCommandClient? _client;
-    private bool _isAsking;
     private bool _ended;
 
     public ReaderRecordings(NeuronReaderOptions options, string name, object? gate = null)
     {
         Tap = new StreamTap(gate);
-        _commands = options.Commands;
         _patience = options.StopTimeout / 2;
         _metadata = new RecordingMetadata()
             .With(RecordingMetadata.Program, DescribeProgram())
@@ -45,6 +37,9 @@ internal sealed class ReaderRecordings
     // Whether somebody waits for reports.
     public Func<bool> IsObserved { get; set; } = static () => false;
 
+    // Called when a recording has begun, and may want to know more about the server.
+    public Action Started { get; set; } = static () => { };
+
     // Called when a recording or an export has ended, on its thread: somebody waits for the report.
     public Action Report { get; set; } = static () => { };
 
@@ -58,7 +53,7 @@ internal sealed class ReaderRecordings
             _all = [.. _all, recorder];
         }
 
-        Ask();
+        Started();
         return recorder;
     }
 
@@ -92,34 +87,19 @@ internal sealed class ReaderRecordings
             Learn(RecordingMetadata.SkeletonVariantName, knownVariant.ToString());
     }
 
+    public void Learn(BoneDimensions dimensions) => Learn(RecordingMetadata.BoneDimensionsName, RecordingMetadata.ToText(dimensions));
+
     public void Learn(StreamFormat format)
     {
         if (format != StreamFormat.Unknown)
             Learn(RecordingMetadata.StreamFormatName, format.ToString());
     }
 
-    // A connection stands, or a recording began: asks the command channel, where there is one, for the sizes of the body, until it has answered.
-    public void Ask()
-    {
-        lock (_lock)
-        {
-            if (_commands is null || _ended || _isAsking || !_all.OfType<StreamRecorder>().Any() || _metadata[RecordingMetadata.BoneDimensionsName] is not null)
-                return;
-
-            _isAsking = true;
-            _client ??= new NeuronCommandClient(_commands);
-            _ = AskAsync(_client);
-        }
-    }
-
     // Ends all of them, and those that somebody begins now. Completes when their files are closed, or after half of what a stop may take.
     public async Task StopAsync()
     {
         lock (_lock)
-        {
             _ended = true;
-            _ = _client?.DisposeAsync().AsTask();
-        }
 
         IFileOutput[] all = _all;
         foreach (IFileOutput output in all)
@@ -139,24 +119,6 @@ internal sealed class ReaderRecordings
             _metadata = metadata;
             foreach (StreamRecorder recorder in _all.OfType<StreamRecorder>())
                 recorder.SetMetadata(key, value);
-        }
-    }
-
-    private async Task AskAsync(NeuronCommandClient client)
-    {
-        try
-        {
-            BoneDimensions dimensions = await client.GetBoneDimensionsAsync(Avatar).ConfigureAwait(false);
-            Learn(RecordingMetadata.BoneDimensionsName, RecordingMetadata.ToText(dimensions));
-        }
-        catch (Exception exception) when (exception is NeuronCommandException or ObjectDisposedException)
-        {
-            // The status says that the command channel does not answer; the next connection asks again.
-        }
-        finally
-        {
-            lock (_lock)
-                _isAsking = false;
         }
     }
 

@@ -21,7 +21,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     private readonly SenderFilter _senders;
     private readonly ReaderMetrics _metrics;
     private readonly ReaderRecordings _recordings;
-    private readonly Func<bool>? _isPatient;
+    private readonly Func<bool>? _backPressure;
 
     // Of a reader with two connections, whose threads take turns from here on: everything behind has one producer. Null for one connection.
     private readonly object? _gate;
@@ -46,7 +46,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         DataCommands.TrySend trySend,
         ReaderRecordings recordings,
         Action<Exception> callbackFailed,
-        Func<bool>? isPatient = null,
+        Func<bool>? backPressure = null,
         object? gate = null)
     {
         _gate = gate;
@@ -57,7 +57,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         _status = status;
         _senders = senders;
         _metrics = metrics;
-        _isPatient = isPatient is null ? null : () => !_stopped && isPatient();
+        _backPressure = backPressure is null ? null : () => !_stopped && backPressure();
         _counters = new StreamCounters(metrics.Intervals);
         _dispatcher = new PacketDispatcher(_counters);
         Callbacks = new FrameCallbacks(format, callbackFailed);
@@ -202,7 +202,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
 
     public FrameQueue OpenQueue(int capacity, string name)
     {
-        var queue = new FrameQueue(capacity, _format, closed => Close(closed, closed), name, _metrics.HandOver(name), _isPatient);
+        var queue = new FrameQueue(capacity, _format, closed => Close(closed, closed), name, _metrics.HandOver(name), _backPressure);
         Open(queue, queue);
         return queue;
     }
@@ -227,7 +227,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     {
         FrameStream? stream = null;
         queue = new FrameQueue(
-            FrameQueue.DefaultCapacity, _format, closed => Close(closed, stream!), StreamName, _metrics.HandOver(StreamName), _isPatient);
+            FrameQueue.DefaultCapacity, _format, closed => Close(closed, stream!), StreamName, _metrics.HandOver(StreamName), _backPressure);
         stream = new FrameStream(queue, kind);
         Open(queue, stream);
         return stream;

@@ -42,15 +42,15 @@ internal sealed class StreamRecognizer(FrameFormat format)
     // Often asked and seldom new: the words are made once.
     public StreamDescription Describe()
     {
-        (int recognized, FormatFindings findings) = (_recognized, format.Findings);
+        (int recognized, DiscoveredFormat discovered) = (_recognized, format.Discovered);
         Described? described = _described;
-        if (described is null || described.Recognized != recognized || described.Findings != findings)
-            _described = described = new Described(recognized, findings, Describe(Recognized.FromNumber(recognized), findings));
+        if (described is null || described.Recognized != recognized || described.Discovered != discovered)
+            _described = described = new Described(recognized, discovered, Describe(Recognized.FromNumber(recognized), discovered));
 
         return described.Description;
     }
 
-    private StreamDescription Describe(Recognized stream, FormatFindings findings)
+    private StreamDescription Describe(Recognized stream, DiscoveredFormat discovered)
     {
         if (stream.Format == StreamFormat.Unknown)
             return default;
@@ -65,11 +65,11 @@ internal sealed class StreamRecognizer(FrameFormat format)
         if (!stream.IsMotion)
             return new StreamDescription(stream.Format, ConnectionReason.None, $": {text}, calculation data.");
 
-        (ConnectionReason reason, string fault) = FindFault(stream, findings);
-        return new StreamDescription(stream.Format, reason, $": {text}; {DescribeOrder(stream, findings)}{DescribeVariant(findings)}.{fault}");
+        (ConnectionReason reason, string fault) = FindFault(stream, discovered);
+        return new StreamDescription(stream.Format, reason, $": {text}; {DescribeOrder(stream, discovered)}{DescribeVariant(discovered)}.{fault}");
     }
 
-    private string DescribeOrder(Recognized stream, FormatFindings findings) => (format.OptionOrder, stream.Order, findings.Order) switch
+    private string DescribeOrder(Recognized stream, DiscoveredFormat discovered) => (format.OptionOrder, stream.Order, discovered.Order) switch
     {
         ({ } option, _, _) => $"rotation order {option}, as the options say",
         (_, { } told, _) => $"rotation order {told}, as the stream says",
@@ -78,16 +78,16 @@ internal sealed class StreamRecognizer(FrameFormat format)
     };
 
     // Appendix A's is what everybody expects: nothing to say about where nobody said anything.
-    private string DescribeVariant(FormatFindings findings) => (format.OptionVariant, findings.Variant) switch
+    private string DescribeVariant(DiscoveredFormat discovered) => (format.OptionVariant, discovered.Variant) switch
     {
         (null, { } learnt) => $"; bones with {learnt}, as {format.FormatOrigin} says",
         _ => string.Empty,
     };
 
     // What is wrong with how the frames are understood, or may be.
-    private (ConnectionReason Reason, string Text) FindFault(Recognized stream, FormatFindings findings)
+    private (ConnectionReason Reason, string Text) FindFault(Recognized stream, DiscoveredFormat discovered)
     {
-        (RotationOrder? told, string teller) = stream.Order is { } order ? (order, "the stream") : (findings.Order, format.FormatOrigin);
+        (RotationOrder? told, string teller) = stream.Order is { } order ? (order, "the stream") : (discovered.Order, format.FormatOrigin);
         if (format.OptionOrder is { } option && told is not null && told != option)
         {
             return (
@@ -95,7 +95,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
                 $" But {teller} says {told}: one of them is wrong. Leave RotationOrder out to use {told}.");
         }
 
-        if (format.OptionVariant is { } variant && findings.Variant is { } learnt && learnt != variant)
+        if (format.OptionVariant is { } variant && discovered.Variant is { } learnt && learnt != variant)
         {
             return (
                 ConnectionReason.SkeletonVariantMismatch,
@@ -103,7 +103,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
                 + $"SkeletonVariant out to use {learnt}.");
         }
 
-        return findings.Failure is { } failure
+        return discovered.Failure is { } failure
             ? (ConnectionReason.NotDiscovered, $" What the stream does not say could not be asked for (CommandPort): {failure}")
             : (ConnectionReason.None, string.Empty);
     }
@@ -147,7 +147,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
         };
     }
 
-    private sealed record Described(int Recognized, FormatFindings Findings, StreamDescription Description);
+    private sealed record Described(int Recognized, DiscoveredFormat Discovered, StreamDescription Description);
 
     // One whole number, so that whoever reads it sees all of it: 0 for nothing.
     private readonly record struct Recognized(StreamFormat Format, bool IsMotion, RotationOrder? Order)

@@ -2,7 +2,7 @@ namespace NeuronMocap.Retargeting;
 
 /// <summary>
 /// Says what is wrong with a rig, in words for whoever made it: what is missing or mapped to the wrong node, and how far its rest pose is from a
-/// <see cref="TPose"/>. A rig without findings is retargeted as the actor moves. Thread-safe.
+/// <see cref="TPose"/>. A rig without issues is retargeted as the actor moves. Thread-safe.
 /// </summary>
 public static class RigCheck
 {
@@ -11,24 +11,24 @@ public static class RigCheck
     /// <param name="nodeOf">For each of the 55 bones the index of its node, or -1.</param>
     /// <returns>What was found, the worst first. What the rest pose looks like is only said once the bones are right.</returns>
     /// <exception cref="ArgumentException">There are fewer than 55 indices, or one that is not that of a node; a parent stands behind its child.</exception>
-    public static IReadOnlyList<RigFinding> Examine(ReadOnlySpan<RigNode> nodes, ReadOnlySpan<int> nodeOf)
+    public static IReadOnlyList<RigIssue> Examine(ReadOnlySpan<RigNode> nodes, ReadOnlySpan<int> nodeOf)
     {
         var mapping = new RigMappingCheck(nodes, nodeOf);
-        List<RigFinding> findings = mapping.Examine();
+        List<RigIssue> issues = mapping.Examine();
         if (mapping.IsUsable)
-            findings.AddRange(RigPoseCheck.Examine(TargetRig.Humanoid(nodes, nodeOf)));
+            issues.AddRange(RigPoseCheck.Examine(TargetRig.Humanoid(nodes, nodeOf)));
 
-        return WorstFirst(findings);
+        return WorstFirst(issues);
     }
 
     /// <summary>Examines the rest pose of a rig, Humanoid or generic.</summary>
     /// <param name="rig">The rig.</param>
     /// <returns>What was found, the worst first.</returns>
-    public static IReadOnlyList<RigFinding> Examine(TargetRig rig)
+    public static IReadOnlyList<RigIssue> Examine(TargetRig rig)
     {
         ArgumentNullException.ThrowIfNull(rig);
         return WorstFirst(RigPoseCheck.Examine(rig));
     }
 
-    private static RigFinding[] WorstFirst(IEnumerable<RigFinding> findings) => [.. findings.OrderByDescending(static finding => finding.Severity)];
+    private static RigIssue[] WorstFirst(IEnumerable<RigIssue> issues) => [.. issues.OrderByDescending(static issue => issue.Severity)];
 }

@@ -5,7 +5,7 @@ internal sealed class RigMappingCheck
 {
     private readonly RigNode[] _nodes;
     private readonly int[] _nodeOf;
-    private readonly List<RigFinding> _findings = [];
+    private readonly List<RigIssue> _issues = [];
 
     public RigMappingCheck(ReadOnlySpan<RigNode> nodes, ReadOnlySpan<int> nodeOf)
     {
@@ -26,14 +26,14 @@ internal sealed class RigMappingCheck
     // Whether the rest pose can be looked at.
     public bool IsUsable { get; private set; } = true;
 
-    public List<RigFinding> Examine()
+    public List<RigIssue> Examine()
     {
         CheckTransforms();
         CheckNames();
         for (int bone = 0; bone < HumanoidBones.Count; bone++)
             CheckBone((HumanoidBone)bone);
 
-        return _findings;
+        return _issues;
     }
 
     private static bool IsSound(in RigNode node) => Numbers.IsFinite(node.Position) && Numbers.IsFinite(node.Rotation)
@@ -118,5 +118,5 @@ internal sealed class RigMappingCheck
     }
 
     private void Add(RigFault fault, RigSeverity severity, HumanoidBone? bone, string message) =>
-        _findings.Add(new RigFinding(fault, severity, bone, 0, message, CanFix: false));
+        _issues.Add(new RigIssue(fault, severity, bone, 0, message, CanFix: false));
 }

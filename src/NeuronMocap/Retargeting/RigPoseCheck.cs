@@ -12,18 +12,18 @@ internal static class RigPoseCheck
     private const float HighestAnkle = 0.25f;
     private const float DeepestSole = 0.05f;
 
-    public static IEnumerable<RigFinding> Examine(TargetRig rig)
+    public static IEnumerable<RigIssue> Examine(TargetRig rig)
     {
-        foreach (RigFinding finding in ExamineAbove(rig).Concat(ExamineLengths(rig)))
-            yield return finding;
+        foreach (RigIssue issue in ExamineAbove(rig).Concat(ExamineLengths(rig)))
+            yield return issue;
 
         // Of a figure whose sides are exchanged nothing else is to be said: every angle would be wrong.
-        RigFinding[] swapped = [.. ExamineSides(rig)];
-        foreach (RigFinding finding in swapped.Length > 0 ? swapped : ExaminePose(rig))
-            yield return finding;
+        RigIssue[] swapped = [.. ExamineSides(rig)];
+        foreach (RigIssue issue in swapped.Length > 0 ? swapped : ExaminePose(rig))
+            yield return issue;
     }
 
-    private static IEnumerable<RigFinding> ExaminePose(TargetRig rig)
+    private static IEnumerable<RigIssue> ExaminePose(TargetRig rig)
     {
         var walk = new TPoseWalk(rig);
         walk.Run();
@@ -31,7 +31,7 @@ internal static class RigPoseCheck
         {
             string name = HumanoidBones.GetName(correction.Bone);
             string degrees = correction.Degrees.ToString("0", CultureInfo.InvariantCulture);
-            yield return new RigFinding(correction.Fault, RigSeverity.Warning, correction.Bone, correction.Degrees, correction.Fault switch
+            yield return new RigIssue(correction.Fault, RigSeverity.Warning, correction.Bone, correction.Degrees, correction.Fault switch
             {
                 RigFault.NotUpright => $"At rest the figure leans or lies, {degrees} degrees from upright. It will move as if that were standing.",
                 RigFault.FacesElsewhere => $"At rest the figure looks {degrees} degrees away from +Z. Unity's Humanoids look along +Z.",
@@ -42,13 +42,13 @@ internal static class RigPoseCheck
 
         if (walk.Corrections.All(static correction => correction.Fault != RigFault.NotUpright) && IsOffTheGround(rig))
         {
-            yield return new RigFinding(RigFault.OffTheGround, RigSeverity.Warning, null, 0,
+            yield return new RigIssue(RigFault.OffTheGround, RigSeverity.Warning, null, 0,
                 "At rest the feet are not at the height of the rig's origin, where its ground is. Feet will be planted too high or too low: move the origin between the feet, or let the ground be learnt.",
                 CanFix: false);
         }
     }
 
-    private static IEnumerable<RigFinding> ExamineAbove(TargetRig rig)
+    private static IEnumerable<RigIssue> ExamineAbove(TargetRig rig)
     {
         RigNode[] nodes = rig.Nodes.ToArray();
         for (int node = nodes[rig.HipsNode].Parent; node >= 0; node = nodes[node].Parent)
@@ -56,7 +56,7 @@ internal static class RigPoseCheck
             float degrees = 2 * MathF.Acos(Math.Min(1, Math.Abs(nodes[node].Rotation.W))) * (180 / MathF.PI);
             if (degrees > 1)
             {
-                yield return new RigFinding(RigFault.RootRotated, RigSeverity.Note, null, degrees,
+                yield return new RigIssue(RigFault.RootRotated, RigSeverity.Note, null, degrees,
                     $"{nodes[node].Name}, above the hips, is turned by {degrees.ToString("0", CultureInfo.InvariantCulture)} degrees. Retargeting takes care of it.",
                     CanFix: false);
             }
@@ -67,8 +67,8 @@ internal static class RigPoseCheck
         {
             string which = scaled.Length > 3 ? $"{scaled[0]} and {scaled.Length - 1} others" : string.Join(", ", scaled);
             yield return rig.IsSheared
-                ? new RigFinding(RigFault.Scaled, RigSeverity.Warning, null, 0, $"The scale of {which} differs from axis to axis, so that the figure is sheared as it turns. Apply the scale where the rig was made.", CanFix: false)
-                : new RigFinding(RigFault.Scaled, RigSeverity.Note, null, 0, $"The scale of {which} is not 1. Retargeting takes care of it.", CanFix: false);
+                ? new RigIssue(RigFault.Scaled, RigSeverity.Warning, null, 0, $"The scale of {which} differs from axis to axis, so that the figure is sheared as it turns. Apply the scale where the rig was made.", CanFix: false)
+                : new RigIssue(RigFault.Scaled, RigSeverity.Note, null, 0, $"The scale of {which} is not 1. Retargeting takes care of it.", CanFix: false);
         }
     }
 
@@ -86,7 +86,7 @@ internal static class RigPoseCheck
         return false;
     }
 
-    private static IEnumerable<RigFinding> ExamineLengths(TargetRig rig)
+    private static IEnumerable<RigIssue> ExamineLengths(TargetRig rig)
     {
         foreach (TPoseSegment segment in TPoseSegment.All)
         {
@@ -95,7 +95,7 @@ internal static class RigPoseCheck
                 if (Way(rig, segment.Bone, next) is not { } way || way.Length() >= NoLength * Math.Max(rig.LegLength, 0.1f))
                     continue;
 
-                yield return new RigFinding(RigFault.ZeroLengthBone, RigSeverity.Warning, segment.Bone, 0,
+                yield return new RigIssue(RigFault.ZeroLengthBone, RigSeverity.Warning, segment.Bone, 0,
                     $"{HumanoidBones.GetName(segment.Bone)} and {HumanoidBones.GetName(next)} are in the same place. Such a bone has no direction: map the joint where it ends.",
                     CanFix: false);
             }
@@ -103,7 +103,7 @@ internal static class RigPoseCheck
     }
 
     // Which way the left and right of hips and shoulders make the figure look has to be the way that its feet point.
-    private static IEnumerable<RigFinding> ExamineSides(TargetRig rig)
+    private static IEnumerable<RigIssue> ExamineSides(TargetRig rig)
     {
         Vector3 up = Way(rig, HumanoidBone.Hips, HumanoidBone.Head) ?? Vector3.UnitY;
         Vector3 hips = Way(rig, HumanoidBone.LeftUpperLeg, HumanoidBone.RightUpperLeg) ?? Vector3.Zero;
@@ -122,7 +122,7 @@ internal static class RigPoseCheck
             (false, true) => "The arms",
             _ => "Either the arms or the legs",
         };
-        yield return new RigFinding(RigFault.SidesSwapped, RigSeverity.Error, arms < 0 && legs >= 0 ? HumanoidBone.LeftUpperArm : HumanoidBone.LeftUpperLeg, 0,
+        yield return new RigIssue(RigFault.SidesSwapped, RigSeverity.Error, arms < 0 && legs >= 0 ? HumanoidBone.LeftUpperArm : HumanoidBone.LeftUpperLeg, 0,
             $"{what} are on the wrong sides: what is mapped as left is on the right. Exchange left and right in the mapping.", CanFix: false);
     }
 

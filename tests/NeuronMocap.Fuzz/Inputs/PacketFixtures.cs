@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using System.Runtime.InteropServices;
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Fuzz.Inputs;
@@ -77,7 +78,7 @@ internal static class PacketFixtures
 
     private static byte[] Command(int id, uint count)
     {
-        var header = new CommandHeader { CommandId = (DataCommandId)id, DataCount = count };
+        var header = new DataCommandHeader { CommandId = (DataCommandId)id, DataCount = count };
         byte[] packet = new byte[ProtocolConstants.HeaderSize + header.PayloadSize];
         header.Write(packet);
         packet.AsSpan(ProtocolConstants.HeaderSize).Fill((byte)'H');

@@ -17,4 +17,4 @@ internal sealed record FuzzFailure(string Kind, string Description)
 /// <param name="Number">Number of the input; below 0 for one that was kept from before.</param>
 /// <param name="Original">The input.</param>
 /// <param name="Smallest">What is left of it when everything is taken away that the failure does not need.</param>
-internal sealed record FuzzFinding(string Target, FuzzFailure Failure, long Number, byte[] Original, byte[] Smallest);
+internal sealed record FailingInput(string Target, FuzzFailure Failure, long Number, byte[] Original, byte[] Smallest);

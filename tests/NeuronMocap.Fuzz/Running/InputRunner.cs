@@ -85,7 +85,7 @@ internal sealed class InputRunner(FuzzTarget target)
 
     private long CountAllocated() => target.AllocatesOnOtherThreads ? GC.GetTotalAllocatedBytes(precise: false) : GC.GetAllocatedBytesForCurrentThread();
 
-    // The innermost method of the library: two faults with the same exception are two findings.
+    // The innermost method of the library: two faults with the same exception are reported as two.
     private static string PlaceOf(Exception exception)
     {
         foreach (StackFrame frame in new StackTrace(exception).GetFrames())

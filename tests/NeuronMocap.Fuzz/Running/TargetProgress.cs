@@ -6,10 +6,10 @@ namespace NeuronMocap.Fuzz.Running;
 internal sealed class TargetProgress(FuzzTarget target, Corpus corpus, ulong seed, long budget, IReadOnlyList<(string Name, byte[] Bytes)> kept)
 {
     // A parser that is wrong about everything need not be made small for all of it.
-    private const int MostFindings = 8;
+    private const int MaxFailingInputs = 8;
 
     private readonly Mutator _mutator = new(corpus, target.Corpus, seed ^ Digest.Of(System.Text.Encoding.UTF8.GetBytes(target.Name)));
-    private readonly List<FuzzFinding> _findings = [];
+    private readonly List<FailingInput> _failing = [];
     private int _kept;
     private long _inputs;
     private long _bytes;
@@ -26,13 +26,13 @@ internal sealed class TargetProgress(FuzzTarget target, Corpus corpus, ulong see
     public TimeSpan Time { get; set; }
 
     /// <summary>One for each kind of failure, and for each place of an exception. Once the run is over.</summary>
-    public IReadOnlyList<FuzzFinding> Findings => _findings;
+    public IReadOnlyList<FailingInput> FailingInputs => _failing;
 
     /// <summary>Inputs that failed, also those that failed like one before.</summary>
     public int Failures { get; private set; }
 
     /// <summary>Every input that was kept and every fixture as it is were read, and then as many others as there are bytes for.</summary>
-    public bool IsDone => (Bytes >= budget && _kept == kept.Count && Inputs >= corpus.Fixtures.Count) || _findings.Count == MostFindings;
+    public bool IsDone => (Bytes >= budget && _kept == kept.Count && Inputs >= corpus.Fixtures.Count) || _failing.Count == MaxFailingInputs;
 
     /// <summary>Makes and runs the next input, first those that were kept; a failure is made small and kept.</summary>
     public void Step()
@@ -57,7 +57,7 @@ internal sealed class TargetProgress(FuzzTarget target, Corpus corpus, ulong see
     public void AddOverrun(FuzzFailure failure, byte[] input)
     {
         Failures++;
-        _findings.Add(new FuzzFinding(target.Name, failure, Inputs, input, input));
+        _failing.Add(new FailingInput(target.Name, failure, Inputs, input, input));
     }
 
     private void Explain(FuzzFailure? failure, long number, byte[] input)
@@ -66,11 +66,11 @@ internal sealed class TargetProgress(FuzzTarget target, Corpus corpus, ulong see
             return;
 
         Failures++;
-        if (_findings.Exists(finding => finding.Failure.IsLike(failure)))
+        if (_failing.Exists(failing => failing.Failure.IsLike(failure)))
             return;
 
         byte[] smallest = Minimizer.Minimize(input, shorter => failure.IsLike(Runner.Run(shorter, isThorough: true)));
         FuzzFailure shown = Runner.Run(smallest, isThorough: true) ?? failure;
-        _findings.Add(new FuzzFinding(target.Name, shown, number, input, smallest));
+        _failing.Add(new FailingInput(target.Name, shown, number, input, smallest));
     }
 }

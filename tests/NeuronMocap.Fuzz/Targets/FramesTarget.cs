@@ -56,7 +56,7 @@ internal sealed class FramesTarget
         }
         else
         {
-            HeadersTarget.AddFields(ref input.Digest, CommandHeader.Read(packet.Bytes));
+            HeadersTarget.AddFields(ref input.Digest, DataCommandHeader.Read(packet.Bytes));
         }
     }
 

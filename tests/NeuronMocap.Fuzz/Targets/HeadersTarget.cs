@@ -45,10 +45,10 @@ internal static class HeadersTarget
             input.Found++;
         }
 
-        if (CommandHeader.TryRead(bytes, out CommandHeader command))
+        if (DataCommandHeader.TryRead(bytes, out DataCommandHeader command))
         {
             command.Write(copy);
-            Same(CommandHeader.TryRead(copy, out CommandHeader again) && again == command, command);
+            Same(DataCommandHeader.TryRead(copy, out DataCommandHeader again) && again == command, command);
             AddFields(ref input.Digest, command);
             input.Found++;
         }
@@ -81,7 +81,7 @@ internal static class HeadersTarget
         digest.Add((long)header.Reserved3);
     }
 
-    public static void AddFields(ref Digest digest, in CommandHeader header)
+    public static void AddFields(ref Digest digest, in DataCommandHeader header)
     {
         WrongResultException.ThrowUnless(header.PayloadSize >= 0, "A payload of {0} bytes cannot be.", header.PayloadSize);
         AddVersion(ref digest, header.Version);

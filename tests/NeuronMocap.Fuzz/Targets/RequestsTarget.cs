@@ -35,7 +35,7 @@ internal sealed class RequestsTarget
         ReadOnlySpan<byte> bytes = input.Bytes;
         for (int at = 0; bytes.Length - at >= ProtocolConstants.HeaderSize; at++)
         {
-            if (!CommandHeader.TryRead(bytes[at..], out CommandHeader request))
+            if (!DataCommandHeader.TryRead(bytes[at..], out DataCommandHeader request))
                 continue;
 
             HeadersTarget.AddFields(ref digest, request);
@@ -54,7 +54,7 @@ internal sealed class RequestsTarget
         while (!rest.IsEmpty)
         {
             Push(scanner, ref rest, 1 + input.Random.Below(largest));
-            while (scanner.TryRead(out CommandHeader request))
+            while (scanner.TryRead(out DataCommandHeader request))
                 HeadersTarget.AddFields(ref digest, request);
         }
 
@@ -78,7 +78,7 @@ internal sealed class RequestsTarget
         while (!rest.IsEmpty)
         {
             Push(scanner, ref rest, int.MaxValue);
-            while (scanner.TryRead(out CommandHeader request))
+            while (scanner.TryRead(out DataCommandHeader request))
                 queue.Accept(request);
         }
 

@@ -10,7 +10,7 @@ public sealed class FuzzProcessTests
     private const string Program = "NeuronMocap.Fuzz";
 
     [Fact]
-    public async Task A_run_without_findings_ends_with_0_and_a_line_for_each_target()
+    public async Task A_run_without_failures_ends_with_0_and_a_line_for_each_target()
     {
         using var fuzz = new SampleProcess(Program, "--bytes", "600000", "--seed", "3");
         string output = await fuzz.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
@@ -81,7 +81,7 @@ public sealed class FuzzProcessTests
     }
 
     [Fact]
-    public void A_finding_ends_with_1_and_leaves_an_input_that_repeats_it()
+    public void A_failing_input_ends_with_1_and_leaves_an_input_that_repeats_it()
     {
         string folder = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName());
         try

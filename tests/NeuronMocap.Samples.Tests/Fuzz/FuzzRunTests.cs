@@ -24,10 +24,10 @@ public sealed class FuzzRunTests
     {
         FuzzRun run = Run(PlantedFaults.Get(fault), PlantedFaults.Get("none"));
 
-        FuzzFinding finding = Assert.Single(run.Progress[0].Findings);
-        Assert.Equal((fault, kind), (finding.Target, finding.Failure.Kind));
-        Assert.Equal(PlantedFaults.Trigger, finding.Smallest);
-        Assert.Empty(run.Progress[1].Findings);
+        FailingInput failing = Assert.Single(run.Progress[0].FailingInputs);
+        Assert.Equal((fault, kind), (failing.Target, failing.Failure.Kind));
+        Assert.Equal(PlantedFaults.Trigger, failing.Smallest);
+        Assert.Empty(run.Progress[1].FailingInputs);
         Assert.InRange(run.Progress[1].Bytes, Bytes / 2, Bytes);
     }
 
@@ -35,7 +35,7 @@ public sealed class FuzzRunTests
     [InlineData("none")]
     [InlineData("refusal")]
     public void A_parser_that_does_as_documented_is_left_in_peace(string name) =>
-        Assert.Empty(Run(PlantedFaults.Get(name)).Progress[0].Findings);
+        Assert.Empty(Run(PlantedFaults.Get(name)).Progress[0].FailingInputs);
 
     [Fact]
     public void An_input_that_does_not_come_back_ends_the_run_and_is_kept()
@@ -44,9 +44,9 @@ public sealed class FuzzRunTests
         FuzzRun run = Run(PlantedFaults.Hang(end));
         end.Set();
 
-        FuzzFinding finding = Assert.Single(run.Progress[0].Findings);
-        Assert.Equal("hang", finding.Failure.Kind);
-        Assert.True(finding.Original.AsSpan().IndexOf(PlantedFaults.Trigger) >= 0);
+        FailingInput failing = Assert.Single(run.Progress[0].FailingInputs);
+        Assert.Equal("hang", failing.Failure.Kind);
+        Assert.True(failing.Original.AsSpan().IndexOf(PlantedFaults.Trigger) >= 0);
     }
 
     [Fact]
@@ -56,16 +56,16 @@ public sealed class FuzzRunTests
         FuzzRun run = Run(PlantedFaults.Hang(end) with { TimeLimit = TimeSpan.FromHours(1), CountOutput = () => 100, OutputPerInput = 99 });
         end.Set();
 
-        Assert.Equal("output", Assert.Single(run.Progress[0].Findings).Failure.Kind);
+        Assert.Equal("output", Assert.Single(run.Progress[0].FailingInputs).Failure.Kind);
         Assert.True(run.IsCutShort);
     }
 
     [Fact]
-    public void Two_faults_of_one_parser_are_two_findings()
+    public void Two_faults_of_one_parser_are_reported_separately()
     {
         FuzzRun run = Run(PlantedFaults.Get("two exceptions"));
-        Assert.Equal(["FormatException", "InvalidDataException"], run.Progress[0].Findings.Select(static finding => finding.Failure.Kind).Order(StringComparer.Ordinal));
-        Assert.True(run.Progress[0].Failures > 2, "The run ended with the second finding.");
+        Assert.Equal(["FormatException", "InvalidDataException"], run.Progress[0].FailingInputs.Select(static failing => failing.Failure.Kind).Order(StringComparer.Ordinal));
+        Assert.True(run.Progress[0].Failures > 2, "The run ended with the second failure.");
     }
 
     // What the library or a tool was once wrong about stays mended.
@@ -121,7 +121,7 @@ public sealed class FuzzRunTests
     public void Every_target_of_the_program_is_clean_and_recognises_something()
     {
         FuzzRun run = Run([.. TargetList.All]);
-        Assert.All(run.Progress, target => Assert.Empty(target.Findings));
+        Assert.All(run.Progress, target => Assert.Empty(target.FailingInputs));
         Assert.All(run.Progress, target => Assert.True(target.Runner.Found > 5, $"{target.Target.Name} found {target.Runner.Found}."));
     }
 

@@ -3,6 +3,7 @@ using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Samples.Tests.Infrastructure;
 using NeuronMocap.Server;
@@ -271,8 +272,8 @@ public sealed class SimulatorProcessTests
         string[] address = (await ReadAddressAsync(simulator)).Split(':');
         using var client = new TcpClient(address[0], int.Parse(address[1], CultureInfo.InvariantCulture));
         byte[] requests = new byte[128];
-        new CommandHeader { CommandId = DataCommandId.FaceDirection }.Write(requests);
-        new CommandHeader { CommandId = DataCommandId.AvatarCount }.Write(requests.AsSpan(64));
+        new DataCommandHeader { CommandId = DataCommandId.FaceDirection }.Write(requests);
+        new DataCommandHeader { CommandId = DataCommandId.AvatarCount }.Write(requests.AsSpan(64));
         await client.GetStream().WriteAsync(requests, TestContext.Current.CancellationToken);
         using var reader = new StreamReader(client.GetStream(), Encoding.Latin1);
         var lines = new List<string>();

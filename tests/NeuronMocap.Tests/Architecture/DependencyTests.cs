@@ -35,6 +35,17 @@ public sealed class DependencyTests
         ],
     });
 
+    // Performances (Sources) become packets (Broadcasting), which reach whoever receives them (Clients). The root wires all.
+    private static readonly DependencyRules Server = new("/src/NeuronMocap.Server/", new Dictionary<string, string[]>(StringComparer.Ordinal)
+    {
+        ["Faults"] = [],
+        ["Sources/Synthetic"] = [],
+        ["Sources"] = ["Sources/Synthetic"],
+        ["Options"] = ["Faults", "Sources"],
+        ["Broadcasting"] = ["Faults", "Options", "Sources"],
+        ["Clients"] = ["Broadcasting", "Faults", "Options", "Sources"],
+    });
+
     // Packages that the net8.0 builds declare and that are no part of the framework.
     private static readonly string[] Declared = ["Microsoft.Extensions.Logging.Abstractions"];
 
@@ -48,7 +59,18 @@ public sealed class DependencyTests
     }
 
     [Fact]
-    public void The_rules_allow_no_circle() => Assert.Empty(Client.Circles());
+    public void The_folders_of_the_server_library_depend_on_each_other_as_designed()
+    {
+        List<string> violations = Server.Violations(typeof(MotionSource).Assembly);
+        Assert.True(violations.Count == 0, string.Join(Environment.NewLine, violations));
+    }
+
+    [Fact]
+    public void The_rules_allow_no_circle()
+    {
+        Assert.Empty(Client.Circles());
+        Assert.Empty(Server.Circles());
+    }
 
     [Theory, MemberData(nameof(Assemblies))]
     public void A_library_refers_to_the_framework_and_to_what_it_declares_only(string name)

@@ -1,6 +1,5 @@
 using System.Net.Sockets;
 using NeuronMocap.Commands;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Commands;
@@ -17,8 +16,8 @@ public sealed class DataCommandsTests : IDisposable
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
 
-        Assert.True(reader.DataCommands.TryFetch(DataCommandId.AvatarCount));
-        Assert.True(reader.DataCommands.TryFetch(DataCommandId.BoneSize, avatar: 2));
+        Assert.True(reader.DataCommands.TryRequest(DataCommandId.AvatarCount));
+        Assert.True(reader.DataCommands.TryRequest(DataCommandId.BoneSize, avatar: 2));
         Assert.True(reader.DataCommands.TryRegister(DataCommandId.CombinationMode));
         Assert.True(reader.DataCommands.TryUnregister(DataCommandId.CombinationMode));
 
@@ -114,7 +113,7 @@ public sealed class DataCommandsTests : IDisposable
     public async Task Without_a_connection_over_TCP_nothing_can_be_asked()
     {
         using var idle = new NeuronReader(_server.Options());
-        Assert.False(idle.DataCommands.TryFetch(DataCommandId.AvatarCount));
+        Assert.False(idle.DataCommands.TryRequest(DataCommandId.AvatarCount));
         Assert.False(idle.DataCommands.TryRegister(DataCommandId.AvatarCount));
         Assert.False(idle.DataCommands.TryUnregister(DataCommandId.AvatarCount));
 
@@ -151,7 +150,7 @@ public sealed class DataCommandsTests : IDisposable
 
         Task<bool> sending = Task.Run(() =>
         {
-            while (reader.DataCommands.TryFetch(DataCommandId.AvatarCount))
+            while (reader.DataCommands.TryRequest(DataCommandId.AvatarCount))
             {
             }
 
@@ -172,7 +171,7 @@ public sealed class DataCommandsTests : IDisposable
     {
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
-        reader.DataCommands.Received += reply => reader.DataCommands.TryFetch(DataCommandId.DataFrequency, reply.AvatarCount ?? 0);
+        reader.DataCommands.Received += reply => reader.DataCommands.TryRequest(DataCommandId.DataFrequency, reply.AvatarCount ?? 0);
 
         await connection.SendAsync(DataReplies.AvatarCount(7));
         Assert.Equal(Request(id: 3, parameter: 7), await ReadRequestAsync(connection));

@@ -70,9 +70,9 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     public void What_the_system_says_of_the_route_decides(ConnectionReason reason, DiagnosisVerdict expected, string said)
     {
         var task = new DiagnosisContext(new LinkOptions("127.255.255.255", 7001), new DiagnosisOptions(), new StepLog(progress: null), CancellationToken.None);
-        Finding finding = Assert.Single(TcpFaults.NoRoute(task, reason).Findings);
-        Assert.Equal(expected, finding.Verdict);
-        Assert.Contains(said, finding.Text, StringComparison.Ordinal);
+        ExplainedVerdict verdict = Assert.Single(TcpFaults.NoRoute(task, reason).Verdicts);
+        Assert.Equal(expected, verdict.Verdict);
+        Assert.Contains(said, verdict.Text, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -216,7 +216,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         using ScriptedServer server = ScriptedServer.Streaming();
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient);
         how.UsualTcpPorts = [server.Port];
-        how.LookElsewhere = false;
+        how.SearchOtherPorts = false;
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
 
         Assert.Equal(DiagnosisVerdict.Refused, diagnosis.Verdict);

@@ -17,7 +17,7 @@ public sealed class RateExaminationTests
     {
         Conclusion conclusion = Judge(Frames(100, rate));
         Assert.Equal([DiagnosisVerdict.Receiving], Verdicts(conclusion));
-        Assert.Contains($"{rate}.0 frames per second", conclusion.Findings[0].Text, StringComparison.Ordinal);
+        Assert.Contains($"{rate}.0 frames per second", conclusion.Verdicts[0].Text, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -29,8 +29,8 @@ public sealed class RateExaminationTests
     {
         Conclusion conclusion = Judge(Frames(100, rate, step));
         Assert.Equal([DiagnosisVerdict.LowRate], Verdicts(conclusion));
-        Assert.Contains(said, conclusion.Findings[0].Text, StringComparison.Ordinal);
-        Assert.Contains("Frequency reducing", conclusion.Findings[0].Advice, StringComparison.Ordinal);
+        Assert.Contains(said, conclusion.Verdicts[0].Text, StringComparison.Ordinal);
+        Assert.Contains("Frequency reducing", conclusion.Verdicts[0].Advice, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -47,8 +47,8 @@ public sealed class RateExaminationTests
     {
         Conclusion conclusion = Judge(Frames(1000, 120).Where(static frame => frame.Index % 10 != 5), transport);
         Assert.Equal([DiagnosisVerdict.LosingFrames], Verdicts(conclusion));
-        Assert.Contains("100 of 1000 frames", conclusion.Findings[0].Text, StringComparison.Ordinal);
-        Assert.Contains(said, conclusion.Findings[0].Advice, StringComparison.Ordinal);
+        Assert.Contains("100 of 1000 frames", conclusion.Verdicts[0].Text, StringComparison.Ordinal);
+        Assert.Contains(said, conclusion.Verdicts[0].Advice, StringComparison.Ordinal);
     }
 
     // The account that the reader gives.
@@ -58,7 +58,7 @@ public sealed class RateExaminationTests
         IEnumerable<(long Index, double Time)> sent = Enumerable.Range(0, 200).Select(static i => ((long)i % 100, i / 60.0));
         Conclusion conclusion = Judge(sent.Where(static frame => frame.Index % 5 != 2));
         Assert.Contains(DiagnosisVerdict.LosingFrames, Verdicts(conclusion));
-        Assert.Contains(conclusion.Findings, static finding => finding.Text.Contains("40 of 200 frames", StringComparison.Ordinal));
+        Assert.Contains(conclusion.Verdicts, static verdict => verdict.Text.Contains("40 of 200 frames", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -102,7 +102,7 @@ public sealed class RateExaminationTests
     {
         Conclusion conclusion = Judge(Frames(2, 60));
         Assert.Equal([DiagnosisVerdict.LowRate], Verdicts(conclusion));
-        Assert.Contains("Only 2 frames", conclusion.Findings[0].Text, StringComparison.Ordinal);
+        Assert.Contains("Only 2 frames", conclusion.Verdicts[0].Text, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -114,7 +114,7 @@ public sealed class RateExaminationTests
 
         Conclusion conclusion = Judge(sample, TransportKind.Tcp);
         Assert.Equal([DiagnosisVerdict.UnusualValueCount], Verdicts(conclusion));
-        Assert.Contains("126 values", conclusion.Findings[0].Text, StringComparison.Ordinal);
+        Assert.Contains("126 values", conclusion.Verdicts[0].Text, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -149,5 +149,5 @@ public sealed class RateExaminationTests
     private static void Deliver(StreamSample sample, byte[] packet, double time) =>
         sample.OnPacket(new ReceivedPacket(PacketKind.Motion, packet, (long)(time * Stopwatch.Frequency) + 1, origin: 0));
 
-    private static IEnumerable<DiagnosisVerdict> Verdicts(Conclusion conclusion) => conclusion.Findings.Select(static finding => finding.Verdict);
+    private static IEnumerable<DiagnosisVerdict> Verdicts(Conclusion conclusion) => conclusion.Verdicts.Select(static verdict => verdict.Verdict);
 }

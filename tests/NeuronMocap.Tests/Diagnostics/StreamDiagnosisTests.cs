@@ -1,4 +1,5 @@
 using System.Text;
+using NeuronMocap.Commands;
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
@@ -35,7 +36,7 @@ public sealed class StreamDiagnosisTests
             new NeuronReaderOptions { Port = motion.Port, CalculationPort = calculation.Port }, Diagnosing.With(Diagnosing.Patient));
 
         Assert.True(diagnosis.FramesArrive);
-        Assert.DoesNotContain(DiagnosisVerdict.CalculationUnavailable, diagnosis.Findings);
+        Assert.DoesNotContain(DiagnosisVerdict.CalculationUnavailable, diagnosis.Verdicts);
         Assert.Contains($"Calculation port {calculation.Port}: frames arrive.", diagnosis.Summary, StringComparison.Ordinal);
         Assert.Contains($"CalculationPort = {calculation.Port}", diagnosis.Code, StringComparison.Ordinal);
         Assert.Equal(StepOutcome.Ok, diagnosis.Step("calculation first bytes").Outcome);
@@ -52,7 +53,7 @@ public sealed class StreamDiagnosisTests
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = motion.Port, CalculationPort = port }, Diagnosing.With(Diagnosing.Patient));
 
         Assert.True(diagnosis.FramesArrive);
-        Assert.Contains(DiagnosisVerdict.CalculationUnavailable, diagnosis.Findings);
+        Assert.Contains(DiagnosisVerdict.CalculationUnavailable, diagnosis.Verdicts);
         Assert.Contains($"Calculation port {port}: connection refused.", diagnosis.Summary, StringComparison.Ordinal);
         Assert.Contains($"tick Enable under Calculation, with port {port}. In Axis Studio switch the broadcasting of calculation data on", diagnosis.Summary, StringComparison.Ordinal);
         Assert.DoesNotContain("BVH Broadcasting", diagnosis.Summary, StringComparison.Ordinal);
@@ -66,7 +67,7 @@ public sealed class StreamDiagnosisTests
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
 
         Assert.True(diagnosis.FramesArrive);
-        Assert.Contains(DiagnosisVerdict.OldHeader, diagnosis.Findings);
+        Assert.Contains(DiagnosisVerdict.OldHeader, diagnosis.Verdicts);
         Assert.Equal(StepOutcome.Warning, diagnosis.Step("version").Outcome);
         Assert.Contains("Use old header format", diagnosis.Summary, StringComparison.Ordinal);
     }
@@ -96,7 +97,7 @@ public sealed class StreamDiagnosisTests
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = calculation.Port }, how);
 
         diagnosis.AssertFault(DiagnosisVerdict.CalculationOnly, "token", $"Use port {motion.Port} over TCP here");
-        Assert.Equal([DiagnosisVerdict.CalculationOnly, DiagnosisVerdict.OtherPort], diagnosis.Findings);
+        Assert.Equal([DiagnosisVerdict.CalculationOnly, DiagnosisVerdict.OtherPort], diagnosis.Verdicts);
         Assert.Contains($"new NeuronReader(\"127.0.0.1\", {motion.Port})", diagnosis.Code, StringComparison.Ordinal);
     }
 
@@ -155,7 +156,7 @@ public sealed class StreamDiagnosisTests
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Line(i));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
         Assert.True(diagnosis.FramesArrive);
-        Assert.Contains(DiagnosisVerdict.TextFormat, diagnosis.Findings);
+        Assert.Contains(DiagnosisVerdict.TextFormat, diagnosis.Verdicts);
         Assert.Equal("lines of text: motion (BVH) data", diagnosis.Step("token").Detail);
         Assert.Contains("set Format to Binary", diagnosis.Advice, StringComparison.Ordinal);
         Assert.Equal(DataVersion.None, Assert.Single(diagnosis.Avatars).Version);
@@ -226,7 +227,7 @@ public sealed class StreamDiagnosisTests
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
 
         Assert.True(diagnosis.FramesArrive);
-        Assert.Contains(DiagnosisVerdict.ForeignBytes, diagnosis.Findings);
+        Assert.Contains(DiagnosisVerdict.ForeignBytes, diagnosis.Verdicts);
         Assert.Contains("% of the bytes", diagnosis.Summary, StringComparison.Ordinal);
     }
 
@@ -272,7 +273,7 @@ public sealed class StreamDiagnosisTests
     public async Task An_old_command_packet_without_frames_is_no_data_port()
     {
         byte[] command = new byte[64];
-        new CommandHeader { CommandId = DataCommandId.AvatarCount }.Write(command);
+        new DataCommandHeader { CommandId = DataCommandId.AvatarCount }.Write(command);
         using ScriptedServer server = ScriptedServer.Saying(command);
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
         diagnosis.AssertFault(DiagnosisVerdict.CommandPort, "token", "sends commands");

@@ -57,7 +57,7 @@ public sealed class UdpDiagnosisTests
         StreamDiagnosis diagnosis = await sender.SendUntilAsync(both, _port, static i => [TestPackets.Motion(i)]);
 
         Assert.True(diagnosis.FramesArrive);
-        Assert.Contains(DiagnosisVerdict.SeveralSenders, diagnosis.Findings);
+        Assert.Contains(DiagnosisVerdict.SeveralSenders, diagnosis.Verdicts);
     }
 
     [Fact]

@@ -1,3 +1,4 @@
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Infrastructure;
@@ -153,7 +154,7 @@ internal static class GoldenPackets
     private static GoldenPacket Command()
     {
         byte[] encoded = new byte[64 + 5];
-        new CommandHeader { CommandId = DataCommandId.BvhText, DataCount = 5 }.Write(encoded);
+        new DataCommandHeader { CommandId = DataCommandId.BvhText, DataCount = 5 }.Write(encoded);
         "HIERA"u8.CopyTo(encoded.AsSpan(64));
         return new GoldenPacket(
             PacketKind.Command,

@@ -155,7 +155,7 @@ public sealed class RecordingPlayerTests
     }
 
     [Fact]
-    public async Task Without_patience_a_full_queue_drops_as_of_a_live_stream()
+    public async Task Without_back_pressure_a_full_queue_drops_frames()
     {
         using TemporaryFile file = Played.Frames(100, interval: 10);
         using RecordingPlayer player = RecordingPlayer.Open(file.Path);

@@ -34,7 +34,7 @@ public class StreamFixtureTests
             var scan = ScanAll.Of(pieces);
             FoundPacket command = Assert.Single(scan.Packets, packet => packet.Kind == PacketKind.Command);
 
-            Assert.True(CommandHeader.TryRead(command.Bytes, out _));
+            Assert.True(DataCommandHeader.TryRead(command.Bytes, out _));
             Assert.Equal(0, scan.Pending);
             Assert.True(scan.Skipped > 0);
         }

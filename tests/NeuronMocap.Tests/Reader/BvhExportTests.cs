@@ -77,7 +77,7 @@ public sealed class BvhExportTests : BvhExportTest
     public async Task Every_avatar_gets_a_file_when_asked_for()
     {
         BvhExport export = await ExportAsync(
-            [TestPackets.Motion(0, 3), TestPackets.Motion(0, 1), TestPackets.Motion(1, 3)], new BvhExportOptions { IsForEachAvatar = true });
+            [TestPackets.Motion(0, 3), TestPackets.Motion(0, 1), TestPackets.Motion(1, 3)], new BvhExportOptions { FilePerAvatar = true });
 
         Assert.Equal(["take-avatar1.bvh", "take-avatar3.bvh"], Folder.GetFiles().Select(static file => file.Name).Order(StringComparer.Ordinal));
         Assert.Equal([2, 1], export.Files.Select(static file => file.FrameCount));
@@ -168,7 +168,7 @@ public sealed class BvhExportTests : BvhExportTest
         NeuronReaderOptions options = Server.Options();
         options.CommandPort = commands.Port;
         await using var reader = new NeuronReader(options);
-        using BvhExport export = reader.ExportBvh(Target, Patient with { Capacity = 4 });
+        using BvhExport export = reader.ExportBvh(Target, new BvhExportOptions { HeaderTimeout = Limits.Unexpected, Capacity = 4 });
         reader.Start();
         using TestConnection connection = await Server.AcceptAsync();
         await connection.SendAsync(TestPackets.Motions(0, 100));

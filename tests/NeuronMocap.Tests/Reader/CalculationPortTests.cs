@@ -95,7 +95,7 @@ public sealed class CalculationPortTests : IDisposable
         reader.StatusChanged += status => connected += status.State == ConnectionState.Connected ? 1 : 0;
         reader.Start();
         using TestConnection motion = await _motion.AcceptAsync();
-        await Limits.UntilAsync(() => reader.Format.Findings.Variant is not null);
+        await Limits.UntilAsync(() => reader.Format.Discovered.Variant is not null);
         for (int told = 0; told < 4; told = Volatile.Read(ref connected))
         {
             using TestConnection calculation = await _calculation.AcceptAsync();

@@ -108,19 +108,19 @@ public sealed class FormatDiscoveryTests : IDisposable
         int requests = 0;
         using var commands = new CommandScript(request => Interlocked.Increment(ref requests) == 1 ? request.ReplyAsync([9, 0, 0, 0]) : AnswerAsync(request, Told));
         var format = new FrameFormat(order: null, variant: null);
-        using var discovery = new FormatDiscovery(new() { Port = commands.Port }, format, learnt: () => { });
+        using var discovery = new ServerDiscovery(new() { Port = commands.Port }, format, learnt: () => { });
 
         discovery.Begin();
-        await Limits.UntilAsync(() => format.Findings.Failure is not null);
+        await Limits.UntilAsync(() => format.Discovered.Failure is not null);
         discovery.Check(Stopwatch.GetTimestamp());
         Assert.Equal(1, Volatile.Read(ref requests));
 
         await Limits.UntilAsync(() =>
         {
             discovery.Check(Stopwatch.GetTimestamp() + (6 * Stopwatch.Frequency));
-            return format.Findings is { Failure: null, Variant: not null };
+            return format.Discovered is { Failure: null, Variant: not null };
         });
-        Assert.Equal(new FormatFindings(Told.RotationOrder, Told.Variant, null), format.Findings);
+        Assert.Equal(new DiscoveredFormat(Told.RotationOrder, Told.Variant, null), format.Discovered);
     }
 
     [Fact]
@@ -129,7 +129,7 @@ public sealed class FormatDiscoveryTests : IDisposable
         using CommandScript commands = Commands(Told);
         int calls = 0;
         var format = new FrameFormat(order: null, variant: null);
-        using var discovery = new FormatDiscovery(
+        using var discovery = new ServerDiscovery(
             new() { Port = commands.Port },
             format,
             learnt: () =>
@@ -139,11 +139,11 @@ public sealed class FormatDiscoveryTests : IDisposable
             });
 
         discovery.Begin();
-        await Limits.UntilAsync(() => format.Findings.Failure?.Contains("out of order", StringComparison.Ordinal) == true);
+        await Limits.UntilAsync(() => format.Discovered.Failure?.Contains("out of order", StringComparison.Ordinal) == true);
         await Limits.UntilAsync(() =>
         {
             discovery.Check(Stopwatch.GetTimestamp() + (6 * Stopwatch.Frequency));
-            return format.Findings is { Failure: null, Variant: not null };
+            return format.Discovered is { Failure: null, Variant: not null };
         });
     }
 

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Tests.Network;
@@ -159,7 +160,7 @@ public abstract class HostileServerTests
         byte[] calculation = TestPackets.Calculation(1, count: 0);
         calculation.AsSpan(6, 4).Fill(0xFF);
         byte[] command = new byte[64];
-        new CommandHeader { CommandId = DataCommandId.BoneSize, DataCount = uint.MaxValue }.Write(command);
+        new DataCommandHeader { CommandId = DataCommandId.BoneSize, DataCount = uint.MaxValue }.Write(command);
         byte[] motion = TestPackets.Motion(1, count: 0);
         BinaryPrimitives.WriteUInt16LittleEndian(motion.AsSpan(6), ushort.MaxValue);
         byte[][] hostile = [calculation, command, motion];

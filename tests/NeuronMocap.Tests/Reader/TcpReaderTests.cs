@@ -1,3 +1,4 @@
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
@@ -48,7 +49,7 @@ public sealed class TcpReaderTests : IDisposable
     public async Task Two_avatars_calculation_data_commands_and_noise_share_a_connection()
     {
         byte[] command = new byte[64];
-        new CommandHeader { CommandId = DataCommandId.AvatarCount, DataCount = 1 }.Write(command);
+        new DataCommandHeader { CommandId = DataCommandId.AvatarCount, DataCount = 1 }.Write(command);
         byte[] noise = [0xFF, 0xDD, 0x00, 0xFF];
         await using var reader = new NeuronReader(_server.Options());
         List<string> seen = [];

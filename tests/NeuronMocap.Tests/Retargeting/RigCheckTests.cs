@@ -12,7 +12,7 @@ public sealed class RigCheckTests
         Assert.Empty(Examine(new StandingRig()));
         Assert.Empty(Examine(new StandingRig().WithAxes(new Random(1))));
         for (int seed = 0; seed < 50; seed++)
-            Assert.All(Examine(StandingRig.Random(new Random(seed))), finding => Assert.Equal(RigSeverity.Note, finding.Severity));
+            Assert.All(Examine(StandingRig.Random(new Random(seed))), issue => Assert.Equal(RigSeverity.Note, issue.Severity));
     }
 
     [Fact]
@@ -37,9 +37,9 @@ public sealed class RigCheckTests
     {
         (RigNode[] nodes, int[] nodeOf) = new StandingRig().Build();
         nodeOf[(int)bone] = -1;
-        RigFinding finding = Assert.Single(RigCheck.Examine(nodes, nodeOf), finding => finding.Severity == RigSeverity.Error);
-        Assert.Equal((RigFault.MissingBone, bone, false), (finding.Fault, finding.Bone, finding.CanFix));
-        Assert.Contains(HumanoidBones.GetName(bone), finding.Message);
+        RigIssue issue = Assert.Single(RigCheck.Examine(nodes, nodeOf), issue => issue.Severity == RigSeverity.Error);
+        Assert.Equal((RigFault.MissingBone, bone, false), (issue.Fault, issue.Bone, issue.CanFix));
+        Assert.Contains(HumanoidBones.GetName(bone), issue.Message);
     }
 
     [Fact]
@@ -47,7 +47,7 @@ public sealed class RigCheckTests
     {
         (RigNode[] nodes, int[] nodeOf) = new StandingRig().Build();
         nodeOf[(int)HumanoidBone.Neck] = nodeOf[(int)HumanoidBone.Head];
-        Assert.Contains(RigCheck.Examine(nodes, nodeOf), finding => finding is { Fault: RigFault.DuplicateMapping, Severity: RigSeverity.Error, Bone: HumanoidBone.Head });
+        Assert.Contains(RigCheck.Examine(nodes, nodeOf), issue => issue is { Fault: RigFault.DuplicateMapping, Severity: RigSeverity.Error, Bone: HumanoidBone.Head });
     }
 
     [Fact]
@@ -55,15 +55,15 @@ public sealed class RigCheckTests
     {
         (RigNode[] nodes, int[] nodeOf) = new StandingRig().Build();
         (nodeOf[(int)HumanoidBone.LeftUpperArm], nodeOf[(int)HumanoidBone.LeftLowerArm]) = (nodeOf[(int)HumanoidBone.LeftLowerArm], nodeOf[(int)HumanoidBone.LeftUpperArm]);
-        RigFinding finding = Assert.Single(RigCheck.Examine(nodes, nodeOf), finding => finding.Severity == RigSeverity.Error);
-        Assert.Equal((RigFault.WrongOrder, HumanoidBone.LeftLowerArm), (finding.Fault, finding.Bone));
+        RigIssue issue = Assert.Single(RigCheck.Examine(nodes, nodeOf), issue => issue.Severity == RigSeverity.Error);
+        Assert.Equal((RigFault.WrongOrder, HumanoidBone.LeftLowerArm), (issue.Fault, issue.Bone));
     }
 
     [Fact]
     public void Names_that_occur_twice_are_named()
     {
-        RigFinding finding = Assert.Single(Examine(new StandingRig().Rename(HumanoidBone.Jaw, "Head")));
-        Assert.Equal((RigFault.DuplicateName, RigSeverity.Warning), (finding.Fault, finding.Severity));
+        RigIssue issue = Assert.Single(Examine(new StandingRig().Rename(HumanoidBone.Jaw, "Head")));
+        Assert.Equal((RigFault.DuplicateName, RigSeverity.Warning), (issue.Fault, issue.Severity));
     }
 
     [Theory]
@@ -73,9 +73,9 @@ public sealed class RigCheckTests
     {
         (RigNode[] nodes, int[] nodeOf) = new StandingRig().Build();
         nodes[3] = nodes[3] with { Scale = new Vector3(1, scale, 1) };
-        RigFinding finding = Assert.Single(RigCheck.Examine(nodes, nodeOf));
-        Assert.Equal((RigFault.InvalidTransform, RigSeverity.Error), (finding.Fault, finding.Severity));
-        Assert.Contains(nodes[3].Name, finding.Message);
+        RigIssue issue = Assert.Single(RigCheck.Examine(nodes, nodeOf));
+        Assert.Equal((RigFault.InvalidTransform, RigSeverity.Error), (issue.Fault, issue.Severity));
+        Assert.Contains(nodes[3].Name, issue.Message);
     }
 
     [Fact]
@@ -84,7 +84,7 @@ public sealed class RigCheckTests
         StandingRig rig = new StandingRig().Rename(HumanoidBone.LeftHand, "Hand.R").Rename(HumanoidBone.RightHand, "Hand.L");
         Assert.Equal(
             [HumanoidBone.LeftHand, HumanoidBone.RightHand],
-            Examine(rig).Where(finding => finding is { Fault: RigFault.SidesSwapped, Severity: RigSeverity.Error }).Select(finding => finding.Bone!.Value));
+            Examine(rig).Where(issue => issue is { Fault: RigFault.SidesSwapped, Severity: RigSeverity.Error }).Select(issue => issue.Bone!.Value));
     }
 
     [Theory]
@@ -109,8 +109,8 @@ public sealed class RigCheckTests
             }
         }
 
-        RigFinding finding = Assert.Single(RigCheck.Examine(nodes, swapped));
-        Assert.Equal((RigFault.SidesSwapped, named), (finding.Fault, finding.Bone));
+        RigIssue issue = Assert.Single(RigCheck.Examine(nodes, swapped));
+        Assert.Equal((RigFault.SidesSwapped, named), (issue.Fault, issue.Bone));
     }
 
     [Theory]
@@ -125,10 +125,10 @@ public sealed class RigCheckTests
     public void A_limb_that_points_elsewhere_is_named_with_its_angle_and_set_right(HumanoidBone bone, float degrees, float x, float y, float z)
     {
         StandingRig rig = new StandingRig().WithAxes(new Random(4)).Turn(bone, new Vector3(x, y, z), degrees);
-        RigFinding finding = Assert.Single(Examine(rig), finding => finding.Fault == RigFault.NotInTPose);
-        Assert.Equal((bone, true, RigSeverity.Warning), (finding.Bone, finding.CanFix, finding.Severity));
-        Assert.InRange(finding.Degrees, degrees - 4, degrees + 4);
-        Assert.Contains(HumanoidBones.GetName(bone), finding.Message);
+        RigIssue issue = Assert.Single(Examine(rig), issue => issue.Fault == RigFault.NotInTPose);
+        Assert.Equal((bone, true, RigSeverity.Warning), (issue.Bone, issue.CanFix, issue.Severity));
+        Assert.InRange(issue.Degrees, degrees - 4, degrees + 4);
+        Assert.Contains(HumanoidBones.GetName(bone), issue.Message);
         AssertFixed(rig);
     }
 
@@ -138,7 +138,7 @@ public sealed class RigCheckTests
         StandingRig rig = new StandingRig().Turn(HumanoidBone.LeftHand, Vector3.UnitX, 90).Turn(HumanoidBone.RightHand, Vector3.UnitX, -60);
         Assert.Equal(
             [(RigFault.PalmNotDown, HumanoidBone.LeftHand, 90), (RigFault.PalmNotDown, HumanoidBone.RightHand, 60)],
-            Examine(rig).Select(finding => (finding.Fault, finding.Bone!.Value, (int)MathF.Round(finding.Degrees))));
+            Examine(rig).Select(issue => (issue.Fault, issue.Bone!.Value, (int)MathF.Round(issue.Degrees))));
         AssertFixed(rig);
     }
 
@@ -160,9 +160,9 @@ public sealed class RigCheckTests
     public void A_figure_that_looks_elsewhere_is_named_and_turned(float degrees)
     {
         StandingRig rig = new StandingRig().WithAxes(new Random(4)).Turn(HumanoidBone.Hips, Vector3.UnitY, degrees);
-        RigFinding finding = Assert.Single(Examine(rig));
-        Assert.Equal((RigFault.FacesElsewhere, true), (finding.Fault, finding.CanFix));
-        Assert.Equal(Math.Abs(degrees), finding.Degrees, 0.5f);
+        RigIssue issue = Assert.Single(Examine(rig));
+        Assert.Equal((RigFault.FacesElsewhere, true), (issue.Fault, issue.CanFix));
+        Assert.Equal(Math.Abs(degrees), issue.Degrees, 0.5f);
         AssertFixed(rig);
     }
 
@@ -174,7 +174,7 @@ public sealed class RigCheckTests
     public void A_figure_that_lies_is_named_and_stood_on_its_feet(float x, float y, float z, float degrees)
     {
         StandingRig rig = new StandingRig().WithAxes(new Random(4)).Turn(HumanoidBone.Hips, new Vector3(x, y, z), degrees);
-        Assert.Contains(Examine(rig), finding => finding is { Fault: RigFault.NotUpright, CanFix: true });
+        Assert.Contains(Examine(rig), issue => issue is { Fault: RigFault.NotUpright, CanFix: true });
         AssertFixed(rig);
     }
 
@@ -183,7 +183,7 @@ public sealed class RigCheckTests
     {
         StandingRig rig = new StandingRig();
         rig.Move(HumanoidBone.LeftFoot, rig.At(HumanoidBone.LeftLowerLeg) - rig.At(HumanoidBone.LeftFoot));
-        Assert.Contains(Examine(rig), finding => finding is { Fault: RigFault.ZeroLengthBone, Bone: HumanoidBone.LeftLowerLeg });
+        Assert.Contains(Examine(rig), issue => issue is { Fault: RigFault.ZeroLengthBone, Bone: HumanoidBone.LeftLowerLeg });
     }
 
     [Fact]
@@ -191,12 +191,12 @@ public sealed class RigCheckTests
     {
         StandingRig rig = new StandingRig();
         rig.Above.Add(new RigNode("Armature", -1, Vector3.Zero, Quaternion.CreateFromAxisAngle(Vector3.UnitX, -MathF.PI / 2), new Vector3(0.01f)));
-        Assert.Equal([RigFault.RootRotated, RigFault.Scaled], Examine(rig).Select(finding => finding.Fault));
-        Assert.All(Examine(rig), finding => Assert.Equal((RigSeverity.Note, false), (finding.Severity, finding.CanFix)));
+        Assert.Equal([RigFault.RootRotated, RigFault.Scaled], Examine(rig).Select(issue => issue.Fault));
+        Assert.All(Examine(rig), issue => Assert.Equal((RigSeverity.Note, false), (issue.Severity, issue.CanFix)));
 
         (RigNode[] nodes, int[] nodeOf) = new StandingRig().WithAxes(new Random(1)).Build();
         nodes[0] = nodes[0] with { Scale = new Vector3(1.02f, 1, 1) };
-        Assert.Contains(RigCheck.Examine(nodes, nodeOf), finding => finding is { Fault: RigFault.Scaled, Severity: RigSeverity.Warning });
+        Assert.Contains(RigCheck.Examine(nodes, nodeOf), issue => issue is { Fault: RigFault.Scaled, Severity: RigSeverity.Warning });
     }
 
     [Theory]
@@ -204,8 +204,8 @@ public sealed class RigCheckTests
     [InlineData(-0.9f)]
     public void Feet_that_are_not_where_the_ground_is_are_named(float height)
     {
-        RigFinding finding = Assert.Single(Examine(new StandingRig().Move(HumanoidBone.Hips, new Vector3(0, height, 0))));
-        Assert.Equal((RigFault.OffTheGround, RigSeverity.Warning, false), (finding.Fault, finding.Severity, finding.CanFix));
+        RigIssue issue = Assert.Single(Examine(new StandingRig().Move(HumanoidBone.Hips, new Vector3(0, height, 0))));
+        Assert.Equal((RigFault.OffTheGround, RigSeverity.Warning, false), (issue.Fault, issue.Severity, issue.CanFix));
     }
 
     [Fact]
@@ -227,7 +227,7 @@ public sealed class RigCheckTests
                 rig.Turn(HumanoidBone.Hips, random.Direction(), random.Range(0, 180));
 
             // Legs that cross, or feet that point backwards, look like another fault.
-            if (Examine(rig).Any(finding => finding.Fault == RigFault.SidesSwapped))
+            if (Examine(rig).Any(issue => issue.Fault == RigFault.SidesSwapped))
                 continue;
 
             AssertFixed(rig);
@@ -249,14 +249,14 @@ public sealed class RigCheckTests
     {
         (RigNode[] nodes, int[] nodeOf) = new StandingRig().Rename(HumanoidBone.Jaw, "Head").Build();
         nodeOf[(int)HumanoidBone.LeftHand] = -1;
-        Assert.Equal([RigFault.MissingBone, RigFault.DuplicateName], RigCheck.Examine(nodes, nodeOf).Select(finding => finding.Fault));
+        Assert.Equal([RigFault.MissingBone, RigFault.DuplicateName], RigCheck.Examine(nodes, nodeOf).Select(issue => issue.Fault));
         Assert.Throws<ArgumentException>(() => RigCheck.Examine(nodes, nodeOf.AsSpan(1)));
         nodeOf[3] = nodes.Length;
         Assert.Throws<ArgumentException>(() => RigCheck.Examine(nodes, nodeOf));
         Assert.Throws<ArgumentException>(() => RigCheck.Examine([nodes[1]], [.. Enumerable.Repeat(-1, 55)]));
     }
 
-    private static IReadOnlyList<RigFinding> Examine(StandingRig rig)
+    private static IReadOnlyList<RigIssue> Examine(StandingRig rig)
     {
         (RigNode[] nodes, int[] nodeOf) = rig.Build();
         return RigCheck.Examine(nodes, nodeOf);
@@ -265,7 +265,7 @@ public sealed class RigCheckTests
     private static TargetRig AssertFixed(StandingRig rig)
     {
         TargetRig right = TPose.Enforce(rig.Create());
-        IEnumerable<RigFinding> left = RigCheck.Examine(right).Where(finding => finding.Severity != RigSeverity.Note);
+        IEnumerable<RigIssue> left = RigCheck.Examine(right).Where(issue => issue.Severity != RigSeverity.Note);
         Assert.True(!left.Any(), string.Join(Environment.NewLine, left));
         return right;
     }

@@ -1,3 +1,4 @@
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 
@@ -92,7 +93,7 @@ public sealed class PacketAssemblerTests
     public void Memory_follows_what_has_arrived_and_not_what_a_header_announces()
     {
         byte[] header = new byte[64];
-        new CommandHeader { CommandId = DataCommandId.BvhText, DataCount = ProtocolConstants.MaxCommandPayload }.Write(header);
+        new DataCommandHeader { CommandId = DataCommandId.BvhText, DataCount = ProtocolConstants.MaxCommandPayload }.Write(header);
         byte[] payload = new byte[ProtocolConstants.MaxCommandPayload];
         var assembler = new PacketAssembler(new PacketScanner(), new PacketLog());
         new PacketAssembler(new PacketScanner(), new PacketLog()).Push(header, 0);

@@ -67,7 +67,7 @@ public class DiagnosisTests
         using var world = new EditorWorld();
         using var server = new TestServer();
         MocapSource source = world.AddSource(source => source.Port = server.Port);
-        DiagnosisPanel.Options = new DiagnosisOptions { Timeout = TimeSpan.FromMinutes(5), LookElsewhere = false };
+        DiagnosisPanel.Options = new DiagnosisOptions { Timeout = TimeSpan.FromMinutes(5), SearchOtherPorts = false };
         var inspector = (MocapSourceEditor)world.Inspect(source);
 
         ImmediateGui.Click(inspector.OnInspectorGUI, DiagnosisPanel.Ask);
@@ -88,7 +88,7 @@ public class DiagnosisTests
     {
         using var world = new EditorWorld();
         using var server = new TestServer();
-        DiagnosisPanel.Options = new DiagnosisOptions { Timeout = TimeSpan.FromMinutes(5), LookElsewhere = false };
+        DiagnosisPanel.Options = new DiagnosisOptions { Timeout = TimeSpan.FromMinutes(5), SearchOtherPorts = false };
         var inspector = (MocapSourceEditor)world.Inspect(world.AddSource(source => source.Port = server.Port));
         ImmediateGui.Click(inspector.OnInspectorGUI, DiagnosisPanel.Ask);
 

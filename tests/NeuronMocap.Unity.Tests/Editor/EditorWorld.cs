@@ -14,7 +14,7 @@ internal sealed class EditorWorld : IDisposable
         Loop = new PlayerLoop(play);
         Undo.ClearAll();
         Selection.objects = [];
-        DiagnosisPanel.Options = new DiagnosisOptions { Timeout = TimeSpan.FromSeconds(1), LookElsewhere = false };
+        DiagnosisPanel.Options = new DiagnosisOptions { Timeout = TimeSpan.FromSeconds(1), SearchOtherPorts = false };
     }
 
     public PlayerLoop Loop { get; }

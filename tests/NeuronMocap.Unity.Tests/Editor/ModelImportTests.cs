@@ -25,9 +25,9 @@ public sealed class ModelImportTests : IDisposable
         _importer.humanDescription = isConfigured ? hanging : new HumanDescription { upperArmTwist = 0.7f };
         _importer.Imported = () => UseAvatar(_importer.humanDescription);
         HumanoidDriver driver = AddDriver();
-        Assert.Contains(HumanoidCheck.Examine(driver), static problem => problem.FixLabel == RigFindings.FixLabel);
+        Assert.Contains(HumanoidCheck.Examine(driver), static problem => problem.FixLabel == RigIssues.FixLabel);
 
-        ImmediateGui.Click(_world.Inspect(driver).OnInspectorGUI, RigFindings.FixLabel);
+        ImmediateGui.Click(_world.Inspect(driver).OnInspectorGUI, RigIssues.FixLabel);
 
         Assert.Equal(1, _importer.Imports);
         Assert.DoesNotContain(HumanoidCheck.Examine(driver), static problem => problem.Severity >= Severity.Warning);

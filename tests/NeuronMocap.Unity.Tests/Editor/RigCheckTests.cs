@@ -92,9 +92,9 @@ public class RigCheckTests
         Transform arm = figure.GetBone(Bone.LeftArm);
         arm.localRotation = Quaternion.Euler(0, 0, 70);
         GenericRigDriver driver = figure.Root.AddComponent<GenericRigDriver>();
-        Assert.Contains(GenericCheck.Examine(driver), static problem => problem.FixLabel == RigFindings.FixLabel);
+        Assert.Contains(GenericCheck.Examine(driver), static problem => problem.FixLabel == RigIssues.FixLabel);
 
-        ImmediateGui.Click(world.Inspect(driver).OnInspectorGUI, RigFindings.FixLabel);
+        ImmediateGui.Click(world.Inspect(driver).OnInspectorGUI, RigIssues.FixLabel);
 
         Assert.DoesNotContain(GenericCheck.Examine(driver), static problem => problem.Severity >= Severity.Warning);
         Assert.True(Quaternion.Angle(arm.localRotation, Quaternion.identity) < 12);

@@ -24,7 +24,7 @@ internal sealed class TestSource(int seed = 0, long? frameCount = null) : Motion
         Fill(values, Mix(_seed, (int)frame, layout.ValueCount, (int)order));
     }
 
-    // As a CalculationWriter, for avatars that nobody turns.
+    // As a CalculationProvider, for avatars that nobody turns.
     public static void WriteCalculation(MotionSource source, long frame, Span<float> values)
     {
         Assert.Equal(946, values.Length);

@@ -27,7 +27,7 @@ namespace NeuronMocap.Unity.EditorTools
             {
                 TargetRig rig = TargetRig.Generic(capture.Nodes, Array.ConvertAll(bones, capture.IndexOf));
                 Action? fix = rest.Note is RestPose.FromPresent ? () => RigFixes.Pose(capture.Transforms, TPose.Enforce(rig)) : (Action?)null;
-                problems.AddRange(RigFindings.ToProblems(RigCheck.Examine(rig), fix));
+                problems.AddRange(RigIssues.ToProblems(RigCheck.Examine(rig), fix));
             }
             catch (ArgumentException exception)
             {

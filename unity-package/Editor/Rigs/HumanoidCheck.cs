@@ -123,9 +123,9 @@ namespace NeuronMocap.Unity.EditorTools
             RestPose rest = RestPose.OfAvatar(root, animator.avatar!);
             RigCapture capture = RigCapture.Take(root, bones, rest);
             int[] nodeOf = Array.ConvertAll(bones, capture.IndexOf);
-            IReadOnlyList<RigFinding> findings = RigCheck.Examine(capture.Nodes, nodeOf);
+            IReadOnlyList<RigIssue> issues = RigCheck.Examine(capture.Nodes, nodeOf);
             Action? fix = FindFix(animator, capture, nodeOf, rest);
-            problems.AddRange(RigFindings.ToProblems(findings, fix));
+            problems.AddRange(RigIssues.ToProblems(issues, fix));
         }
 
         // A rest pose that the import settings keep is changed there; one that is how the transforms stand, in the scene; a bind pose only in the

@@ -39,7 +39,7 @@ namespace NeuronMocap.Unity
             _formats = formats;
             _makePath = makePath;
             _framesBefore = reader.GetStatistics().MotionFrames;
-            _bvhOptions = new BvhExportOptions { AvatarIndex = avatarIndex, IsForEachAvatar = avatarIndex is null };
+            _bvhOptions = new BvhExportOptions { AvatarIndex = avatarIndex, FilePerAvatar = avatarIndex is null };
             _opening = Task.Run(Open);
         }
 

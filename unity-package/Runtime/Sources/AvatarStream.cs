@@ -19,7 +19,6 @@ namespace NeuronMocap.Unity
         private readonly BodyLearner _learner = new BodyLearner();
         private volatile PoseBuffer[] _buffers = Array.Empty<PoseBuffer>();
         private volatile SkeletonBody _body = SkeletonBody.Default();
-        private volatile SkeletonBody? _told;
         private volatile string _name = string.Empty;
         private bool _hasLearnt;
         private long _arrival;
@@ -83,15 +82,12 @@ namespace NeuronMocap.Unity
                 _buffers = Array.FindAll(_buffers, other => other != buffer);
         }
 
-        // What the command channel answered. Any thread.
-        public void Tell(SkeletonBody body) => _told = body;
-
-        // Receive thread.
-        public void Take(MotionFrame frame, Span<BoneTransform> pose)
+        // Told is the body that the command channel describes, if it does. Receive thread.
+        public void Take(MotionFrame frame, SkeletonBody? told, Span<BoneTransform> pose)
         {
             SkeletonVariant variant = frame.Format.Variant;
             if (!frame.Layout.HasDisplacement)
-                ChooseBody(variant);
+                ChooseBody(variant, told);
 
             frame.CopyLocalTransforms(pose, _body);
             if (frame.Layout.HasReference)
@@ -111,7 +107,7 @@ namespace NeuronMocap.Unity
             }
 
             if (frame.Layout.HasDisplacement)
-                LearnBody(pose, variant);
+                LearnBody(pose, variant, told);
 
             Interlocked.Increment(ref _frames);
             double seconds = SourceClock.ToSeconds(frame.Timestamp);
@@ -139,16 +135,16 @@ namespace NeuronMocap.Unity
             return true;
         }
 
-        private void ChooseBody(SkeletonVariant variant)
+        private void ChooseBody(SkeletonVariant variant, SkeletonBody? told)
         {
-            SkeletonBody body = _told is { } told && told.Variant == variant ? told : SkeletonBody.Default(variant);
+            SkeletonBody body = told != null && told.Variant == variant ? told : SkeletonBody.Default(variant);
             if (!ReferenceEquals(_body, body))
                 _body = body;
         }
 
-        private void LearnBody(ReadOnlySpan<BoneTransform> pose, SkeletonVariant variant)
+        private void LearnBody(ReadOnlySpan<BoneTransform> pose, SkeletonVariant variant, SkeletonBody? told)
         {
-            if (_learner.Observe(pose, variant, _hasLearnt ? _body : null, _told) is not { } body)
+            if (_learner.Observe(pose, variant, _hasLearnt ? _body : null, told) is not { } body)
                 return;
 
             _hasLearnt = true;

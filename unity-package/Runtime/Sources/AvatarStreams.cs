@@ -17,11 +17,18 @@ namespace NeuronMocap.Unity
 
         public AvatarStream[] All => _all;
 
+        // Whom to ask for the sizes of avatars; set before the first frame.
+        public NeuronReader? Reader { get; set; }
+
         // Handler of NeuronReader.MotionReceived.
         public void OnMotion(MotionFrame frame)
         {
-            if (frame.HasSkeleton)
-                FindOrAdd(frame)?.Take(frame, _pose);
+            if (!frame.HasSkeleton || FindOrAdd(frame) is not { } stream)
+                return;
+
+            SkeletonBody? told = null;
+            Reader?.TryGetBody(frame.AvatarIndex, out told);
+            stream.Take(frame, told, _pose);
         }
 
         // Handler of NeuronReader.CalculationReceived. An avatar that has no motion frames cannot be shown, whatever is known of its feet.

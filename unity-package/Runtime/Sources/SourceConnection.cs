@@ -17,7 +17,6 @@ namespace NeuronMocap.Unity
         private NeuronReader? _reader;
         private Broadcaster? _broadcaster;
         private RecordingPlayer? _player;
-        private BodyQuestions? _questions;
         private string? _fault;
         private bool _isClosed;
 
@@ -91,8 +90,7 @@ namespace NeuronMocap.Unity
             _player?.Dispose();
             return Task.WhenAll(
                 _reader?.DisposeAsync().AsTask() ?? Task.CompletedTask,
-                _broadcaster?.DisposeAsync().AsTask() ?? Task.CompletedTask,
-                _questions?.CloseAsync() ?? Task.CompletedTask);
+                _broadcaster?.DisposeAsync().AsTask() ?? Task.CompletedTask);
         }
 
         private async Task OpenAsync(byte[]? bytes)
@@ -133,9 +131,7 @@ namespace NeuronMocap.Unity
                 _reader = player != null ? new NeuronReader(player, options) : new NeuronReader(options);
                 _reader.MotionReceived += Streams.OnMotion;
                 _reader.CalculationReceived += Streams.OnCalculation;
-                if (Settings.CommandPort is { } port)
-                    _questions = new BodyQuestions(Settings.Address, port, Streams);
-
+                Streams.Reader = _reader;
                 _reader.Start();
                 return true;
             }

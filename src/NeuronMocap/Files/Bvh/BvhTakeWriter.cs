@@ -42,7 +42,7 @@ public sealed class BvhTakeWriter : IDisposable
     {
         ArgumentNullException.ThrowIfNull(stream);
         _stream = stream;
-        _options = options ?? new BvhTakeOptions();
+        _options = options?.Copy() ?? new BvhTakeOptions();
         _sequence = new FrameSequence(_options.Gaps);
         if (!stream.CanSeek && _options.FrameTime is null)
             throw new ArgumentException("The frame time is measured and known at the end only; a stream that cannot seek needs it at the beginning.", nameof(stream));

@@ -34,7 +34,7 @@ public sealed class CalculationFileReader : IDisposable
     public CalculationFileReader(Stream stream, CalculationReadOptions? options = null, bool leaveOpen = false)
     {
         ArgumentNullException.ThrowIfNull(stream);
-        Options = options ?? CalculationReadOptions.Default;
+        Options = options?.Copy() ?? new CalculationReadOptions();
         _stream = stream;
         _leavesOpen = leaveOpen;
         Length = stream.CanSeek ? Math.Max(0, stream.Length - stream.Position) : null;

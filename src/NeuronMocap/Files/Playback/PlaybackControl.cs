@@ -3,6 +3,8 @@ namespace NeuronMocap.Recording;
 // Where those who control a playback and its thread meet: what is played next, and when. Any thread; only the playback's ever waits here.
 internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
 {
+    public const int Endless = int.MaxValue;
+
     private readonly object _gate = new();
     private readonly PlaybackClock _clock = new();
     private TimeSpan? _seek;
@@ -105,14 +107,14 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     public void End() => Change(() => _isOver = true);
 
     // Playback thread: waits until it is known what to do next. Of what is due at the instant, timestamp is when it was.
-    public PlaybackTurn WaitFor(TimeSpan instant, PlaybackLink link, out long timestamp)
+    public PlaybackTurn WaitFor(TimeSpan instant, CancellationToken closed, out long timestamp)
     {
         timestamp = 0;
         lock (_gate)
         {
             while (true)
             {
-                if (link.IsClosed || _isOver)
+                if (closed.IsCancellationRequested || _isOver)
                     return PlaybackTurn.Stop;
                 if (_seek is not null)
                     return PlaybackTurn.Seek;
@@ -192,10 +194,10 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     {
         lock (_gate)
         {
-            if (_passes != RecordingPlayer.Endless && _pass >= _passes)
+            if (_passes != Endless && _pass >= _passes)
                 return false;
 
-            _pass += _pass < RecordingPlayer.Endless ? 1 : 0;
+            _pass += _pass < Endless ? 1 : 0;
             _clock.MoveTo(TimeSpan.Zero, _clock.IsPaced ? _clock.DueAt(duration) : time.Now);
             return true;
         }

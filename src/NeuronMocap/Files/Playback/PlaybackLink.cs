@@ -3,37 +3,36 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Recording;
 
-// One connection of a playback. The player is what waits, on threads of the link's own.
-internal sealed class PlaybackLink(RecordingPlayer player) : Link
+// One connection of a playback. The run is what waits, on threads of the link's own.
+internal sealed class PlaybackLink(PlaybackRun run) : Link
 {
-    private volatile bool _isClosed;
+    // Never disposed of: it has no timer, and the thread may still look at it.
+    private readonly CancellationTokenSource _closed = new();
 
     public override ReceiveThread ReceiveThread => ReceiveThread.Dedicated;
 
-    public override string Target => player.Target;
+    public override string Target => run.Target;
 
-    public bool IsClosed => _isClosed;
+    public override Task<LinkEnd> OpenAsync(CancellationToken stop) => RunAsync(() => run.Open(_closed.Token));
 
-    public override Task<LinkEnd> OpenAsync(CancellationToken stop) => RunAsync(run => run.Open(this));
-
-    public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver) => RunAsync(run => run.Receive(this, receiver));
+    public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver) => RunAsync(() => run.Receive(receiver, _closed.Token));
 
     public override void Close()
     {
-        _isClosed = true;
-        player.Control.Wake();
+        _closed.Cancel();
+        run.Wake();
     }
 
-    private async Task<LinkEnd> RunAsync(Func<PlaybackRun, LinkEnd> action)
+    private async Task<LinkEnd> RunAsync(Func<LinkEnd> action)
     {
         LinkEnd end = LinkEnd.Requested;
         await DedicatedThread.RunAsync("NeuronMocap playback", Run, TaskCreationOptions.None).ConfigureAwait(false);
-        return _isClosed ? LinkEnd.Requested : end;
+        return _closed.IsCancellationRequested ? LinkEnd.Requested : end;
 
         void Run()
         {
             using TimerResolution resolution = TimerResolution.Raise();
-            end = player.Run(action);
+            end = action();
         }
     }
 }

@@ -25,21 +25,19 @@ public sealed class RecordingPlayer : IDisposable
     public const double MaxSpeed = double.PositiveInfinity;
 
     /// <summary>The <see cref="Passes"/> that means: again and again, without end.</summary>
-    public const int Endless = int.MaxValue;
+    public const int Endless = PlaybackControl.Endless;
 
-    private readonly object _gate = new();
     private readonly ArrivalSource _source;
+    private readonly PlaybackFile _file;
     private readonly PlaybackControl _control;
-    private PlaybackRun? _run;
-    private Action<Exception>? _callbackFailed;
-    private bool _isRunning;
-    private bool _isDisposed;
+    private int _readers;
     private volatile bool _waitsForQueues = true;
     private volatile bool _isPaced = true;
 
     internal RecordingPlayer(ArrivalSource source, PlaybackOptions options, PlaybackTime? time = null)
     {
         _source = source;
+        _file = new PlaybackFile(source);
         _control = new PlaybackControl(time ?? PlaybackTime.Real, source.Duration);
         Options = options;
     }
@@ -106,13 +104,9 @@ public sealed class RecordingPlayer : IDisposable
     }
 
     // What status messages call it.
-    internal string Target => $"recording {FileName}";
+    internal string Target => _file.Target;
 
     internal PlaybackOptions Options { get; }
-
-    internal ArrivalSource Source => _source;
-
-    internal PlaybackControl Control => _control;
 
     /// <summary>Opens a file.</summary>
     /// <param name="path">A recording (<c>.nmrec</c>), or the bytes of a stream as they came off the wire. Which one it is, its first bytes tell, not its name.</param>
@@ -159,77 +153,30 @@ public sealed class RecordingPlayer : IDisposable
     /// <summary>Closes the file. The reader stops, if it has not; within milliseconds, whatever the playback waits for.</summary>
     public void Dispose()
     {
-        bool isIdle;
-        lock (_gate)
-        {
-            isIdle = !_isRunning && !_isDisposed;
-            _isDisposed = true;
-        }
-
+        _file.Close();
         _control.End();
-        if (isIdle)
-            _source.Dispose();
     }
 
-    // Once: makes what the reader's links play with.
-    internal void Attach(SenderFilter filter, Action<Exception> callbackFailed)
+    // Once: returns what makes the reader's links.
+    internal Func<Link> Attach(SenderFilter filter, Action<Exception> callbackFailed)
     {
-        lock (_gate)
-        {
-            ObjectDisposedException.ThrowIf(_isDisposed, this);
-            if (_run is not null)
-                throw new InvalidOperationException("The player has a reader; open the file once for each.");
+        ObjectDisposedException.ThrowIf(_file.IsClosed, this);
+        if (Interlocked.Exchange(ref _readers, 1) != 0)
+            throw new InvalidOperationException("The player has a reader; open the file once for each.");
 
-            _callbackFailed = callbackFailed;
-            _run = new PlaybackRun(this, filter, Options.MaxValues ?? _source.MaxValues);
-        }
+        var feed = new PlaybackFeed(_source, filter, Options.MaxValues ?? _source.MaxValues);
+        var run = new PlaybackRun(_file, _control, feed, () => Complete(callbackFailed));
+        return () => new PlaybackLink(run);
     }
-
-    internal Func<Link> LinkFactory => () => new PlaybackLink(this);
 
     // Whether the receive path may wait for queues.
-    internal Func<bool> PatienceSource => () => _waitsForQueues && !_isPaced;
+    internal Func<bool> BackPressure => () => _waitsForQueues && !_isPaced;
 
     internal FrameFormat CreateFormat(RotationOrder? order, SkeletonVariant? variant) =>
         _source.CreateFormat(order ?? Options.RotationOrder, variant ?? Options.SkeletonVariant);
 
-    // Playback thread, of which there is one at a time: the file stays open meanwhile.
-    internal LinkEnd Run(Func<PlaybackRun, LinkEnd> action)
-    {
-        lock (_gate)
-        {
-            if (_isDisposed)
-                return Over($"The player of {Target} was disposed of.");
-
-            _isRunning = true;
-        }
-
-        LinkEnd end;
-        try
-        {
-            end = action(_run!);
-        }
-        catch (Exception exception)
-        {
-            end = new LinkEnd(ConnectionReason.NetworkError, ConnectionMessages.PlaybackFailed(Target, exception)) { IsFinal = true };
-        }
-
-        bool wasDisposed;
-        lock (_gate)
-        {
-            _isRunning = false;
-            wasDisposed = _isDisposed;
-        }
-
-        if (!wasDisposed)
-            return end;
-
-        _source.Dispose();
-        return end.IsFinal ? end : Over($"The player of {Target} was disposed of.");
-    }
-
     // Playback thread.
-    internal LinkEnd Complete()
+    private void Complete(Action<Exception> callbackFailed)
     {
         try
         {
@@ -237,11 +184,7 @@ public sealed class RecordingPlayer : IDisposable
         }
         catch (Exception exception)
         {
-            _callbackFailed!(exception);
+            callbackFailed(exception);
         }
-
-        return Over($"The {Target} is over.");
     }
-
-    private static LinkEnd Over(string message) => new(ConnectionReason.EndOfRecording, message) { IsFinal = true };
 }

@@ -154,8 +154,6 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
                 Volatile.Write(ref _lostAtFailure, waiting + _files.Cut);
                 Volatile.Write(ref _failure, failure);
             }
-
-            _bodies.Dispose();
         }
         finally
         {

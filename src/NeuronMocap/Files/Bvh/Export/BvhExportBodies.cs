@@ -3,22 +3,23 @@ using System.Numerics;
 using NeuronMocap.Commands;
 using NeuronMocap.Frames;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap.Bvh;
 
 // Finds out what the hierarchies of an export's files are made of. The export's thread, which may wait.
-internal sealed class BvhExportBodies(BvhExportOptions options, NeuronCommandOptions? commands, FrameFormat format) : IDisposable
+internal sealed class BvhExportBodies(BvhExportOptions options, ServerInquiry? inquiry, FrameFormat format)
 {
     private static readonly TimeSpan PollPeriod = TimeSpan.FromMilliseconds(10);
 
-    private NeuronCommandClient? _client = commands is null || options.Body is not null ? null : new NeuronCommandClient(commands);
+    private bool _hasGivenUp;
 
     // Frames that are taken out of the queue are understood as the command channel says by then; a first part of a file in a rotation order that was only
     // assumed is of no use to anybody.
     public void WaitForFormat(ManualResetEventSlim stop)
     {
         var waited = Stopwatch.StartNew();
-        while (commands is not null && !IsSettled(format.Findings) && waited.Elapsed < options.HeaderTimeout && !stop.Wait(PollPeriod))
+        while (inquiry is not null && !IsSettled(format.Discovered) && waited.Elapsed < options.HeaderTimeout && !stop.Wait(PollPeriod))
         {
         }
     }
@@ -35,45 +36,35 @@ internal sealed class BvhExportBodies(BvhExportOptions options, NeuronCommandOpt
         return body?.Variant == frame.Format.Variant ? (body, source) : (null, BvhBodySource.Default);
     }
 
-    public void Dispose() => _client?.Dispose();
-
-    private static bool IsSettled(FormatFindings findings) => findings.Failure is not null || (findings.Order is not null && findings.Variant is not null);
+    private static bool IsSettled(DiscoveredFormat discovered) => discovered.Failure is not null || (discovered.Order is not null && discovered.Variant is not null);
 
     private (SkeletonBody? Body, BvhBodySource Source) Ask(int avatar, SkeletonVariant variant)
     {
-        if (_client is null || avatar < 0)
+        if (inquiry is null || _hasGivenUp || avatar < 0)
             return default;
 
         using var timeout = new CancellationTokenSource(options.HeaderTimeout);
         try
         {
-            return AskAsync(_client, avatar, variant, timeout.Token).GetAwaiter().GetResult();
+            BodyAnswer answer = AskAsync(inquiry, avatar, timeout.Token).GetAwaiter().GetResult();
+            return answer.Skeleton is { } skeleton
+                ? (CreateBody(skeleton), BvhBodySource.Header)
+                : (answer.GetBody(variant), BvhBodySource.Dimensions);
         }
-        catch (Exception exception) when (exception is NeuronCommandException or OperationCanceledException)
+        catch (Exception exception) when (exception is NeuronCommandException or OperationCanceledException or ObjectDisposedException)
         {
             // Whoever does not answer for one avatar is not asked for the next: its frames wait.
-            _client.Dispose();
-            _client = null;
+            _hasGivenUp = true;
             return default;
         }
     }
 
-    private static async Task<(SkeletonBody? Body, BvhBodySource Source)> AskAsync(
-        NeuronCommandClient client, int avatar, SkeletonVariant variant, CancellationToken timeout)
+    private static async Task<BodyAnswer> AskAsync(ServerInquiry inquiry, int avatar, CancellationToken timeout)
     {
-        try
-        {
-            BvhDocument header = await client.GetBvhHeaderAsync(avatar, timeout).ConfigureAwait(false);
-            if (BvhSkeletonMap.TryCreate(header, out BvhSkeletonMap? map, out _))
-                return (CreateBody(map), BvhBodySource.Header);
-        }
-        catch (NeuronCommandException exception) when (exception.Reason is CommandFailure.Rejected or CommandFailure.InvalidReply)
-        {
-            // It answers, but not this.
-        }
-
-        BoneDimensions dimensions = await client.GetBoneDimensionsAsync(avatar, timeout).ConfigureAwait(false);
-        return (SkeletonBody.FromDimensions(dimensions, variant), BvhBodySource.Dimensions);
+        Task<BodyAnswer> answer = inquiry.GetBodyAsync(avatar, isRetry: false);
+        _ = answer.ContinueWith(static task => task.Exception, CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default); // observed
+        await TaskWaiting.WaitAsync(answer, timeout).ConfigureAwait(false);
+        return await answer.ConfigureAwait(false);
     }
 
     private static SkeletonBody CreateBody(BvhSkeletonMap map)

@@ -33,7 +33,7 @@ internal sealed class BvhExportFiles
         _options = options;
         _bodies = bodies;
         _open = open ?? OpenFile;
-        _first = options.IsForEachAvatar ? null : Open(path);
+        _first = options.FilePerAvatar ? null : Open(path);
     }
 
     public IReadOnlyList<BvhExportFile> Snapshot => _snapshot;
@@ -174,8 +174,8 @@ internal sealed class BvhExportFiles
         if (_takes.TryGetValue(key, out Take? take))
             return take;
 
-        bool isWanted = _options.AvatarIndex is { } wanted ? wanted == frame.AvatarIndex : _options.IsForEachAvatar || _takes.Count == 0;
-        if (!isWanted || _takes.Count == (_options.IsForEachAvatar ? MostAvatars : 1))
+        bool isWanted = _options.AvatarIndex is { } wanted ? wanted == frame.AvatarIndex : _options.FilePerAvatar || _takes.Count == 0;
+        if (!isWanted || _takes.Count == (_options.FilePerAvatar ? MostAvatars : 1))
             return null;
 
         return Begin(frame, part: 1);
@@ -230,7 +230,7 @@ internal sealed class BvhExportFiles
 
     private string PathOf(MotionFrame frame, int part)
     {
-        string suffix = !_options.IsForEachAvatar ? ""
+        string suffix = !_options.FilePerAvatar ? ""
             : frame.Source == 0 ? Invariant($"-avatar{frame.AvatarIndex}")
             : Invariant($"-sender{frame.Source}-avatar{frame.AvatarIndex}");
         suffix += part == 1 ? "" : Invariant($"-part{part}");

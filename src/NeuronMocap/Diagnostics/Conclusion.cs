@@ -1,11 +1,4 @@
-
 namespace NeuronMocap.Diagnostics;
-
-// One thing that was found: what it is, and which setting changes it.
-internal readonly record struct Finding(DiagnosisVerdict Verdict, string Text, string? Advice = null)
-{
-    public bool IsFault => Verdict >= DiagnosisVerdict.HostNotFound;
-}
 
 // Where frames come from.
 internal readonly record struct StreamPlace(TransportKind Transport, string Host, int Port)
@@ -15,7 +8,7 @@ internal readonly record struct StreamPlace(TransportKind Transport, string Host
 }
 
 // What an examination came to. Place: where frames of the wanted kind can be received now, if anywhere.
-internal sealed record Conclusion(IReadOnlyList<Finding> Findings, StreamSample? Sample = null, StreamPlace? Place = null)
+internal sealed record Conclusion(IReadOnlyList<ExplainedVerdict> Verdicts, StreamSample? Sample = null, StreamPlace? Place = null)
 {
     // What came over a port of its own.
     public StreamSample? CalculationSample { get; init; }
@@ -32,7 +25,7 @@ internal sealed record Conclusion(IReadOnlyList<Finding> Findings, StreamSample?
     }
 
     public Conclusion(DiagnosisVerdict verdict, string text, string? advice)
-        : this([new Finding(verdict, text, advice)])
+        : this([new ExplainedVerdict(verdict, text, advice)])
     {
     }
 }

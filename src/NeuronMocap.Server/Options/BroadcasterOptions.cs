@@ -7,7 +7,7 @@ namespace NeuronMocap.Server;
 /// What a <see cref="Broadcaster"/> sends, how, and to whom: the settings of Axis Neuron's broadcasting page and those of a test server.
 /// The broadcaster copies them when it is made; changes after that have no effect.
 /// </summary>
-public sealed class BroadcasterOptions
+public sealed partial class BroadcasterOptions
 {
     /// <summary>The <see cref="Rate"/> that means: as fast as each receiver takes it.</summary>
     public const double MaxRate = double.PositiveInfinity;
@@ -120,7 +120,7 @@ public sealed class BroadcasterOptions
     /// Computes calculation packets, which then follow each motion packet on the same connections, or go to <see cref="CalculationPort"/>; null sends
     /// none. Not for <see cref="BroadcastFormat.Studio"/>, which has packets of its own: <see cref="StudioCalculation"/>. Default: null.
     /// </summary>
-    public CalculationWriter? Calculation { get; set; }
+    public CalculationProvider? Calculation { get; set; }
 
     /// <summary>Values of a calculation packet: 946, or 338 for the body without fingers, as before b15. Default: 946.</summary>
     public int CalculationValueCount { get; set; } = CalculationFrame.FullValueCount;
@@ -129,13 +129,10 @@ public sealed class BroadcasterOptions
     /// Computes the calculation packets of <see cref="BroadcastFormat.Studio"/>, as <see cref="StudioCalculationSynthesizer"/> does; null sends
     /// none. For no other format. Default: null.
     /// </summary>
-    public StudioCalculationWriter? StudioCalculation { get; set; }
+    public StudioCalculationProvider? StudioCalculation { get; set; }
 
     /// <summary>Digits after the point in text, 0 to 6. How many real servers send is not known. Default: 2.</summary>
     public int TextDecimals { get; set; } = TextEncoder.DefaultDecimals;
-
-    /// <summary>Peculiarities of the text. Default: none.</summary>
-    public TextQuirks TextQuirks { get; set; }
 
     /// <summary>
     /// Whether TCP clients get answers to the commands of the old generation, which they send on the data connection (protocol.md section 7):
@@ -143,19 +140,6 @@ public sealed class BroadcasterOptions
     /// does not answer. Requests cost others nothing: of each client 1024 wait at most, more are dropped and counted. Default: true.
     /// </summary>
     public bool AnswerDataCommands { get; set; } = true;
-
-    /// <summary>
-    /// What stands in the length field of such answers; no client is known to look at it, and nobody knows what real servers write. Null: 64 and
-    /// the bytes that follow. Default: null.
-    /// </summary>
-    public int? DataCommandLength { get; set; }
-
-    /// <summary>
-    /// Bytes of a piece, 1 to 1,048,576; null leaves packets whole. Over TCP the stream is written in pieces of exactly that many bytes
-    /// across packet boundaries; at a paced rate the last piece of what is there is shorter. Over UDP a packet, or a line of text, is cut into datagrams
-    /// of at most that many bytes: 1024 is what Axis Neuron on macOS does. Default: null.
-    /// </summary>
-    public int? Fragment { get; set; }
 
     /// <summary>
     /// How many frames of all avatars a client may fall behind at a paced rate before it loses some, 1 to 65,536. Default: 256. The
@@ -166,8 +150,8 @@ public sealed class BroadcasterOptions
     /// <summary>
     /// How long a write to a TCP client may wait before the client is let go, and its connection reset: its computer lost power or
     /// network, or it hangs, and keeps others from its place. The system buffers, and wakes the writer only when much of its buffer is
-    /// free: a client that takes a megabyte within this time, at any even pace, always stays; a slower one may be let go. (A
-    /// <see cref="Fragment"/> beyond 128 KB adds its length.) 1 second to 10 minutes, or <see cref="Timeout.InfiniteTimeSpan"/> to wait for
+    /// free: a client that takes a megabyte within this time, at any even pace, always stays; a slower one may be let go.
+    /// 1 second to 10 minutes, or <see cref="Timeout.InfiniteTimeSpan"/> to wait for
     /// ever, as for a client that is being debugged. Default: 1 minute, which only a client below 17 kB/s can miss.
     /// </summary>
     public TimeSpan ClientTimeout { get; set; } = TimeSpan.FromMinutes(1);

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using NeuronMocap.Commands;
 
 namespace NeuronMocap.Protocol;
 
@@ -6,13 +7,13 @@ namespace NeuronMocap.Protocol;
 /// The header of an old-generation command packet, which travels on the data connection between motion packets, in both directions
 /// (protocol.md sections 2.6 and 7). Of its 40 bytes of parameters two numbers are known; the vendor's client leaves the rest to chance.
 /// </summary>
-public readonly record struct CommandHeader
+public readonly record struct DataCommandHeader
 {
     // Bytes of an entry in a list of bone sizes: a name of 60, a length of 4.
     internal const int BoneSizeEntry = 64;
 
     /// <summary>Makes the header that the vendor's b12 library sends: version 1.0.0.2, no payload.</summary>
-    public CommandHeader() => Version = DataVersion.Old;
+    public DataCommandHeader() => Version = DataVersion.Old;
 
     /// <summary>Version of the data format.</summary>
     public DataVersion Version { get; init; }
@@ -44,7 +45,7 @@ public readonly record struct CommandHeader
     /// <param name="source">Bytes that start at the first token.</param>
     /// <param name="header">The header, when there is one.</param>
     /// <returns>False when fewer than 64 bytes are given or a token is wrong.</returns>
-    public static bool TryRead(ReadOnlySpan<byte> source, out CommandHeader header)
+    public static bool TryRead(ReadOnlySpan<byte> source, out DataCommandHeader header)
     {
         header = default;
         if (!PacketTokens.Match(source, PacketKind.Command))
@@ -69,7 +70,7 @@ public readonly record struct CommandHeader
         BinaryPrimitives.WriteInt32LittleEndian(target[22..], Value);
     }
 
-    internal static CommandHeader Read(ReadOnlySpan<byte> source) => new()
+    internal static DataCommandHeader Read(ReadOnlySpan<byte> source) => new()
     {
         Version = DataVersion.Read(source[2..]),
         DataCount = BinaryPrimitives.ReadUInt32LittleEndian(source[10..]),

@@ -1,13 +1,14 @@
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Protocol;
 
-public sealed class CommandHeaderTests
+public sealed class DataCommandHeaderTests
 {
     [Fact]
     public void Every_field_is_read_from_its_place()
     {
-        Assert.True(CommandHeader.TryRead(GoldenPackets.Get("command").ByHand, out CommandHeader header));
+        Assert.True(DataCommandHeader.TryRead(GoldenPackets.Get("command").ByHand, out DataCommandHeader header));
 
         Assert.Equal(new DataVersion(1, 0, 0, 2), header.Version);
         Assert.Equal(DataCommandId.BvhText, header.CommandId);
@@ -27,16 +28,16 @@ public sealed class CommandHeaderTests
     [InlineData(8, 3u, 0)]
     [InlineData(-1, 3u, 0)]
     public void Command_and_count_give_the_payload(int command, uint count, long expected) =>
-        Assert.Equal(expected, new CommandHeader { CommandId = (DataCommandId)command, DataCount = count }.PayloadSize);
+        Assert.Equal(expected, new DataCommandHeader { CommandId = (DataCommandId)command, DataCount = count }.PayloadSize);
 
     [Fact]
     public void No_truncated_header_is_read()
     {
         byte[] packet = GoldenPackets.Get("command").ByHand;
         for (int length = 0; length < 64; length++)
-            Assert.False(CommandHeader.TryRead(packet.AsSpan(0, length), out _), $"{length} bytes were taken for a header.");
+            Assert.False(DataCommandHeader.TryRead(packet.AsSpan(0, length), out _), $"{length} bytes were taken for a header.");
 
-        Assert.True(CommandHeader.TryRead(packet.AsSpan(0, 64), out _));
+        Assert.True(DataCommandHeader.TryRead(packet.AsSpan(0, 64), out _));
     }
 
     [Theory]
@@ -48,7 +49,7 @@ public sealed class CommandHeaderTests
     {
         byte[] packet = GoldenPackets.Get("command").ByHand;
         packet[offset] ^= 0x01;
-        Assert.False(CommandHeader.TryRead(packet, out _));
+        Assert.False(DataCommandHeader.TryRead(packet, out _));
     }
 
     [Fact]
@@ -56,7 +57,7 @@ public sealed class CommandHeaderTests
     {
         byte[] written = new byte[64];
         written.AsSpan().Fill(0xCC);
-        new CommandHeader { CommandId = DataCommandId.AvatarCount }.Write(written);
+        new DataCommandHeader { CommandId = DataCommandId.AvatarCount }.Write(written);
 
         Assert.Equal(Convert.ToHexString(GoldenPackets.OldCommand(command: 5, count: 0, payload: 0)), Convert.ToHexString(written));
     }
@@ -68,7 +69,7 @@ public sealed class CommandHeaderTests
         byte[] packet = GoldenPackets.OldCommand(command: 3, count: 0, payload: 0);
         new byte[] { 0x02, 0, 0, 0, 0x78, 0, 0, 0 }.CopyTo(packet.AsSpan(18));
 
-        Assert.True(CommandHeader.TryRead(packet, out CommandHeader header));
+        Assert.True(DataCommandHeader.TryRead(packet, out DataCommandHeader header));
         Assert.Equal(2, header.Parameter);
         Assert.Equal(120, header.Value);
 
@@ -79,5 +80,5 @@ public sealed class CommandHeaderTests
 
     [Fact]
     public void A_destination_below_64_bytes_is_refused() =>
-        Assert.Throws<ArgumentOutOfRangeException>(() => new CommandHeader().Write(new byte[63]));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new DataCommandHeader().Write(new byte[63]));
 }

@@ -7,4 +7,4 @@ namespace NeuronMocap.Server;
 /// <param name="source">The avatar's performance.</param>
 /// <param name="frame">Frame number, from 0, below the source's count.</param>
 /// <param name="payload">Room for exactly 4956 bytes, all of which are written; little-endian.</param>
-public delegate void StudioCalculationWriter(MotionSource source, long frame, Span<byte> payload);
+public delegate void StudioCalculationProvider(MotionSource source, long frame, Span<byte> payload);

@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Frames;
 
 // What was found out about a server otherwise than from its stream. Null for what is not known; the failure is why nobody answered, in words.
-internal sealed record FormatFindings(RotationOrder? Order, SkeletonVariant? Variant, string? Failure)
+internal sealed record DiscoveredFormat(RotationOrder? Order, SkeletonVariant? Variant, string? Failure)
 {
-    public static FormatFindings None { get; } = new(null, null, null);
+    public static DiscoveredFormat None { get; } = new(null, null, null);
 }

@@ -7,9 +7,9 @@ namespace NeuronMocap.Retargeting;
 /// <param name="Degrees">How far off, for faults that are angles; otherwise 0.</param>
 /// <param name="Message">For whoever made the rig: what is wrong, what will be seen of it, and what to do. One or two English sentences.</param>
 /// <param name="CanFix">Whether <see cref="TPose.Enforce"/> makes it right.</param>
-public sealed record RigFinding(RigFault Fault, RigSeverity Severity, HumanoidBone? Bone, float Degrees, string Message, bool CanFix);
+public sealed record RigIssue(RigFault Fault, RigSeverity Severity, HumanoidBone? Bone, float Degrees, string Message, bool CanFix);
 
-/// <summary>How much a <see cref="RigFinding"/> matters.</summary>
+/// <summary>How much a <see cref="RigIssue"/> matters.</summary>
 public enum RigSeverity
 {
     /// <summary>Works; good to know when something looks odd.</summary>
@@ -22,7 +22,7 @@ public enum RigSeverity
     Error,
 }
 
-/// <summary>The kinds of <see cref="RigFinding"/>.</summary>
+/// <summary>The kinds of <see cref="RigIssue"/>.</summary>
 public enum RigFault
 {
     /// <summary>A required bone has no node.</summary>

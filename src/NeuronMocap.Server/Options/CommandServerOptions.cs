@@ -1,5 +1,6 @@
 using System.Net;
 using NeuronMocap.Protocol;
+using NeuronMocap.Server.Faults;
 
 namespace NeuronMocap.Server;
 
@@ -29,8 +30,8 @@ public sealed class CommandServerOptions
     /// </summary>
     public TimeSpan IdleTimeout { get; set; } = TimeSpan.FromHours(1);
 
-    /// <summary>What the server does otherwise than it should, to test clients. Default: nothing.</summary>
-    public CommandReplyQuirks Quirks { get; set; } = new();
+    // What the server does otherwise than it should, to test clients. Default: nothing.
+    internal CommandReplyQuirks Quirks { get; set; } = new();
 
     internal CommandServerOptions CopyChecked()
     {

@@ -1,0 +1,84 @@
+using System.Collections.Concurrent;
+using NeuronMocap.Bvh;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Commands;
+
+// The one object of a reader that asks its server's command channel for format and bodies. A question goes to the server once for each connection of
+// the reader, and everyone who asks it shares the answer. Questions end with an ObjectDisposedException when it is disposed. Any thread.
+internal sealed class ServerInquiry(NeuronCommandOptions options) : IDisposable
+{
+    private readonly NeuronCommandClient _client = new(options);
+
+    // Their sources are never disposed of: they have no timers, and the requests that are under way still look at them.
+    private volatile Answers _answers = new(new CancellationTokenSource());
+
+    // Forgets all answers: the reader has a new connection, perhaps to another server. Whoever waits gets the answer of that one.
+    public void Renew() => Interlocked.Exchange(ref _answers, new Answers(new CancellationTokenSource())).Cancel();
+
+    // Each of these asks again where the server gave no answer; on a retry, after any failure.
+    public Task<RotationOrder> GetRotationOrderAsync(bool isRetry) =>
+        GetAsync(answers => answers.Orders, avatarIndex: 0, (_, stop) => _client.GetRotationOrderAsync(stop), isRetry);
+
+    public Task<BvhSkeletonMap> GetSkeletonAsync(int avatarIndex, bool isRetry) =>
+        GetAsync(answers => answers.Skeletons, avatarIndex, AskSkeletonAsync, isRetry);
+
+    public Task<BoneDimensions> GetDimensionsAsync(int avatarIndex, bool isRetry) =>
+        GetAsync(answers => answers.Dimensions, avatarIndex, _client.GetBoneDimensionsAsync, isRetry);
+
+    // The header says more than the twelve sizes.
+    public async Task<BodyAnswer> GetBodyAsync(int avatarIndex, bool isRetry)
+    {
+        try
+        {
+            return new BodyAnswer(await GetSkeletonAsync(avatarIndex, isRetry).ConfigureAwait(false), default);
+        }
+        catch (NeuronCommandException exception) when (exception.IsAnswer)
+        {
+            return new BodyAnswer(Skeleton: null, await GetDimensionsAsync(avatarIndex, isRetry).ConfigureAwait(false));
+        }
+    }
+
+    // Returns at once.
+    public void Dispose() => _ = _client.DisposeAsync().AsTask();
+
+    private async Task<BvhSkeletonMap> AskSkeletonAsync(int avatarIndex, CancellationToken stop)
+    {
+        BvhDocument header = await _client.GetBvhHeaderAsync(avatarIndex, stop).ConfigureAwait(false);
+        return BvhSkeletonMap.TryCreate(header, out BvhSkeletonMap? map, out string? reason)
+            ? map
+            : throw new NeuronCommandException(CommandFailure.InvalidReply, $"The BVH header of avatar {avatarIndex} has another skeleton: {reason}");
+    }
+
+    private async Task<T> GetAsync<T>(
+        Func<Answers, ConcurrentDictionary<int, SharedAnswer<T>>> choose, int avatarIndex, Func<int, CancellationToken, Task<T>> ask, bool isRetry)
+    {
+        while (true)
+        {
+            Answers answers = _answers;
+            try
+            {
+                SharedAnswer<T> answer = choose(answers).GetOrAdd(avatarIndex, avatar => new SharedAnswer<T>(() => ask(avatar, answers.Stop)));
+                return await answer.GetAsync(isRetry).ConfigureAwait(false);
+            }
+            catch (OperationCanceledException) when (answers.Stop.IsCancellationRequested)
+            {
+                // Of a connection that ended meanwhile.
+            }
+        }
+    }
+
+    // What was answered during one connection of the reader.
+    private sealed class Answers(CancellationTokenSource stop)
+    {
+        public CancellationToken Stop => stop.Token;
+
+        public ConcurrentDictionary<int, SharedAnswer<RotationOrder>> Orders { get; } = new();
+
+        public ConcurrentDictionary<int, SharedAnswer<BvhSkeletonMap>> Skeletons { get; } = new();
+
+        public ConcurrentDictionary<int, SharedAnswer<BoneDimensions>> Dimensions { get; } = new();
+
+        public void Cancel() => stop.Cancel();
+    }
+}

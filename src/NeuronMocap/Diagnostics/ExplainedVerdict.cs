@@ -1,0 +1,7 @@
+namespace NeuronMocap.Diagnostics;
+
+// A verdict in words, and which setting changes it.
+internal readonly record struct ExplainedVerdict(DiagnosisVerdict Verdict, string Text, string? Advice = null)
+{
+    public bool IsFault => Verdict >= DiagnosisVerdict.HostNotFound;
+}
