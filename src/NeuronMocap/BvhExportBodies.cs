@@ -60,11 +60,11 @@ internal sealed class BvhExportBodies(BvhExportOptions options, NeuronCommandOpt
     }
 
     private static async Task<(SkeletonBody? Body, BvhBodySource Source)> AskAsync(
-        NeuronCommandClient client, int avatar, SkeletonVariant variant, CancellationToken timeout)
+        NeuronCommandClient client, int avatar, SkeletonVariant variant, CancellationToken cancellationToken)
     {
         try
         {
-            BvhDocument header = await client.GetBvhHeaderAsync(avatar, timeout).ConfigureAwait(false);
+            BvhDocument header = await client.GetBvhHeaderAsync(avatar, cancellationToken).ConfigureAwait(false);
             if (BvhSkeletonMap.TryCreate(header, out BvhSkeletonMap? map, out _))
                 return (CreateBody(map), BvhBodySource.Header);
         }
@@ -73,7 +73,7 @@ internal sealed class BvhExportBodies(BvhExportOptions options, NeuronCommandOpt
             // It answers, but not this.
         }
 
-        BoneDimensions dimensions = await client.GetBoneDimensionsAsync(avatar, timeout).ConfigureAwait(false);
+        BoneDimensions dimensions = await client.GetBoneDimensionsAsync(avatar, cancellationToken).ConfigureAwait(false);
         return (SkeletonBody.FromDimensions(dimensions, variant), BvhBodySource.Dimensions);
     }
 

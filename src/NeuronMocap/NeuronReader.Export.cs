@@ -46,8 +46,8 @@ public sealed partial class NeuronReader
         try
         {
             files = new BvhExportFiles(path, options, bodies, open);
-            queue = _pipeline.OpenMotionQueue(options.Capacity, ExportQueueName, out MotionIntake intake);
-            export = new BvhExport(path, queue, intake, files, bodies, _recordings.OnEnded);
+            queue = _pipeline.OpenMotionQueue(options.Capacity, ExportQueueName);
+            export = new BvhExport(path, queue, files, bodies, _recordings.OnEnded);
         }
         catch
         {

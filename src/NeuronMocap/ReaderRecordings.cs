@@ -25,9 +25,9 @@ internal sealed class ReaderRecordings
     private bool _isAsking;
     private bool _ended;
 
-    public ReaderRecordings(NeuronReaderOptions options, string name, object? gate = null)
+    public ReaderRecordings(NeuronReaderOptions options, string name, object? receiveLock = null)
     {
-        Tap = new StreamTap(gate);
+        Tap = new StreamTap(receiveLock);
         _commands = options.Commands;
         _metadata = new RecordingMetadata()
             .With(RecordingMetadata.Program, DescribeProgram())

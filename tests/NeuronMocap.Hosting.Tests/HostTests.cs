@@ -7,6 +7,7 @@ using Microsoft.Extensions.Hosting;
 using Microsoft.Extensions.Logging;
 using Microsoft.Extensions.Options;
 using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 
@@ -219,7 +220,7 @@ public sealed class HostTests
         {
             while (!reader.Completion.IsCompleted)
             {
-                _queue.Pump(frame => Frames.Enqueue(frame.FrameIndex));
+                _queue.Pump<MotionFrame>(frame => Frames.Enqueue(frame.FrameIndex));
                 await Task.Delay(1, CancellationToken.None);
             }
         }

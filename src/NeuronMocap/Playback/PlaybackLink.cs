@@ -16,7 +16,8 @@ internal sealed class PlaybackLink(RecordingPlayer player) : Link
 
     public override Task<LinkEnd> OpenAsync(CancellationToken stop) => RunAsync(run => run.Open(this));
 
-    public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver) => RunAsync(run => run.Receive(this, receiver));
+    public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver, ILinkListener? listener) =>
+        RunAsync(run => run.Receive(this, receiver, listener));
 
     public override void Close()
     {

@@ -16,6 +16,7 @@ internal sealed class PlaybackRun
     private readonly ArrivalSource _source;
     private readonly PlaybackReceiver _receiver = new();
     private readonly ArrivalParser _parser;
+    private ILinkListener? _listener;
     private Arrival _arrival;
     private bool _hasArrival;
 
@@ -81,9 +82,10 @@ internal sealed class PlaybackRun
     }
 
     // Plays until the connection ends.
-    public LinkEnd Receive(PlaybackLink link, IPacketReceiver receiver)
+    public LinkEnd Receive(PlaybackLink link, IPacketReceiver receiver, ILinkListener? listener)
     {
         _receiver.Target = receiver;
+        _listener = listener;
         while (true)
         {
             Arrival arrival = Peek();
@@ -101,7 +103,7 @@ internal sealed class PlaybackRun
                 if (!_parser.IsOpen)
                     return new LinkEnd(ConnectionReason.ClosedByPeer, "The playback has gone to another place, where no connection stood.");
 
-                receiver.OnLinkOpened();
+                listener?.OnLinkOpened();
                 continue;
             }
 
@@ -144,7 +146,7 @@ internal sealed class PlaybackRun
         if (Follow(arrival, timestamp) && !arrival.IsCalculation)
         {
             if (_hasOpened)
-                _receiver.Target!.OnLinkOpened();
+                _listener?.OnLinkOpened();
 
             _hasOpened = true;
         }

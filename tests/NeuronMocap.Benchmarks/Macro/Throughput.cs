@@ -3,6 +3,7 @@ using System.Net.Sockets;
 using NeuronMocap.Benchmarks.Harness;
 using NeuronMocap.Benchmarks.Peers;
 using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
@@ -93,11 +94,11 @@ internal static class Throughput
         reader.Start();
         while (!reader.Completion.IsCompleted)
         {
-            counted += queue.Pump(static _ => { });
+            counted += queue.Pump<MotionFrame>(static _ => { });
             Thread.Sleep(1);
         }
 
-        counted += queue.Pump(static _ => { });
+        counted += queue.Pump<MotionFrame>(static _ => { });
         return ToFigures(reader, cpu, frames, counted);
     }
 

@@ -17,7 +17,7 @@ public sealed class DependencyTests
         ["Frames"] = ["Protocol", "Skeleton"],
         ["Transport"] = ["Protocol"],
         ["Delivery"] = ["Frames", "Protocol", "Skeleton"],
-        ["Diagnostics"] = ["Delivery", "Protocol", "Transport"],
+        ["Diagnostics"] = ["Frames", "Protocol", "Transport"],
         ["Telemetry"] = ["Delivery", "Recording", "Transport", "Protocol"],
         // Text that a server sends is BVH; how to connect, and why that failed, is the same as for a stream.
         ["Commands"] = ["Bvh", "Delivery", "Protocol", "Skeleton", "Transport"],

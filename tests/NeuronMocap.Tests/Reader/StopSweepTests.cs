@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 
@@ -265,7 +266,7 @@ public sealed partial class StopSweepTests(ITestOutputHelper output)
         {
             while (!reader.Completion.IsCompleted)
             {
-                queue.Pump(_ =>
+                queue.Pump<MotionFrame>(_ =>
                 {
                     if (stopping == Stopping.PumpHandler)
                         StopWhenDue();

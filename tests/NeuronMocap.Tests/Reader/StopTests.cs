@@ -1,5 +1,6 @@
 using System.Net;
 using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 
@@ -143,7 +144,7 @@ public sealed class StopTests
             Task pumping = Task.Run(() =>
             {
                 while (!reader.Completion.IsCompleted)
-                    queue.Pump(_ => { });
+                    queue.Pump<MotionFrame>(_ => { });
             });
             await Task.WhenAll(Enumerable.Range(0, 4).Select(_ => Task.Run(reader.Dispose))).Soon();
             await AssertStoppedAsync(reader);

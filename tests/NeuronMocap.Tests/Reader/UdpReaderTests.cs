@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
 using NeuronMocap.Tests.Diagnostics;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
@@ -27,7 +28,7 @@ public sealed class UdpReaderTests
         }
 
         List<uint?> indices = [];
-        queue.Pump(frame =>
+        queue.Pump<MotionFrame>(frame =>
         {
             indices.Add(frame.FrameIndex);
             Assert.Equal(TestPackets.Value((int)frame.FrameIndex!, 0, 353), frame.Values[353]);
@@ -52,7 +53,7 @@ public sealed class UdpReaderTests
         await reader.WaitForFramesAsync(2);
 
         List<(uint?, int)> seen = [];
-        queue.Pump(frame => seen.Add((frame.FrameIndex, frame.Source)));
+        queue.Pump<MotionFrame>(frame => seen.Add((frame.FrameIndex, frame.Sender)));
         Assert.Equal([(500u, 1), (10u, 0)], seen);
         Assert.Equal(0, reader.GetStatistics().Lost);
         Assert.Equal(2, reader.GetAvatarStatistics().Count);
