@@ -18,7 +18,7 @@ public sealed class FootContactTests
     public void The_estimate_agrees_with_what_the_software_recorded(string file, double leastOfTake, double leastLive)
     {
         List<(Vector3 Left, Vector3 Right, FootContacts Recorded)> frames = ReadFeet(Fixtures.Require("calc", file));
-        var track = new FootTrack();
+        var track = new FootContactTrack();
         var live = new FootContactEstimator();
         List<FootContacts> lives = [];
         for (int i = 0; i < frames.Count; i++)
@@ -44,7 +44,7 @@ public sealed class FootContactTests
     {
         var actor = new SyntheticActor(rate);
         var body = SkeletonBody.Default();
-        var track = new FootTrack();
+        var track = new FootContactTrack();
         var live = new FootContactEstimator();
         List<FootContacts> known = [];
         List<FootContacts> lives = [];
@@ -117,7 +117,7 @@ public sealed class FootContactTests
     [Fact]
     public void An_empty_take_and_one_of_a_single_frame_are_takes()
     {
-        var track = new FootTrack();
+        var track = new FootContactTrack();
         Assert.Empty(track.EstimateContacts());
         track.Add(Vector3.Zero, Vector3.UnitY * 20, 0);
         Assert.Equal([new FootContacts(Left: true, Right: false)], track.EstimateContacts());
