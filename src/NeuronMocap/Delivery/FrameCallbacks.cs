@@ -13,6 +13,7 @@ internal sealed class FrameCallbacks : IPacketConsumer
     public FrameCallbacks(FrameFormat format, Action<Exception> failed)
     {
         _frames = new LentFrames(format, LentFrames.OfHandlers);
+        _frames.Prepare(PacketKind.Motion);
         _handlers[(int)PacketKind.Motion] = Motion = new FrameHandlers<MotionFrame>(failed);
         _handlers[(int)PacketKind.Calculation] = Calculation = new FrameHandlers<CalculationFrame>(failed);
         _handlers[(int)PacketKind.StudioCalculation] = StudioCalculation = new FrameHandlers<StudioCalculationFrame>(failed);

@@ -48,6 +48,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
 
         _ring = new PacketRing(capacity, SlotSize);
         _frames = new LentFrames(format, LentFrames.OfHandlers);
+        _frames.Prepare(PacketKind.Motion);
         _closed = closed;
         _handOver = handOver;
         _isPatient = isPatient;

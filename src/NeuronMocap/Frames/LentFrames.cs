@@ -15,6 +15,9 @@ internal sealed class LentFrames(FrameFormat format, int count)
 
     private readonly Turns[] _turns = new Turns[(int)PacketKind.StudioCalculation + 1];
 
+    // Makes the frames of a kind before the first one comes.
+    public void Prepare(PacketKind kind) => _turns[(int)kind].Frames ??= CreateAll(kind);
+
     // Valid until its Expire, which comes before the packet's memory is used again.
     public AvatarFrame Lend(in ReceivedPacket packet)
     {
@@ -30,7 +33,6 @@ internal sealed class LentFrames(FrameFormat format, int count)
         return frame;
     }
 
-    // With the first frame of a kind: most streams have one kind.
     private AvatarFrame[] CreateAll(PacketKind kind)
     {
         var frames = new AvatarFrame[count];
