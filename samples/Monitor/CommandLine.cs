@@ -9,7 +9,6 @@ using NeuronMocap.Monitor.Files;
 using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor;
 

@@ -1,6 +1,3 @@
-using NeuronMocap.Delivery;
-using NeuronMocap.Transport;
-
 namespace NeuronMocap.Monitor;
 
 /// <summary>Finds the one line on standard error for a run that ends without a frame, or with frames that something is wrong with.</summary>

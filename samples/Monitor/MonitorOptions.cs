@@ -4,8 +4,6 @@ using NeuronMocap.Monitor.Export;
 using NeuronMocap.Monitor.Files;
 using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Monitor.Recordings;
-using NeuronMocap.Skeleton;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor;
 

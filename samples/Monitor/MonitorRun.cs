@@ -1,14 +1,10 @@
-using NeuronMocap.Delivery;
 using NeuronMocap.Monitor.Export;
 using NeuronMocap.Monitor.Output;
 using NeuronMocap.Monitor.Playback;
 using NeuronMocap.Monitor.Recordings;
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Skeleton;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor;
 

@@ -1,5 +1,3 @@
-using NeuronMocap.Transport;
-
 namespace NeuronMocap.Monitor;
 
 /// <summary>A status as this program says it.</summary>

@@ -6,7 +6,6 @@ using System.Numerics;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Simulator.Playback;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Simulator;
 

@@ -3,9 +3,7 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Simulator.Playback;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Simulator;
 

@@ -1,5 +1,4 @@
 using NeuronMocap.Bvh;
-using NeuronMocap.Delivery;
 
 namespace NeuronMocap;
 

@@ -1,8 +1,6 @@
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Monitor.Output;
 using NeuronMocap.Server;
-using NeuronMocap.Skeleton;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Diagnosis;
 

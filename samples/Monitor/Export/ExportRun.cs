@@ -1,4 +1,5 @@
 using System.Globalization;
+using NeuronMocap.Bvh;
 
 namespace NeuronMocap.Monitor.Export;
 

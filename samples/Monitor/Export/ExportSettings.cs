@@ -1,3 +1,5 @@
+using NeuronMocap.Bvh;
+
 namespace NeuronMocap.Monitor.Export;
 
 /// <summary>What is to be kept of the stream.</summary>

@@ -1,11 +1,8 @@
 using System.Reflection;
 using NeuronMocap.Monitor.Files.Conversion;
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Playback;
-using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
+using NeuronMocap.Server;
 
 namespace NeuronMocap.Monitor.Files;
 

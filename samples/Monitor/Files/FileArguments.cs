@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor.Files;
 

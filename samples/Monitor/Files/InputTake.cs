@@ -1,7 +1,7 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
 using NeuronMocap.Monitor.Files.Conversion;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor.Files;

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using NeuronMocap.Telemetry;
 
 namespace NeuronMocap.Monitor.Output;
 

@@ -5,10 +5,7 @@ using System.Diagnostics.CodeAnalysis;
 using System.Net;
 using System.Numerics;
 using System.Text.Json;
-using NeuronMocap.Delivery;
 using NeuronMocap.Diagnostics;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 

@@ -1,9 +1,5 @@
 using System.Globalization;
 using System.Text;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Output;
 

@@ -1,6 +1,5 @@
-using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 using NeuronMocap.Samples;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor.Playback;
 

@@ -1,6 +1,4 @@
-using NeuronMocap.Delivery;
 using NeuronMocap.Monitor.Output;
-using NeuronMocap.Protocol;
 using Spectre.Console;
 using Spectre.Console.Rendering;
 

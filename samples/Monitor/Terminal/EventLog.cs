@@ -1,5 +1,4 @@
 using NeuronMocap.Monitor.Output;
-using NeuronMocap.Transport;
 using Spectre.Console;
 
 namespace NeuronMocap.Monitor.Terminal;

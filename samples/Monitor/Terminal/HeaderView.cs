@@ -1,9 +1,6 @@
 using System.Diagnostics;
 using NeuronMocap.Monitor.Playback;
-using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
-using NeuronMocap.Skeleton;
-using NeuronMocap.Transport;
 using Spectre.Console;
 using Spectre.Console.Rendering;
 

@@ -1,12 +1,8 @@
 using System.Runtime.InteropServices;
 using System.Text;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
 using NeuronMocap.Monitor.Output;
 using NeuronMocap.Monitor.Playback;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Terminal;
 

@@ -1,13 +1,7 @@
 using System.Diagnostics;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Kinematics;
 using NeuronMocap.Monitor.Output;
-using NeuronMocap.Playback;
-using NeuronMocap.Protocol;
+using NeuronMocap.Motion;
 using NeuronMocap.Recording;
-using NeuronMocap.Skeleton;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Terminal;
 

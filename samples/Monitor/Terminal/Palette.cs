@@ -1,4 +1,3 @@
-using NeuronMocap.Transport;
 using Spectre.Console;
 
 namespace NeuronMocap.Monitor.Terminal;

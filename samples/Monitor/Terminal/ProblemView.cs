@@ -1,5 +1,3 @@
-using NeuronMocap.Protocol;
-using NeuronMocap.Transport;
 using Spectre.Console;
 using Spectre.Console.Rendering;
 

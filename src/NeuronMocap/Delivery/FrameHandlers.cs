@@ -1,5 +1,3 @@
-using NeuronMocap.Frames;
-
 namespace NeuronMocap.Delivery;
 
 // The handlers of one kind of frame, for a caller that does not know which kind it is.

@@ -2,8 +2,6 @@ using System.Diagnostics;
 using System.Net.Sockets;
 using NeuronMocap.Benchmarks.Harness;
 using NeuronMocap.Benchmarks.Peers;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
 
 namespace NeuronMocap.Benchmarks.Macro;
 

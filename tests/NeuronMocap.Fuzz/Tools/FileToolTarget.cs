@@ -7,7 +7,6 @@ using NeuronMocap.Fuzz.Targets;
 using NeuronMocap.Monitor;
 using NeuronMocap.Monitor.Files;
 using NeuronMocap.Recording;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Fuzz.Tools;
 

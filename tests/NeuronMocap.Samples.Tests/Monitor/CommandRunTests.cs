@@ -5,8 +5,6 @@ using System.Text.Json;
 using NeuronMocap.Bvh;
 using NeuronMocap.Samples.Tests.Infrastructure;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Samples.Tests.Monitor;
 

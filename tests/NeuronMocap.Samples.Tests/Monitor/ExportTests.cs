@@ -1,5 +1,4 @@
 using NeuronMocap.Bvh;
-using NeuronMocap.Protocol;
 using NeuronMocap.Samples.Tests.Infrastructure;
 
 namespace NeuronMocap.Samples.Tests.Monitor;

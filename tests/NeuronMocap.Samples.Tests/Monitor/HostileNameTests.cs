@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using NeuronMocap.Protocol;
 using NeuronMocap.Samples.Tests.Infrastructure;
 using NeuronMocap.Samples.Tests.Monitor.Files;
 

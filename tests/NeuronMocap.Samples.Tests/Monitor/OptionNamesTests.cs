@@ -3,13 +3,12 @@ using System.Reflection.Metadata;
 using System.Reflection.Metadata.Ecma335;
 using System.Reflection.PortableExecutable;
 using System.Text.RegularExpressions;
+using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Monitor;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Samples.Tests.Monitor;
 

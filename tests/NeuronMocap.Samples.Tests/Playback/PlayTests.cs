@@ -1,10 +1,8 @@
 using System.Text.Json;
 using NeuronMocap.Bvh;
 using NeuronMocap.Monitor.Playback;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Samples.Tests.Infrastructure;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Samples.Tests.Playback;
 

@@ -1,8 +1,7 @@
 using FsCheck;
 using FsCheck.Fluent;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
+using NeuronMocap.Reader;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;

@@ -1,8 +1,6 @@
 using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 

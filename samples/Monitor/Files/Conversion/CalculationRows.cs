@@ -1,6 +1,5 @@
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
-using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 
 namespace NeuronMocap.Monitor.Files.Conversion;
 

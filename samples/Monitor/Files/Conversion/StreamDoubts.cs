@@ -1,8 +1,4 @@
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Playback;
-using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 
 namespace NeuronMocap.Monitor.Files.Conversion;

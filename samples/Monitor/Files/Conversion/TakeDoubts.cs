@@ -1,6 +1,5 @@
-using NeuronMocap.Frames;
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 
 namespace NeuronMocap.Monitor.Files.Conversion;
 

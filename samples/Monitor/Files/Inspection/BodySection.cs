@@ -1,6 +1,6 @@
 using System.Text.Json.Nodes;
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor.Files.Inspection;

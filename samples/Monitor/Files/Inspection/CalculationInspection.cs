@@ -1,9 +1,8 @@
 using System.Text.Json.Nodes;
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
 using NeuronMocap.Monitor.Files.Plotting;
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 
 namespace NeuronMocap.Monitor.Files.Inspection;
 

@@ -1,9 +1,7 @@
 using System.Text.Json.Nodes;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 
 namespace NeuronMocap.Monitor.Files.Inspection;
 

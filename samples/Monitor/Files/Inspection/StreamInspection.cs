@@ -2,7 +2,7 @@ using System.Text.Json.Nodes;
 using NeuronMocap.Bvh;
 using NeuronMocap.Monitor.Files.Plotting;
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 
 namespace NeuronMocap.Monitor.Files.Inspection;
 

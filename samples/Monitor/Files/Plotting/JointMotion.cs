@@ -1,7 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor.Files.Plotting;
 

@@ -1,6 +1,5 @@
 using System.Numerics;
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Monitor.Files.Plotting;
 

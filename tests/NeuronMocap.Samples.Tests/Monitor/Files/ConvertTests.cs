@@ -1,9 +1,7 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
 using NeuronMocap.Monitor;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Samples.Tests.Infrastructure;
 using NeuronMocap.Skeleton;

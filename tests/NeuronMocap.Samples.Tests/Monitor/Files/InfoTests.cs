@@ -2,7 +2,6 @@ using System.Numerics;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using NeuronMocap.Bvh;
-using NeuronMocap.Frames;
 using NeuronMocap.Monitor;
 using NeuronMocap.Monitor.Files.Inspection;
 using NeuronMocap.Protocol;
@@ -10,7 +9,6 @@ using NeuronMocap.Recording;
 using NeuronMocap.Samples.Tests.Infrastructure;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Infrastructure;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Samples.Tests.Monitor.Files;
 

@@ -3,13 +3,9 @@ using System.Net;
 using System.Numerics;
 using System.Text;
 using System.Text.Json;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
 using NeuronMocap.Monitor.Output;
-using NeuronMocap.Protocol;
 using NeuronMocap.Samples.Tests.Infrastructure;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Samples.Tests.Monitor.Output;
 

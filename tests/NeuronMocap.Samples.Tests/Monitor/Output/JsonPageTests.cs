@@ -3,17 +3,12 @@ using System.Reflection;
 using System.Text;
 using System.Text.Json;
 using System.Text.RegularExpressions;
-using NeuronMocap.Delivery;
 using NeuronMocap.Diagnostics;
-using NeuronMocap.Frames;
 using NeuronMocap.Monitor;
 using NeuronMocap.Monitor.Commands;
 using NeuronMocap.Monitor.Output;
-using NeuronMocap.Protocol;
 using NeuronMocap.Samples.Tests.Infrastructure;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Infrastructure;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Samples.Tests.Monitor.Output;
 

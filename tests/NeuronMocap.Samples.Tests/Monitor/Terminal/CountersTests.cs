@@ -1,4 +1,3 @@
-using NeuronMocap.Delivery;
 using NeuronMocap.Monitor.Terminal;
 
 namespace NeuronMocap.Samples.Tests.Monitor.Terminal;

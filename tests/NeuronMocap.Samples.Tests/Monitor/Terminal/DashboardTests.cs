@@ -1,12 +1,8 @@
 using System.Text.RegularExpressions;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
 using NeuronMocap.Monitor;
 using NeuronMocap.Monitor.Output;
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Protocol;
 using NeuronMocap.Samples.Tests.Infrastructure;
-using NeuronMocap.Transport;
 using Spectre.Console;
 
 namespace NeuronMocap.Samples.Tests.Monitor.Terminal;

@@ -1,5 +1,4 @@
 using NeuronMocap.Monitor.Terminal;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Samples.Tests.Monitor.Terminal;
 

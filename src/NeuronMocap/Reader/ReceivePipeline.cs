@@ -1,0 +1,250 @@
+using System.Runtime.CompilerServices;
+using NeuronMocap.Commands;
+using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
+using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
+using NeuronMocap.Telemetry;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Reader;
+
+// What happens to a packet between the receive thread and the consumers, and who the consumers are.
+internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderFigures
+{
+    private const string StreamName = "stream";
+
+    private readonly FrameFormat _format;
+    private readonly StreamRecognizer _recognizer;
+    private readonly LinkActivity _activity;
+    private readonly StatusBoard _status;
+    private readonly SenderFilter _senders;
+    private readonly ReaderMetrics _metrics;
+    private readonly ReaderRecordings _recordings;
+    private readonly Func<bool>? _isPatient;
+
+    // Of a reader with two connections, whose threads take turns from here on: everything behind has one producer. Null for one connection.
+    private readonly object? _receiveLock;
+    private readonly StreamCounters _counters;
+    private readonly PacketDispatcher _dispatcher;
+    private readonly object _lock = new();
+    private volatile bool _stopped;
+
+    public ReceivePipeline(
+        FrameFormat format,
+        StreamRecognizer recognizer,
+        LinkActivity activity,
+        StatusBoard status,
+        SenderFilter senders,
+        ReaderMetrics metrics,
+        DataCommands.TrySend trySend,
+        ReaderRecordings recordings,
+        Action<Exception> callbackFailed,
+        Func<bool>? isPatient = null,
+        object? receiveLock = null)
+    {
+        _receiveLock = receiveLock;
+        _recordings = recordings;
+        _format = format;
+        _recognizer = recognizer;
+        _activity = activity;
+        _status = status;
+        _senders = senders;
+        _metrics = metrics;
+        _isPatient = isPatient is null ? null : () => !_stopped && isPatient();
+        _counters = new StreamCounters(metrics.Intervals);
+        _dispatcher = new PacketDispatcher(_counters);
+        Callbacks = new FrameCallbacks(format, callbackFailed);
+        Commands = new DataCommands(trySend, callbackFailed);
+        _dispatcher.Add(Callbacks);
+        metrics.Observe(this);
+    }
+
+    public ConnectionState State => _status.State;
+
+    public long UnsettledLoss => _counters.Trackers.Sum(static tracker => tracker.Index.Unsettled);
+
+    public StreamTap Tap => _recordings.Tap;
+
+    public IReadOnlyList<IFileOutput> Outputs => _recordings.All;
+
+    public FrameCallbacks Callbacks { get; }
+
+    public DataCommands Commands { get; }
+
+    // The thread that is handing out a packet, or 0. Meant to be compared with the calling thread only.
+    public int DeliveringThread { get; private set; }
+
+    public void OnPacket(in ReceivedPacket packet)
+    {
+        if (_stopped)
+        {
+            _counters.CountUndelivered();
+            return;
+        }
+
+        if (_receiveLock is null)
+            DeliveringThread = Environment.CurrentManagedThreadId;
+
+        bool isNews = packet.IsFrame && _recognizer.OnFrame(packet);
+        _activity.BeginDelivery(packet);
+        try
+        {
+            if (isNews)
+                _activity.Redescribe(packet.Timestamp);
+
+            if (_receiveLock is null)
+                Dispatch(packet);
+            else
+                DeliverInTurn(packet);
+        }
+        finally
+        {
+            _activity.EndDelivery();
+            if (_receiveLock is null)
+                DeliveringThread = 0;
+        }
+    }
+
+    // Of either of two connections.
+    public void DeliverInTurn(in ReceivedPacket packet)
+    {
+        lock (_receiveLock!)
+        {
+            if (_stopped)
+            {
+                _counters.CountUndelivered();
+                return;
+            }
+
+            DeliveringThread = Environment.CurrentManagedThreadId;
+            try
+            {
+                Dispatch(packet);
+            }
+            finally
+            {
+                DeliveringThread = 0;
+            }
+        }
+    }
+
+    public void OnText(ReadOnlySpan<byte> bytes) => CountText(bytes.Length);
+
+    public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
+    {
+        if (_stopped)
+            return;
+
+        CountSkipped(bytes.Length, reason);
+        _activity.OnSkipped(bytes, reason);
+    }
+
+    // Of either connection.
+    public void CountText(int bytes)
+    {
+        if (_stopped)
+            return;
+
+        if (_receiveLock is null)
+        {
+            _counters.CountText(bytes);
+            return;
+        }
+
+        lock (_receiveLock)
+            _counters.CountText(bytes);
+    }
+
+    // Of either connection.
+    public void CountSkipped(int bytes, SkipReason reason)
+    {
+        if (_receiveLock is null)
+        {
+            _counters.CountSkipped(bytes, reason);
+            return;
+        }
+
+        lock (_receiveLock)
+            _counters.CountSkipped(bytes, reason);
+    }
+
+    public void OnLinkOpened()
+    {
+        _recognizer.Reset();
+        Resume(isCalculation: false);
+        Commands.OnLinkOpened();
+    }
+
+    public void OnCalculationLinkOpened() => Resume(isCalculation: true);
+
+    public void OnLinkClosed() => Commands.OnLinkClosed();
+
+    // From here on nothing is delivered, even where the receive thread still holds bytes; packets are counted.
+    public void Stop() => _stopped = true;
+
+    // No more packets will come.
+    public void End() => _counters.Queues.CompleteAdding();
+
+    public FrameQueue OpenQueue(int capacity, string name) => Open(CreateQueue(capacity, name, PacketKind.None, _isPatient));
+
+    public FrameQueue OpenMotionQueue(int capacity, string name) => Open(CreateQueue(capacity, name, PacketKind.Motion, isPatient: null));
+
+    public FrameStream OpenStream(PacketKind kind)
+    {
+        FrameQueue queue = CreateQueue(FrameQueue.DefaultCapacity, StreamName, kind, _isPatient);
+        var stream = new FrameStream(queue);
+        Open(queue);
+        return stream;
+    }
+
+    public LatestFrames OpenLatest()
+    {
+        var latest = new LatestFrames(_format, _dispatcher.Remove, _metrics.HandOver("latest"));
+        _dispatcher.Add(latest);
+        return latest;
+    }
+
+    public ReaderStatistics GetStatistics() => _counters.Snapshot() with { RefusedDatagrams = _senders.RefusedDatagrams };
+
+    public IReadOnlyList<AvatarStatistics> GetAvatarStatistics() => [.. _counters.Trackers.Select(static tracker => tracker.Snapshot)];
+
+    public IReadOnlyList<ConsumerStatistics> GetConsumers() => _counters.Queues.Snapshot();
+
+    public void Forget(IFileOutput output) => _recordings.Forget(output);
+
+    public long GetSkipped(SkipReason reason) => _counters.GetSkipped(reason);
+
+    public void CountCallbackFailure() => _counters.CountCallbackFailure();
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Dispatch(in ReceivedPacket packet)
+    {
+        _dispatcher.Dispatch(packet);
+        if (packet.Kind == PacketKind.Command)
+            Commands.OnPacket(packet);
+    }
+
+    // Nobody else counts while a connection is opened, but a second one does.
+    private void Resume(bool isCalculation)
+    {
+        lock (_receiveLock ?? _lock)
+            _counters.Resume(isCalculation);
+    }
+
+    private FrameQueue CreateQueue(int capacity, string name, PacketKind only, Func<bool>? isPatient) =>
+        new(capacity, _format, Close, name, _metrics.HandOver(name), isPatient) { Only = only };
+
+    private FrameQueue Open(FrameQueue queue)
+    {
+        _counters.Queues.Add(queue);
+        _dispatcher.Add(queue);
+        return queue;
+    }
+
+    private void Close(FrameQueue queue)
+    {
+        _dispatcher.Remove(queue);
+        _counters.Queues.Remove(queue);
+    }
+}
