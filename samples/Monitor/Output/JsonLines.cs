@@ -7,7 +7,6 @@ using System.Numerics;
 using System.Text.Json;
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Monitor.Output;
 
