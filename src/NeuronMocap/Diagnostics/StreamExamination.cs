@@ -1,5 +1,3 @@
-using NeuronMocap.Protocol;
-
 namespace NeuronMocap.Diagnostics;
 
 // Judges what arrived: token, version, format, rate.

@@ -1,5 +1,4 @@
 using System.Globalization;
-using NeuronMocap.Delivery;
 using NeuronMocap.Files;
 using NeuronMocap.Transport;
 
