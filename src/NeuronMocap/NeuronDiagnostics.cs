@@ -42,10 +42,10 @@ public static class NeuronDiagnostics
     }
 
     internal static async Task<StreamDiagnosis> RunAsync(
-        NeuronReaderOptions options, LinkOptions link, DiagnosisOptions how, IProgress<DiagnosisStep>? progress, CancellationToken stop)
+        NeuronReaderOptions options, LinkOptions link, DiagnosisOptions how, IProgress<DiagnosisStep>? progress, CancellationToken cancellationToken)
     {
         var log = new StepLog(progress);
-        var task = new DiagnosisContext(ForDiagnosis(link), how, log, stop);
+        var task = new DiagnosisContext(ForDiagnosis(link), how, log, cancellationToken);
         Conclusion conclusion = await ExamineAsync(options, task).ConfigureAwait(false);
         if (options.CalculationLink is { } second)
             conclusion = await CalculationExamination.AddAsync(task, ForDiagnosis(second), conclusion, other => ExamineAsync(options, other)).ConfigureAwait(false);

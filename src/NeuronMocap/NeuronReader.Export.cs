@@ -1,5 +1,4 @@
 using NeuronMocap.Bvh;
-using NeuronMocap.Delivery;
 
 namespace NeuronMocap;
 
@@ -39,8 +38,8 @@ public sealed partial class NeuronReader
         try
         {
             files = new BvhExportFiles(path, options, bodies, open);
-            queue = _pipeline.OpenMotionQueue(options.Capacity, ExportQueueName, out MotionOnlyConsumer intake);
-            export = new BvhExport(path, queue, intake, files, bodies, _recordings.OnEnded);
+            queue = _pipeline.OpenMotionQueue(options.Capacity, ExportQueueName);
+            export = new BvhExport(path, queue, files, bodies, _recordings.OnEnded);
         }
         catch
         {

@@ -74,14 +74,13 @@ public sealed partial class NeuronReader
     public IAsyncEnumerable<StudioCalculationFrame> ReadStudioCalculationAsync(CancellationToken cancellationToken = default) =>
         ReadAsync<StudioCalculationFrame>(PacketKind.StudioCalculation, cancellationToken);
 
-    private async IAsyncEnumerable<TFrame> ReadAsync<TFrame>(PacketKind kind, [EnumeratorCancellation] CancellationToken cancellation)
+    private async IAsyncEnumerable<TFrame> ReadAsync<TFrame>(PacketKind kind, [EnumeratorCancellation] CancellationToken cancellationToken)
         where TFrame : AvatarFrame
     {
-        FrameStream stream = _pipeline.OpenStream(kind, out FrameQueue queue);
-        using (queue)
+        using (FrameStream stream = _pipeline.OpenStream(kind))
         {
             Start();
-            while (await stream.ReadAsync(cancellation).ConfigureAwait(false) is { } frame)
+            while (await stream.ReadAsync(cancellationToken).ConfigureAwait(false) is { } frame)
                 yield return (TFrame)frame;
         }
 

@@ -167,7 +167,7 @@ public sealed partial class NeuronReader
 
         ConnectionStatus last;
         using var stop = CancellationTokenSource.CreateLinkedTokenSource(_stop.Token);
-        Task<ConnectionStatus> first = _supervisor.RunAsync(_pipeline, _stop.Token);
+        Task<ConnectionStatus> first = _supervisor.RunAsync(_pipeline, _pipeline, _stop.Token);
         Task calculation = _calculation?.RunAsync(stop.Token) ?? Task.CompletedTask;
         try
         {

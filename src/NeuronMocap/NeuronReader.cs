@@ -48,7 +48,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly SenderFilter _senders;
     private readonly ConnectionSupervisor _supervisor;
     private readonly UdpServers? _servers;
-    private readonly object? _gate;
+    private readonly object? _receiveLock;
     private readonly JointStatus? _jointStatus;
     private readonly CalculationConnection? _calculation;
     private readonly ServerDiscovery? _discovery;
@@ -108,7 +108,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _statusHandlers = new HandlerList<ConnectionStatus>(OnCallbackFailed);
         if (_options.CalculationLink is { } second)
         {
-            _gate = new object();
+            _receiveLock = new object();
             _servers = new UdpServers();
             _jointStatus = new JointStatus(OnStatusChanged, second.Port);
         }
@@ -125,7 +125,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _eventHandlers.Add(_options.CreateLog());
         _metrics = new ReaderMetrics(_options.DisplayName);
         _supervisor = new ConnectionSupervisor(createLink ?? playback ?? CreateLink, _options.Reconnect, _status, _activity, new Random().NextDouble);
-        _recordings = new ReaderRecordings(_options, _metrics.Name, _gate)
+        _recordings = new ReaderRecordings(_options, _metrics.Name, _receiveLock)
         {
             IsObserved = () => !_eventHandlers.IsEmpty,
             Report = () => _reporter!.Check(Stopwatch.GetTimestamp()),
@@ -137,7 +137,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         }
 
         _pipeline = new ReceivePipeline(
-            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player?.BackPressure, _gate);
+            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player?.BackPressure, _receiveLock);
         if (_jointStatus is not null)
             _calculation = CreateCalculationConnection(_options.CalculationLink!, _jointStatus);
 
@@ -227,7 +227,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 
     private Link CreateLink() => CreateLink(_options.Link);
 
-    private Link CreateLink(LinkOptions link) => _options.Transport == TransportKind.Tcp ? new TcpLink(link) : new UdpLink(link, _senders, _servers, _gate);
+    private Link CreateLink(LinkOptions link) => _options.Transport == TransportKind.Tcp ? new TcpLink(link) : new UdpLink(link, _senders, _servers, _receiveLock);
 
     private CalculationConnection CreateCalculationConnection(LinkOptions link, JointStatus status) => new(
         _options, _format, _pipeline, _options.Transport == TransportKind.Udp ? _senders : null, () => CreateLink(link), status.OnCalculation);

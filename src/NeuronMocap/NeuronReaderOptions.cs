@@ -91,7 +91,7 @@ public sealed partial class NeuronReaderOptions
     /// Port on which the server broadcasts calculation data, where that is not <see cref="Port"/>: 1 to 65535, for UDP also 0 for any free one. Null, the
     /// default, for none; <see cref="ProtocolConstants.DefaultCalculationPort"/> is usual. Over TCP the reader then has a second connection to
     /// <see cref="Host"/>, over UDP a second port; each reconnects by itself. Frames of both are handed out alike, with the same
-    /// <see cref="AvatarFrame.Source"/> for a server. Where the second one fails, motion goes on, and the status says so:
+    /// <see cref="AvatarFrame.Sender"/> for a server. Where the second one fails, motion goes on, and the status says so:
     /// <see cref="ConnectionReason.CalculationUnavailable"/>. Motion that arrives there is skipped and counted. The same value as
     /// <see cref="Port"/> means one connection for both.
     /// </summary>

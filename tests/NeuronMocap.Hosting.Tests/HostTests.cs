@@ -217,7 +217,7 @@ public sealed class HostTests
         {
             while (!reader.Completion.IsCompleted)
             {
-                _queue.Pump(frame => Frames.Enqueue(frame.FrameIndex));
+                _queue.Pump<MotionFrame>(frame => Frames.Enqueue(frame.FrameIndex));
                 await Task.Delay(1, CancellationToken.None);
             }
         }

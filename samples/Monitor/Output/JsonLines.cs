@@ -210,7 +210,7 @@ internal sealed class JsonLines
     // Behind what was there first: the beginning of a line stays as scripts know it.
     private void WriteOrigin(AvatarFrame frame)
     {
-        _json.WriteNumber("sender"u8, frame.Source);
+        _json.WriteNumber("sender"u8, frame.Sender);
         WriteTime(frame.Timestamp);
     }
 

@@ -8,12 +8,12 @@ internal sealed class ToldSkeletons
     // As many avatars as a reader keeps figures of. Who sends more is told anew, and costs no memory.
     private const int MostAvatars = 1024;
 
-    private readonly Dictionary<(int Source, int Avatar), (SkeletonFormat Format, int ValueCount)> _told = [];
+    private readonly Dictionary<(int Sender, int Avatar), (SkeletonFormat Format, int ValueCount)> _told = [];
 
     /// <summary>Whether the skeleton of a frame's avatar is to be told before the frame; from then on it counts as told.</summary>
     public bool IsNew(MotionFrame frame)
     {
-        (int Source, int Avatar) key = (frame.Source, frame.AvatarIndex);
+        (int Sender, int Avatar) key = (frame.Sender, frame.AvatarIndex);
         (SkeletonFormat Format, int ValueCount) skeleton = (frame.Format, frame.Values.Length);
         if (_told.TryGetValue(key, out (SkeletonFormat Format, int ValueCount) told) && told == skeleton)
             return false;

@@ -78,7 +78,7 @@ internal static class AvatarTable
     private static StyledLine MakeName(LiveState state, AvatarStatistics avatar)
     {
         bool isSelected = avatar.Kind == PacketKind.Motion && avatar.AvatarIndex == state.Avatar;
-        string sender = avatar.Source > 0 ? Quantity.Format($" (sender {avatar.Source})") : string.Empty;
+        string sender = avatar.Sender > 0 ? Quantity.Format($" (sender {avatar.Sender})") : string.Empty;
         string name = Quantity.Format($"{(isSelected ? '>' : ' ')} {(uint)avatar.AvatarIndex} {avatar.AvatarName}{sender}");
         return new StyledLine().Add(name, isSelected ? Palette.StrongStyle : Style.Plain);
     }

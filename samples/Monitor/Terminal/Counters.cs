@@ -35,7 +35,7 @@ internal sealed class Counters
     }
 
     private static (PacketKind Kind, int Source, int Avatar) KeyOf(AvatarStatistics avatar) =>
-        (avatar.Kind, avatar.Source, avatar.AvatarIndex);
+        (avatar.Kind, avatar.Sender, avatar.AvatarIndex);
 
     private AvatarStatistics Since(AvatarStatistics now)
     {

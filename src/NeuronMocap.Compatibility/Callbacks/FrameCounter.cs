@@ -6,12 +6,12 @@ internal sealed class FrameCounter
     // Avatars come from the network; those beyond so many share one count.
     private const int MaxAvatars = 1024;
 
-    private readonly Dictionary<(int Source, int Avatar), uint> _next = [];
+    private readonly Dictionary<(int Sender, int Avatar), uint> _next = [];
     private uint _nextOfOthers;
 
-    public uint Next(int source, int avatar)
+    public uint Next(int sender, int avatar)
     {
-        (int Source, int Avatar) key = (source, avatar);
+        (int Sender, int Avatar) key = (sender, avatar);
         if (!_next.TryGetValue(key, out uint index) && _next.Count >= MaxAvatars)
             return _nextOfOthers++;
 

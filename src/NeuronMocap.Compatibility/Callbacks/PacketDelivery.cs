@@ -22,7 +22,7 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate ga
         if (callbacks.FrameHeaders == HeaderLayout.Old)
             OldHeaderOf(frame.Header).Write(image);
         else if (frame.FrameIndex is null)
-            (frame.Header with { Version = DataVersion.New, FrameIndex = _motionCounter.Next(frame.Source, frame.AvatarIndex) }).Write(image);
+            (frame.Header with { Version = DataVersion.New, FrameIndex = _motionCounter.Next(frame.Sender, frame.AvatarIndex) }).Write(image);
 
         Call(PacketKind.Motion, socket, hasData: true);
     }
@@ -34,7 +34,7 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate ga
 
         Span<byte> image = Copy(frame.Packet);
         if (frame.FrameIndex is null)
-            (frame.Header with { Version = DataVersion.Calculation, FrameIndex = _calculationCounter.Next(frame.Source, frame.AvatarIndex) }).Write(image);
+            (frame.Header with { Version = DataVersion.Calculation, FrameIndex = _calculationCounter.Next(frame.Sender, frame.AvatarIndex) }).Write(image);
 
         Call(PacketKind.Calculation, socket, hasData: true);
     }

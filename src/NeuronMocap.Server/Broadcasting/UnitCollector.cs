@@ -20,16 +20,6 @@ internal sealed class UnitCollector : IPacketReceiver
 
     private int Start => _units.Count > 0 ? _units[^1].End : 0;
 
-    public StreamTap? Tap => null;
-
-    public void OnLinkOpened()
-    {
-    }
-
-    public void OnLinkClosed()
-    {
-    }
-
     // The bytes of a line were told before it.
     public void OnPacket(in ReceivedPacket packet)
     {

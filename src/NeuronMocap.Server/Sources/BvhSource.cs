@@ -107,7 +107,7 @@ public sealed class BvhSource : MotionSource
 
     private FootContacts[] EstimateContacts()
     {
-        var feet = new FootTrack();
+        var feet = new FootContactTrack();
         SkeletonBody body = _map.GetBody();
         Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
         for (int frame = 0; frame < _map.Document.FrameCount; frame++)

@@ -195,7 +195,7 @@ public sealed class RecordingSource : MotionSource
 
     private FootContacts[] EstimateContacts()
     {
-        var feet = new FootTrack();
+        var feet = new FootContactTrack();
         Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
         for (int frame = 0; frame < _timeline.Rows.Count; frame++)
         {

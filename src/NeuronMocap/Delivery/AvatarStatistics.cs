@@ -11,8 +11,8 @@ public readonly record struct AvatarStatistics
     /// <summary><see cref="PacketKind.Motion"/>, <see cref="PacketKind.Calculation"/> or <see cref="PacketKind.StudioCalculation"/>.</summary>
     public PacketKind Kind { get; init; }
 
-    /// <summary>Which sender: see <see cref="AvatarFrame.Source"/>.</summary>
-    public int Source { get; init; }
+    /// <summary>Which sender: see <see cref="AvatarFrame.Sender"/>.</summary>
+    public int Sender { get; init; }
 
     /// <summary>Number of the avatar on the server.</summary>
     public int AvatarIndex { get; init; }

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Runtime.CompilerServices;
+using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
@@ -30,7 +31,7 @@ internal sealed class AvatarTracker(
 
     public PacketKind Kind => kind;
 
-    public int Source => PacketOrigin.SourceOf(Origin);
+    public int Sender => PacketOrigin.SenderOf(Origin);
 
     // Receive loop only.
     public int Origin { get; private set; } = origin;
@@ -51,7 +52,7 @@ internal sealed class AvatarTracker(
     public AvatarStatistics Snapshot => new()
     {
         Kind = kind,
-        Source = Source,
+        Sender = Sender,
         AvatarIndex = (int)avatar,
         AvatarName = Volatile.Read(ref _text),
         Frames = Volatile.Read(ref _frames),
@@ -68,7 +69,7 @@ internal sealed class AvatarTracker(
     // What happened between two connections is neither a gap nor an interval.
     public void Resume() => _resumed = true;
 
-    // Another sender goes on as this source, and counts anew.
+    // The sender started anew, and counts its frames from anywhere.
     public void Continue(int newOrigin)
     {
         Origin = newOrigin;
@@ -101,7 +102,7 @@ internal sealed class AvatarTracker(
     private void Rename(in AvatarName name)
     {
         _name = name;
-        Volatile.Write(ref _text, Frames.AvatarNames.GetText(name));
+        Volatile.Write(ref _text, AvatarNames.GetText(name));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

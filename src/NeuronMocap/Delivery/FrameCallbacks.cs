@@ -5,41 +5,33 @@ namespace NeuronMocap.Delivery;
 
 // Handlers that run on the receive thread, on frames that still lie in the receive buffer: the shortest way, for handlers that do not wait.
 // A handler that does makes the connection wait too, and loses nothing.
-internal sealed class FrameCallbacks(FrameFormat format, Action<Exception> failed) : IPacketConsumer
+internal sealed class FrameCallbacks : IPacketConsumer
 {
-    private readonly LentFrames<MotionFrame> _motion = new(() => new MotionFrame(format), LentFrames<MotionFrame>.OfHandlers);
-    private readonly LentFrames<CalculationFrame> _calculation = new(static () => new CalculationFrame(), LentFrames<CalculationFrame>.OfHandlers);
-    private readonly LentFrames<StudioCalculationFrame> _studio = new(static () => new StudioCalculationFrame(), LentFrames<StudioCalculationFrame>.OfHandlers);
+    private readonly LentFrames _frames;
+    private readonly IFrameHandlers?[] _handlers = new IFrameHandlers?[(int)PacketKind.StudioCalculation + 1];
 
-    public HandlerList<MotionFrame> Motion { get; } = new(failed);
+    public FrameCallbacks(FrameFormat format, Action<Exception> failed)
+    {
+        _frames = new LentFrames(format, LentFrames.OfHandlers);
+        _frames.Prepare(PacketKind.Motion);
+        _handlers[(int)PacketKind.Motion] = Motion = new FrameHandlers<MotionFrame>(failed);
+        _handlers[(int)PacketKind.Calculation] = Calculation = new FrameHandlers<CalculationFrame>(failed);
+        _handlers[(int)PacketKind.StudioCalculation] = StudioCalculation = new FrameHandlers<StudioCalculationFrame>(failed);
+    }
 
-    public HandlerList<CalculationFrame> Calculation { get; } = new(failed);
+    public FrameHandlers<MotionFrame> Motion { get; }
 
-    public HandlerList<StudioCalculationFrame> StudioCalculation { get; } = new(failed);
+    public FrameHandlers<CalculationFrame> Calculation { get; }
+
+    public FrameHandlers<StudioCalculationFrame> StudioCalculation { get; }
 
     public void OnPacket(in ReceivedPacket packet)
     {
-        if (packet.Kind == PacketKind.Motion)
-        {
-            Call(Motion, _motion, packet);
-        }
-        else if (packet.Kind == PacketKind.Calculation)
-        {
-            Call(Calculation, _calculation, packet);
-        }
-        else
-        {
-            Call(StudioCalculation, _studio, packet);
-        }
-    }
-
-    private static void Call<TFrame>(HandlerList<TFrame> handlers, LentFrames<TFrame> frames, in ReceivedPacket packet)
-        where TFrame : AvatarFrame
-    {
+        IFrameHandlers handlers = _handlers[(int)packet.Kind]!;
         if (handlers.IsEmpty)
             return;
 
-        TFrame frame = frames.Lend(packet);
+        AvatarFrame frame = _frames.Lend(packet);
         handlers.Invoke(frame);
         frame.Expire();
     }

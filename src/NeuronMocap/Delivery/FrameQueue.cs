@@ -26,14 +26,13 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     private const int SlotSize = 1536;
 
     private readonly PacketRing _ring;
-    private readonly LentFrames<MotionFrame> _motion;
-    private readonly LentFrames<CalculationFrame> _calculation = new(static () => new CalculationFrame(), LentFrames<CalculationFrame>.OfHandlers);
-    private readonly LentFrames<StudioCalculationFrame> _studio = new(static () => new StudioCalculationFrame(), LentFrames<StudioCalculationFrame>.OfHandlers);
+    private readonly LentFrames _frames;
     private readonly Action<FrameQueue> _closed;
     private readonly IDurationRecorder? _handOver;
     private readonly Func<bool>? _backPressure;
     private long _dropped;
     private int _pumping;
+    private volatile bool _isComplete;
     private volatile bool _disposed;
 
     // BackPressure: whether the producer may wait for room, as an unpaced playback can.
@@ -49,7 +48,8 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
             throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "A queue holds 1 to 1,048,576 frames.");
 
         _ring = new PacketRing(capacity, SlotSize);
-        _motion = new LentFrames<MotionFrame>(() => new MotionFrame(format), LentFrames<MotionFrame>.OfHandlers);
+        _frames = new LentFrames(format, LentFrames.OfHandlers);
+        _frames.Prepare(PacketKind.Motion);
         _closed = closed;
         _handOver = handOver;
         _backPressure = backPressure;
@@ -69,12 +69,28 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     public long Dropped => Volatile.Read(ref _dropped);
 
     /// <summary>
+    /// Number of frames that were taken out. With <see cref="Dropped"/> and <see cref="Count"/> it makes up all frames that arrived since the queue was
+    /// opened. Any thread.
+    /// </summary>
+    public long Delivered => _ring.Released;
+
+    // The only kind of frame that is put in; None for all.
+    internal PacketKind Only { get; init; }
+
+    // Called on the receive thread after each frame, and when adding is completed. Set before the queue gets its first frame.
+    internal Action? Changed { get; set; }
+
+    internal bool IsAddingCompleted => _isComplete;
+
+    /// <summary>
     /// Runs a handler for every waiting frame, oldest first, on this thread; returns at once when none waits. Frames that arrive meanwhile
     /// are included, up to the limit.
     /// </summary>
-    /// <param name="onMotion">Called with each motion frame; null to pass them over. The frame is valid during the call.</param>
-    /// <param name="onCalculation">Called with each calculation frame; null to pass them over. The frame is valid during the call.</param>
-    /// <param name="onStudioCalculation">Called with each of Axis Studio's calculation frames; null to pass them over. The frame is valid during the call.</param>
+    /// <typeparam name="TFrame">
+    /// The kind of frame that the handler takes, such as <see cref="MotionFrame"/>. Frames of other kinds are taken out and passed over. With
+    /// <see cref="AvatarFrame"/> the handler gets frames of all kinds.
+    /// </typeparam>
+    /// <param name="handler">Called with each frame. The frame is valid during the call.</param>
     /// <param name="maxFrames">Return after this many frames, so that a backlog cannot hold up the caller.</param>
     /// <returns>Number of frames taken out.</returns>
     /// <exception cref="InvalidOperationException">Another thread is pumping this queue, or a handler pumps it.</exception>
@@ -82,64 +98,28 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     /// An exception of a handler comes out of this call; the frame it was called with counts as taken. A lambda that captures a variable or <c>this</c> is a new
     /// object in every call, which C# allocates. Keep the delegate in a field, or use the overload that takes a state.
     /// </remarks>
-    public int Pump(
-        Action<MotionFrame>? onMotion,
-        Action<CalculationFrame>? onCalculation = null,
-        Action<StudioCalculationFrame>? onStudioCalculation = null,
-        int maxFrames = int.MaxValue) => Pump(new FrameHandlers(onMotion, onCalculation, onStudioCalculation), maxFrames);
+    public int Pump<TFrame>(Action<TFrame> handler, int maxFrames = int.MaxValue)
+        where TFrame : AvatarFrame
+    {
+        ArgumentNullException.ThrowIfNull(handler);
+        return Pump<TFrame, Action<TFrame>>(handler, static (handler, frame) => handler(frame), maxFrames);
+    }
 
     /// <summary>
-    /// Runs a handler for every waiting frame, and gives it a state. With lambdas that are <c>static</c>, and so capture nothing, the call allocates nothing.
+    /// Runs a handler for every waiting frame, and gives it a state. With a lambda that is <c>static</c>, and so captures nothing, the call allocates nothing.
     /// </summary>
+    /// <typeparam name="TFrame">The kind of frame that the handler takes; otherwise as for <see cref="Pump{TFrame}(Action{TFrame}, int)"/>.</typeparam>
     /// <typeparam name="TState">Type of the state.</typeparam>
-    /// <param name="state">What the handlers need: an object of yours, or a tuple of several.</param>
-    /// <param name="onMotion">Called with the state and each motion frame; null to pass them over. The frame is valid during the call.</param>
-    /// <param name="onCalculation">Called with the state and each calculation frame; null to pass them over. The frame is valid during the call.</param>
-    /// <param name="onStudioCalculation">Called with the state and each of Axis Studio's calculation frames; null to pass them over. The frame is valid during the call.</param>
+    /// <param name="state">What the handler needs: an object of yours, or a tuple of several.</param>
+    /// <param name="handler">Called with the state and each frame. The frame is valid during the call.</param>
     /// <param name="maxFrames">Return after this many frames, so that a backlog cannot hold up the caller.</param>
     /// <returns>Number of frames taken out.</returns>
     /// <exception cref="InvalidOperationException">Another thread is pumping this queue, or a handler pumps it.</exception>
     /// <remarks>An exception of a handler comes out of this call; the frame it was called with counts as taken.</remarks>
-    public int Pump<TState>(
-        TState state,
-        Action<TState, MotionFrame>? onMotion,
-        Action<TState, CalculationFrame>? onCalculation = null,
-        Action<TState, StudioCalculationFrame>? onStudioCalculation = null,
-        int maxFrames = int.MaxValue) => Pump(new FrameHandlers<TState>(state, onMotion, onCalculation, onStudioCalculation), maxFrames);
-
-    /// <summary>Takes the queue off its reader; frames that wait are given up. Any thread, any number of times.</summary>
-    public void Dispose()
+    public int Pump<TFrame, TState>(TState state, Action<TState, TFrame> handler, int maxFrames = int.MaxValue)
+        where TFrame : AvatarFrame
     {
-        if (_disposed)
-            return;
-
-        _disposed = true;
-        _closed(this);
-    }
-
-    void IPacketConsumer.OnPacket(in ReceivedPacket packet)
-    {
-        if (!_ring.TryEnqueue(packet) && !(_backPressure?.Invoke() == true && TryEnqueueLater(packet)))
-            Volatile.Write(ref _dropped, _dropped + 1);
-    }
-
-    // Looks now and then instead of being woken, so that a live stream's consumer has nobody to wake.
-    private bool TryEnqueueLater(in ReceivedPacket packet)
-    {
-        var wait = new SpinWait();
-        while (!_disposed && _backPressure!())
-        {
-            wait.SpinOnce();
-            if (_ring.TryEnqueue(packet))
-                return true;
-        }
-
-        return false;
-    }
-
-    private int Pump<THandlers>(THandlers handlers, int maxFrames)
-        where THandlers : struct, IFrameHandlers
-    {
+        ArgumentNullException.ThrowIfNull(handler);
         if (Interlocked.Exchange(ref _pumping, 1) != 0)
             throw new InvalidOperationException("One thread at a time may pump a queue, and its handlers may not. Open a queue for each thread.");
 
@@ -155,7 +135,9 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
                 AvatarFrame? lent = null;
                 try
                 {
-                    Handle(packet, handlers, ref lent);
+                    lent = _frames.Lend(packet);
+                    if (lent is TFrame frame)
+                        handler(state, frame);
                 }
                 finally
                 {
@@ -172,26 +154,45 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
         }
     }
 
-    private void Handle<THandlers>(in ReceivedPacket packet, THandlers handlers, ref AvatarFrame? lent)
-        where THandlers : struct, IFrameHandlers
+    /// <summary>Takes the queue off its reader; frames that wait are given up. Any thread, any number of times.</summary>
+    public void Dispose()
     {
-        if (packet.Kind == PacketKind.Motion)
+        if (_disposed)
+            return;
+
+        _disposed = true;
+        _closed(this);
+    }
+
+    // Nothing more is put in, and what waits can still be taken out.
+    internal void CompleteAdding()
+    {
+        _isComplete = true;
+        Changed?.Invoke();
+    }
+
+    void IPacketConsumer.OnPacket(in ReceivedPacket packet)
+    {
+        if (_isComplete || (Only != PacketKind.None && packet.Kind != Only))
+            return;
+
+        if (!_ring.TryEnqueue(packet) && !(_backPressure?.Invoke() == true && TryEnqueueLater(packet)))
+            Volatile.Write(ref _dropped, _dropped + 1);
+
+        Changed?.Invoke();
+    }
+
+    // Looks now and then instead of being woken, so that a live stream's consumer has nobody to wake.
+    private bool TryEnqueueLater(in ReceivedPacket packet)
+    {
+        var wait = new SpinWait();
+        while (!_disposed && _backPressure!())
         {
-            MotionFrame frame = _motion.Lend(packet);
-            lent = frame;
-            handlers.OnMotion(frame);
+            wait.SpinOnce();
+            if (_ring.TryEnqueue(packet))
+                return true;
         }
-        else if (packet.Kind == PacketKind.Calculation)
-        {
-            CalculationFrame frame = _calculation.Lend(packet);
-            lent = frame;
-            handlers.OnCalculation(frame);
-        }
-        else
-        {
-            StudioCalculationFrame frame = _studio.Lend(packet);
-            lent = frame;
-            handlers.OnStudioCalculation(frame);
-        }
+
+        return false;
     }
 }

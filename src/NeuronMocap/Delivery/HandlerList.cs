@@ -1,7 +1,7 @@
 namespace NeuronMocap.Delivery;
 
 // The handlers of one event. Each is called by itself, so that one that throws keeps neither the others nor the caller from going on.
-internal sealed class HandlerList<T>(Action<Exception> failed)
+internal class HandlerList<T>(Action<Exception> failed)
 {
     private readonly object _lock = new();
     private volatile Action<T>[] _handlers = [];

@@ -22,9 +22,9 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
     private readonly FrameFormat _format;
     private readonly Action<LatestFrames> _closed;
     private readonly IDurationRecorder? _handOver;
-    private readonly Slot<MotionFrame>?[] _motion = new Slot<MotionFrame>?[MaxAvatars];
-    private readonly Slot<CalculationFrame>?[] _calculation = new Slot<CalculationFrame>?[MaxAvatars];
-    private readonly Slot<StudioCalculationFrame>?[] _studio = new Slot<StudioCalculationFrame>?[MaxAvatars];
+
+    // Those of one kind after the other.
+    private readonly Slot?[] _slots = new Slot?[((int)PacketKind.StudioCalculation + 1) * MaxAvatars];
     private volatile bool _disposed;
 
     internal LatestFrames(FrameFormat format, Action<LatestFrames> closed, IDurationRecorder? handOver = null)
@@ -41,19 +41,20 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
     /// next returns true for the same avatar; its members then throw. <c>Clone</c> makes one to keep.
     /// </param>
     /// <returns>True when the frame is new since the last call.</returns>
-    public bool TryTakeMotion(int avatar, [NotNullWhen(true)] out MotionFrame? frame) => TryTake(_motion, avatar, out frame);
+    public bool TryTakeMotion(int avatar, [NotNullWhen(true)] out MotionFrame? frame) => TryTake(PacketKind.Motion, avatar, out frame);
 
     /// <summary>Takes the newest calculation frame of an avatar, when there is one that was not taken before.</summary>
     /// <param name="avatar">Number of the avatar, from 0.</param>
     /// <param name="frame">As for <see cref="TryTakeMotion"/>.</param>
     /// <returns>True when the frame is new since the last call.</returns>
-    public bool TryTakeCalculation(int avatar, [NotNullWhen(true)] out CalculationFrame? frame) => TryTake(_calculation, avatar, out frame);
+    public bool TryTakeCalculation(int avatar, [NotNullWhen(true)] out CalculationFrame? frame) => TryTake(PacketKind.Calculation, avatar, out frame);
 
     /// <summary>Takes the newest of an avatar's Axis Studio calculation frames, when there is one that was not taken before.</summary>
     /// <param name="avatar">Number of the avatar, from 0.</param>
     /// <param name="frame">As for <see cref="TryTakeMotion"/>.</param>
     /// <returns>True when the frame is new since the last call.</returns>
-    public bool TryTakeStudioCalculation(int avatar, [NotNullWhen(true)] out StudioCalculationFrame? frame) => TryTake(_studio, avatar, out frame);
+    public bool TryTakeStudioCalculation(int avatar, [NotNullWhen(true)] out StudioCalculationFrame? frame) =>
+        TryTake(PacketKind.StudioCalculation, avatar, out frame);
 
     /// <summary>Takes this view off its reader. Any thread, any number of times.</summary>
     public void Dispose()
@@ -67,60 +68,52 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
 
     void IPacketConsumer.OnPacket(in ReceivedPacket packet)
     {
-        if (packet.Kind == PacketKind.Motion)
-            Publish(_motion, MotionHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static format => new LentFrames<MotionFrame>(() => new MotionFrame(format), LentFrames<MotionFrame>.OfTakers));
-        else if (packet.Kind == PacketKind.Calculation)
-            Publish(_calculation, CalculationHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static _ => new LentFrames<CalculationFrame>(static () => new CalculationFrame(), LentFrames<CalculationFrame>.OfTakers));
-        else
-            Publish(_studio, StudioCalculationHeader.ReadAvatarIndex(packet.Bytes), packet, _format, static _ => new LentFrames<StudioCalculationFrame>(static () => new StudioCalculationFrame(), LentFrames<StudioCalculationFrame>.OfTakers));
-    }
-
-    private static void Publish<TFrame>(
-        Slot<TFrame>?[] slots, uint avatar, in ReceivedPacket packet, FrameFormat format, Func<FrameFormat, LentFrames<TFrame>> create)
-        where TFrame : AvatarFrame
-    {
+        uint avatar = packet.AvatarIndex;
         if (avatar >= MaxAvatars)
             return;
 
-        Slot<TFrame>? slot = slots[avatar];
-        if (slot is null)
+        ref Slot? place = ref _slots[PlaceOf(packet.Kind, (int)avatar)];
+        if (place is { } slot)
         {
-            slot = new Slot<TFrame>(create(format), packet.Length);
             slot.Newest.Publish(packet);
-            Volatile.Write(ref slots[avatar], slot);
             return;
         }
 
+        slot = new Slot(_format, packet.Length);
         slot.Newest.Publish(packet);
+        Volatile.Write(ref place, slot);
     }
 
-    private bool TryTake<TFrame>(Slot<TFrame>?[] slots, int avatar, [NotNullWhen(true)] out TFrame? frame)
+    private static int PlaceOf(PacketKind kind, int avatar) => ((int)kind * MaxAvatars) + avatar;
+
+    private bool TryTake<TFrame>(PacketKind kind, int avatar, [NotNullWhen(true)] out TFrame? frame)
         where TFrame : AvatarFrame
     {
-        Slot<TFrame>? slot = (uint)avatar < MaxAvatars ? Volatile.Read(ref slots[avatar]) : null;
-        frame = slot?.Frame;
+        Slot? slot = (uint)avatar < MaxAvatars ? Volatile.Read(ref _slots[PlaceOf(kind, avatar)]) : null;
+        frame = (TFrame?)slot?.Frame;
         if (slot is null || !slot.Newest.TryTake(out ReceivedPacket packet))
             return false;
 
         if (_handOver is { IsEnabled: true })
             _handOver.Record(packet.Kind, Stopwatch.GetTimestamp() - packet.Timestamp);
 
-        frame = slot.Show(packet);
+        frame = (TFrame)slot.Show(packet);
         return true;
     }
 
-    private sealed class Slot<TFrame>(LentFrames<TFrame> frames, int packetSize)
-        where TFrame : AvatarFrame
+    private sealed class Slot(FrameFormat format, int packetSize)
     {
+        private readonly LentFrames _frames = new(format, LentFrames.OfTakers);
+
         // The consumer's; it borrows the slot that the consumer holds.
-        public TFrame? Frame { get; private set; }
+        public AvatarFrame? Frame { get; private set; }
 
         public NewestPacket Newest { get; } = new(packetSize);
 
-        public TFrame Show(in ReceivedPacket packet)
+        public AvatarFrame Show(in ReceivedPacket packet)
         {
             Frame?.Expire();
-            return Frame = frames.Lend(packet);
+            return Frame = _frames.Lend(packet);
         }
     }
 }

@@ -14,13 +14,13 @@ internal sealed class NewestPacket(int slotSize)
     private const int Fresh = 4;
     private const int IndexMask = 3;
 
-    private readonly PacketSlot[] _slots = [new(slotSize), new(slotSize), new(slotSize)];
+    private readonly PacketSlots _slots = new(3, slotSize);
     private Owners _owners = new() { Producers = 0, Shared = 1, Consumers = 2 };
 
     // Producer.
     public void Publish(in ReceivedPacket packet)
     {
-        _slots[_owners.Producers].Store(packet);
+        _slots.Store(_owners.Producers, packet);
         _owners.Producers = Interlocked.Exchange(ref _owners.Shared, _owners.Producers | Fresh) & IndexMask;
     }
 
@@ -34,7 +34,7 @@ internal sealed class NewestPacket(int slotSize)
         }
 
         _owners.Consumers = Interlocked.Exchange(ref _owners.Shared, _owners.Consumers) & IndexMask;
-        packet = _slots[_owners.Consumers].Packet;
+        packet = _slots[_owners.Consumers];
         return true;
     }
 

@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
@@ -24,24 +23,11 @@ internal sealed class PacketDispatcher(StreamCounters counters)
     // Commands, which are not for consumers of frames, and packets of no values are only counted.
     public void Dispatch(in ReceivedPacket packet)
     {
-        Count(packet);
+        counters.Count(packet);
         if (!packet.IsFrame)
             return;
 
         foreach (IPacketConsumer consumer in _consumers)
             consumer.OnPacket(packet);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Count(in ReceivedPacket packet)
-    {
-        if (packet.Kind == PacketKind.Command)
-            counters.CountCommand(packet.Length);
-        else if (!packet.IsFrame)
-            counters.CountEmpty(packet.Length);
-        else if (packet.Kind == PacketKind.Motion)
-            counters.CountMotion(packet);
-        else
-            counters.CountCalculation(packet);
     }
 }

@@ -13,10 +13,7 @@ namespace NeuronMocap.Delivery;
 // the other's, so that the two cores do not fight over a cache line (or over a pair of them, where the processor fetches pairs).
 internal sealed class PacketRing
 {
-    // One piece of memory, so that the processor, which sees it filled and read from one end to the other, fetches ahead.
-    private readonly byte[] _bytes;
-    private readonly Entry[] _entries;
-    private readonly int _slotSize;
+    private readonly PacketSlots _slots;
     private readonly int _mask;
     private Indices _indices;
 
@@ -28,13 +25,11 @@ internal sealed class PacketRing
             size *= 2;
 
         _mask = size - 1;
-        _slotSize = slotSize;
-        _bytes = new byte[size * slotSize];
-        _entries = new Entry[size];
+        _slots = new PacketSlots(size, slotSize);
         _indices.Tail = _indices.ProducersHead = _indices.Head = _indices.ConsumersTail = firstIndex;
     }
 
-    public int Capacity => _entries.Length;
+    public int Capacity => _slots.Count;
 
     // Any thread; exact only when both sides are still. The head first: it never overtakes a tail that is read after it.
     public int Count
@@ -42,7 +37,7 @@ internal sealed class PacketRing
         get
         {
             int head = Volatile.Read(ref _indices.Head);
-            return Math.Min(Volatile.Read(ref _indices.Tail) - head, _entries.Length);
+            return Math.Min(Volatile.Read(ref _indices.Tail) - head, _slots.Count);
         }
     }
 
@@ -50,14 +45,14 @@ internal sealed class PacketRing
     public bool TryEnqueue(in ReceivedPacket packet)
     {
         int tail = _indices.Tail;
-        if (tail - _indices.ProducersHead == _entries.Length)
+        if (tail - _indices.ProducersHead == _slots.Count)
         {
             _indices.ProducersHead = Volatile.Read(ref _indices.Head);
-            if (tail - _indices.ProducersHead == _entries.Length)
+            if (tail - _indices.ProducersHead == _slots.Count)
                 return false;
         }
 
-        Store(tail & _mask, packet);
+        _slots.Store(tail & _mask, packet);
         Volatile.Write(ref _indices.Tail, tail + 1);
         return true;
     }
@@ -76,48 +71,18 @@ internal sealed class PacketRing
             }
         }
 
-        packet = Load(head & _mask);
+        packet = _slots[head & _mask];
         return true;
     }
 
+    // Packets that the consumer was done with so far. Any thread.
+    public long Released => Volatile.Read(ref _indices.Released);
+
     // Consumer, once after each successful TryPeek.
-    public void Release() => Volatile.Write(ref _indices.Head, _indices.Head + 1);
-
-    private void Store(int slot, in ReceivedPacket packet)
+    public void Release()
     {
-        ref Entry entry = ref _entries[slot];
-        entry.Kind = packet.Kind;
-        entry.Length = packet.Length;
-        entry.Timestamp = packet.Timestamp;
-        entry.Origin = packet.Origin;
-        if (packet.Length <= _slotSize)
-        {
-            packet.Bytes.CopyTo(_bytes.AsSpan(slot * _slotSize, _slotSize));
-            return;
-        }
-
-        if (entry.Large is null || entry.Large.Length < packet.Length)
-            entry.Large = new byte[packet.Length];
-
-        packet.Bytes.CopyTo(entry.Large);
-    }
-
-    private ReceivedPacket Load(int slot)
-    {
-        ref Entry entry = ref _entries[slot];
-        return entry.Length <= _slotSize
-            ? new ReceivedPacket(entry.Kind, _bytes, slot * _slotSize, entry.Length, entry.Timestamp, entry.Origin)
-            : new ReceivedPacket(entry.Kind, entry.Large!, 0, entry.Length, entry.Timestamp, entry.Origin);
-    }
-
-    // What a slot holds. A packet that is larger than a slot lies in memory of its own, which stays for the next one.
-    private struct Entry
-    {
-        public PacketKind Kind;
-        public int Length;
-        public int Origin;
-        public long Timestamp;
-        public byte[]? Large;
+        Volatile.Write(ref _indices.Released, _indices.Released + 1);
+        Volatile.Write(ref _indices.Head, _indices.Head + 1);
     }
 
     [StructLayout(LayoutKind.Explicit, Size = 384)]
@@ -134,5 +99,8 @@ internal sealed class PacketRing
 
         [FieldOffset(260)]
         public int ConsumersTail;
+
+        [FieldOffset(264)]
+        public long Released;
     }
 }

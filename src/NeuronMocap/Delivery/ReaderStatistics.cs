@@ -2,11 +2,21 @@ using System.Diagnostics;
 
 namespace NeuronMocap;
 
-/// <summary>What a reader received since it was made, at the moment of asking. Each figure is exact; together they may be an instant apart.</summary>
+/// <summary>
+/// What a reader received since it was made, at the moment of asking. Each figure is exact; together they may be an instant apart.
+/// <para>
+/// Every packet has one fate: <see cref="PacketsReceived"/> is the sum of the three kinds of frames, <see cref="CommandPackets"/>,
+/// <see cref="EmptyPackets"/> and <see cref="Undelivered"/>. A frame that is delivered goes to every consumer. A queue that gets all frames takes each of them:
+/// <see cref="FrameQueue.Delivered"/>, <see cref="FrameQueue.Dropped"/> and <see cref="FrameQueue.Count"/> make up the sum of the three kinds.
+/// </para>
+/// </summary>
 public readonly record struct ReaderStatistics
 {
     /// <summary>Bytes of the stream that are accounted for: delivered or skipped. A packet that is not yet whole is not in it.</summary>
     public long BytesReceived { get; init; }
+
+    /// <summary>Whole packets found in the stream, whatever became of them. Packets that are not accepted are <see cref="SkippedBytes"/> instead.</summary>
+    public long PacketsReceived => MotionFrames + CalculationFrames + StudioCalculationFrames + CommandPackets + EmptyPackets + Undelivered;
 
     /// <summary>Motion frames delivered.</summary>
     public long MotionFrames { get; init; }
@@ -48,8 +58,8 @@ public readonly record struct ReaderStatistics
     public long Dropped { get; init; }
 
     /// <summary>
-    /// Frames that had arrived when the reader was stopped, and were not delivered any more. Over UDP, datagrams of a server that restarted less than a second
-    /// before are among them. Other figures do not count them; a recording holds them.
+    /// Packets that had arrived when the reader was stopped, and were not delivered any more. Over UDP, datagrams of a server that restarted less than a second
+    /// before are among them. Of the other figures only <see cref="PacketsReceived"/> counts them; a recording holds them.
     /// </summary>
     public long Undelivered { get; init; }
 

@@ -56,7 +56,7 @@ internal static class AlternativePortScan
         LinkEnd end = await link.OpenAsync(limit.Token).ConfigureAwait(false);
         if (end.Reason == ConnectionReason.None && !limit.IsCancellationRequested)
         {
-            Task receiving = link.ReceiveAsync(sample);
+            Task receiving = link.ReceiveAsync(sample, listener: null);
             await WaitForFrameAsync(task, sample, receiving, limit).ConfigureAwait(false);
             link.Close();
             await receiving.ConfigureAwait(false);

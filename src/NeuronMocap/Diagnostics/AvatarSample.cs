@@ -1,11 +1,11 @@
 using System.Diagnostics;
-using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Diagnostics;
 
 // The frames of one kind of one avatar of one sender while a diagnosis looks. Receive loop only; read when that has ended.
-internal sealed class AvatarSample(PacketKind kind, int source, uint index)
+internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
 {
     // With fewer frames neither a rate nor a standstill means anything.
     private const int FewestFrames = 5;
@@ -24,7 +24,7 @@ internal sealed class AvatarSample(PacketKind kind, int source, uint index)
 
     public PacketKind Kind => kind;
 
-    public int Source => source;
+    public int Sender => sender;
 
     public uint Index => index;
 

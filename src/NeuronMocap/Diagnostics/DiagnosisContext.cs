@@ -23,7 +23,7 @@ internal sealed record DiagnosisPace
 }
 
 // What an examination has to know: what to look for, how long, and where to tell.
-internal sealed class DiagnosisContext(LinkOptions link, DiagnosisOptions options, StepLog log, CancellationToken stop)
+internal sealed class DiagnosisContext(LinkOptions link, DiagnosisOptions options, StepLog log, CancellationToken cancellationToken)
 {
     private readonly Stopwatch _watch = Stopwatch.StartNew();
 
@@ -37,7 +37,7 @@ internal sealed class DiagnosisContext(LinkOptions link, DiagnosisOptions option
 
     public StepLog Log => log;
 
-    public CancellationToken Stop => stop;
+    public CancellationToken Stop => cancellationToken;
 
     public TimeSpan Elapsed => _watch.Elapsed;
 
@@ -51,9 +51,9 @@ internal sealed class DiagnosisContext(LinkOptions link, DiagnosisOptions option
     // Until one of the tasks ends or the time is over; throws when the caller has stopped the diagnosis.
     public async Task WaitAsync(TimeSpan time, params Task[] tasks)
     {
-        using var limit = CancellationTokenSource.CreateLinkedTokenSource(stop);
+        using var limit = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
         await Task.WhenAny([.. tasks, Task.Delay(time, limit.Token)]).ConfigureAwait(false);
         limit.Cancel();
-        stop.ThrowIfCancellationRequested();
+        cancellationToken.ThrowIfCancellationRequested();
     }
 }

@@ -35,11 +35,11 @@ internal static class ServerQuestion
         return sample;
     }
 
-    private static async Task<byte[]> ExchangeAsync(IPEndPoint server, byte[] question, TimeSpan time, CancellationToken stop)
+    private static async Task<byte[]> ExchangeAsync(IPEndPoint server, byte[] question, TimeSpan time, CancellationToken cancellationToken)
     {
         byte[] answer = new byte[256];
         int length = 0;
-        using var limit = CancellationTokenSource.CreateLinkedTokenSource(stop);
+        using var limit = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
         limit.CancelAfter(time);
         using var socket = new Socket(server.AddressFamily, SocketType.Stream, ProtocolType.Tcp);
         using CancellationTokenRegistration closing = limit.Token.Register(socket.Dispose);

@@ -1,4 +1,3 @@
-
 namespace NeuronMocap.Diagnostics;
 
 // Judges what arrived: token, version, format, rate.
@@ -125,7 +124,7 @@ internal static class StreamExamination
                 "Connect to the server itself, without a program in between, and over UDP let only one program send to the port."));
         }
 
-        int senders = avatars.Select(static avatar => avatar.Source).Distinct().Count();
+        int senders = avatars.Select(static avatar => avatar.Sender).Distinct().Count();
         if (senders > 1)
         {
             verdicts.Add(new ExplainedVerdict(

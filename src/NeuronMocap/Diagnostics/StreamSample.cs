@@ -16,10 +16,8 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
 
     private readonly TaskCompletionSource<bool> _started = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private readonly TaskCompletionSource<bool> _wantedFrame = new(TaskCreationOptions.RunContinuationsAsynchronously);
-    private readonly Dictionary<(PacketKind Kind, int Source, uint Avatar), AvatarSample> _avatars = [];
+    private readonly Dictionary<(PacketKind Kind, int Sender, uint Avatar), AvatarSample> _avatars = [];
     private readonly Dictionary<SkipReason, (long Bytes, List<byte> Start)> _skipped = [];
-
-    public StreamTap? Tap => null;
 
     // The first bytes have come; those that may begin a packet count when the rest of it is there.
     public Task Started => _started.Task;
@@ -55,14 +53,6 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
     // The skipped bytes as text, where they are text.
     public string? Quote() => BannerText.Of(Largest.Value.Start is { } start ? start.ToArray() : []);
 
-    public void OnLinkOpened()
-    {
-    }
-
-    public void OnLinkClosed()
-    {
-    }
-
     public void OnPacket(in ReceivedPacket packet)
     {
         if (!packet.IsText)
@@ -77,10 +67,7 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
         if (!packet.IsFrame)
             return;
 
-        uint index = packet.Kind == PacketKind.Motion
-            ? MotionHeader.ReadAvatarIndex(packet.Bytes)
-            : CalculationHeader.ReadAvatarIndex(packet.Bytes);
-        if (Find(packet.Kind, packet.Source, index) is { } avatar)
+        if (Find(packet.Kind, packet.Sender, packet.AvatarIndex) is { } avatar)
             avatar.OnFrame(packet);
         if (packet.Kind == wanted)
             _wantedFrame.TrySetResult(true);
@@ -118,15 +105,15 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
         _started.TrySetResult(true);
     }
 
-    private AvatarSample? Find(PacketKind kind, int source, uint index)
+    private AvatarSample? Find(PacketKind kind, int sender, uint index)
     {
-        if (_avatars.TryGetValue((kind, source, index), out AvatarSample? avatar))
+        if (_avatars.TryGetValue((kind, sender, index), out AvatarSample? avatar))
             return avatar;
         if (_avatars.Count >= MaxAvatars)
             return null;
 
-        avatar = new AvatarSample(kind, source, index);
-        _avatars.Add((kind, source, index), avatar);
+        avatar = new AvatarSample(kind, sender, index);
+        _avatars.Add((kind, sender, index), avatar);
         return avatar;
     }
 }

@@ -140,7 +140,7 @@ internal sealed class TcpExamination(DiagnosisContext task)
     private async Task<Conclusion> ListenAsync(TcpLink link, IPAddress address)
     {
         var sample = new StreamSample(task.Wanted);
-        Task<LinkEnd> receiving = link.ReceiveAsync(sample);
+        Task<LinkEnd> receiving = link.ReceiveAsync(sample, listener: null);
         TimeSpan silence = task.Share(task.Pace.Silence);
         await task.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
         if (sample.Started.IsCompleted)

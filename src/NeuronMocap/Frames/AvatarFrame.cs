@@ -52,9 +52,13 @@ public abstract class AvatarFrame
     /// Which server the frame came from: over UDP, 0 for the first one that sent, 1 for the next one; always 0 over TCP.
     /// Two servers may use the same <see cref="AvatarIndex"/>. A server keeps its number when it restarts on another port of the same address.
     /// </summary>
-    public int Source => _data.WhileValid(PacketOrigin.SourceOf(Origin));
+    public int Sender => _data.WhileValid(PacketOrigin.SenderOf(Origin));
 
-    // The source, and which sender of it: another one may count its frames from anywhere.
+    /// <summary>Makes a copy that owns its memory and stays valid.</summary>
+    /// <returns>A frame of the same kind, equal to this one, time of receipt included.</returns>
+    public AvatarFrame Clone() => CreateClone();
+
+    // The sender, and which run of it: another run may count its frames from anywhere.
     internal int Origin { get; private protected set; }
 
     // Header and values. Of a line of text, what TextLine made of it.
@@ -74,6 +78,8 @@ public abstract class AvatarFrame
     // When whoever the frame was lent to has had it.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void Expire() => _data.Expire();
+
+    private protected abstract AvatarFrame CreateClone();
 
     // Header fields are read when asked for: most handlers need few of them.
     private protected virtual void OnData()

@@ -122,12 +122,14 @@ public sealed class CalculationFrame : AvatarFrame
 
     /// <summary>Makes a copy that owns its memory and stays valid.</summary>
     /// <returns>A frame equal to this one, time of receipt included.</returns>
-    public CalculationFrame Clone()
+    public new CalculationFrame Clone()
     {
         var clone = new CalculationFrame();
         clone.CopyFrom(this);
         return clone;
     }
+
+    private protected override AvatarFrame CreateClone() => Clone();
 
     private Vector3 ReadVector(Bone bone, int field)
     {

@@ -156,13 +156,15 @@ public sealed class MotionFrame : AvatarFrame
 
     /// <summary>Makes a copy that owns its memory and stays valid.</summary>
     /// <returns>A frame equal to this one, time of receipt included.</returns>
-    public MotionFrame Clone()
+    public new MotionFrame Clone()
     {
         var clone = new MotionFrame(_source);
         clone.CopyFrom(this);
         clone._format = _format;
         return clone;
     }
+
+    private protected override AvatarFrame CreateClone() => Clone();
 
     private protected override void OnData()
     {

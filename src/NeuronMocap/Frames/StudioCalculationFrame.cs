@@ -108,12 +108,14 @@ public sealed class StudioCalculationFrame : AvatarFrame
 
     /// <summary>Makes a copy that owns its memory and stays valid.</summary>
     /// <returns>A frame equal to this one, time of receipt included.</returns>
-    public StudioCalculationFrame Clone()
+    public new StudioCalculationFrame Clone()
     {
         var clone = new StudioCalculationFrame();
         clone.CopyFrom(this);
         return clone;
     }
+
+    private protected override AvatarFrame CreateClone() => Clone();
 
     private protected override void OnData()
     {

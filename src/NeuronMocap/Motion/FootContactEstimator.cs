@@ -5,11 +5,11 @@ namespace NeuronMocap.Motion;
 
 /// <summary>
 /// Which feet stand on the ground, frame by frame: for live use. What calculation data says is taken as it is; where there is none, it is
-/// estimated from the motion. For a whole take, <see cref="FootTrack"/> knows more: it sees what comes. Allocates nothing. Not thread-safe.
+/// estimated from the motion. For a whole take, <see cref="FootContactTrack"/> knows more: it sees what comes. Allocates nothing. Not thread-safe.
 /// </summary>
 public sealed class FootContactEstimator
 {
-    private readonly GroundHeight _ground = new();
+    private readonly GroundEstimator _ground = new();
 
     private FootSample _before;
     private double _time = double.NaN;

@@ -16,7 +16,7 @@ public sealed class PoseBuffer
 {
     private readonly double _delay;
     private readonly PoseRing _ring;
-    private readonly ArrivalClock _clock = new();
+    private readonly SenderClock _clock = new();
     private readonly PoseTimeline _timeline;
 
     private long _dropped;

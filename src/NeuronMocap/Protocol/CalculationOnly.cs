@@ -3,12 +3,6 @@ namespace NeuronMocap.Protocol;
 // In front of who receives from a calculation port: motion that comes there too would be that of the first connection once more.
 internal sealed class CalculationOnly(IPacketReceiver receiver) : IPacketReceiver
 {
-    public StreamTap? Tap => receiver.Tap;
-
-    public void OnLinkOpened() => receiver.OnLinkOpened();
-
-    public void OnLinkClosed() => receiver.OnLinkClosed();
-
     // The bytes of a line were told before it.
     public void OnPacket(in ReceivedPacket packet)
     {

@@ -25,13 +25,17 @@ internal readonly struct ReceivedPacket(PacketKind kind, byte[] array, int offse
     // See PacketOrigin.
     public readonly int Origin = origin;
 
-    public int Source => PacketOrigin.SourceOf(Origin);
+    public int Sender => PacketOrigin.SenderOf(Origin);
 
     public ReadOnlySpan<byte> Bytes
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get => Array.AsSpan(Offset, Length);
     }
+
+    // Of frames. Calculation packets of either kind have it in the same place.
+    public uint AvatarIndex =>
+        Kind == PacketKind.Motion ? MotionHeader.ReadAvatarIndex(Bytes) : CalculationHeader.ReadAvatarIndex(Bytes);
 
     // Whether it came as a line of text: the bytes are then what TextLine made of it, and lack the second token of what comes off the wire.
     public bool IsText => TextLine.IsImage(Bytes);

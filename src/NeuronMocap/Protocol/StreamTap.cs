@@ -6,11 +6,11 @@ namespace NeuronMocap.Protocol;
 //
 // Opening, pieces and closing come one after the other, on threads that hand over to each other. A listener may come and go on any thread in
 // between: the lock makes it see a connection either as one that stands already or as one that opens. Where a reader has two connections, each has a
-// tap of its own; they share listeners, and the gate of the reader keeps their threads apart. Handlers hold the gate when they add a listener, so it
-// is always taken before the lock.
+// tap of its own; they share listeners, and the receive lock of the reader keeps their threads apart. Handlers hold it when they add a listener, so
+// it is always taken before the lock.
 internal sealed class StreamTap
 {
-    private readonly object? _gate;
+    private readonly object? _receiveLock;
     private readonly StreamTap _first;
     private readonly bool _isCalculation;
 
@@ -22,16 +22,16 @@ internal sealed class StreamTap
 
     private volatile StreamConnection? _open;
 
-    public StreamTap(object? gate = null)
+    public StreamTap(object? receiveLock = null)
     {
-        _gate = gate;
+        _receiveLock = receiveLock;
         _first = this;
         _taps.Add(this);
     }
 
     private StreamTap(StreamTap first)
     {
-        _gate = first._gate;
+        _receiveLock = first._receiveLock;
         _first = first;
         _isCalculation = true;
         first._taps.Add(this);
@@ -49,19 +49,19 @@ internal sealed class StreamTap
         if (_first._listeners is not { } listeners)
             return;
 
-        if (_gate is null)
+        if (_receiveLock is null)
         {
             Tell(listeners, number, sender, bytes, timestamp);
             return;
         }
 
-        lock (_gate)
+        lock (_receiveLock)
             Tell(listeners, number, sender, bytes, timestamp);
     }
 
     public void Open(bool isDatagrams, EndPoint? local, EndPoint? remote, long timestamp)
     {
-        lock (_gate ?? _first._lock)
+        lock (_receiveLock ?? _first._lock)
         {
             lock (_first._lock)
             {
@@ -75,7 +75,7 @@ internal sealed class StreamTap
     // Of a connection that never came to stand, nothing is told.
     public void Close(string reason, long timestamp)
     {
-        lock (_gate ?? _first._lock)
+        lock (_receiveLock ?? _first._lock)
         {
             lock (_first._lock)
             {

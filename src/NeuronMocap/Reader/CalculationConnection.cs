@@ -10,7 +10,7 @@ internal sealed class CalculationConnection
     private readonly StatusBoard _status;
     private readonly LinkActivity _activity;
     private readonly ConnectionSupervisor _supervisor;
-    private readonly IPacketReceiver _intake;
+    private readonly CalculationIntake _intake;
 
     public CalculationConnection(
         NeuronReaderOptions options, FrameFormat format, ReceivePipeline pipeline, SenderFilter? udpSenders, Func<Link> createLink, Action<ConnectionStatus> changed)
@@ -19,18 +19,18 @@ internal sealed class CalculationConnection
         _status = new StatusBoard(changed);
         _activity = new LinkActivity(_status, options.SilenceTimeout, udpSenders, recognizer.Describe);
         _supervisor = new ConnectionSupervisor(createLink, options.Reconnect, _status, _activity, new Random().NextDouble);
-        _intake = new CalculationOnly(new CalculationIntake(pipeline, recognizer, _activity, pipeline.Tap!.AddCalculation()));
+        _intake = new CalculationIntake(pipeline, recognizer, _activity, pipeline.Tap.AddCalculation());
     }
 
     public ConnectionStatus Status => _status.Current;
 
     // Completes when stopped or, with reconnecting off, after the first link.
-    public async Task RunAsync(CancellationToken stop)
+    public async Task RunAsync(CancellationToken cancellationToken)
     {
         ConnectionStatus last;
         try
         {
-            last = await _supervisor.RunAsync(_intake, stop).ConfigureAwait(false);
+            last = await _supervisor.RunAsync(new CalculationOnly(_intake), _intake, cancellationToken).ConfigureAwait(false);
         }
         catch (Exception exception)
         {

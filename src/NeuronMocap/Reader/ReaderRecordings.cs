@@ -16,9 +16,9 @@ internal sealed class ReaderRecordings
     private RecordingMetadata _metadata;
     private bool _ended;
 
-    public ReaderRecordings(NeuronReaderOptions options, string name, object? gate = null)
+    public ReaderRecordings(NeuronReaderOptions options, string name, object? receiveLock = null)
     {
-        Tap = new StreamTap(gate);
+        Tap = new StreamTap(receiveLock);
         _patience = options.StopTimeout / 2;
         _metadata = new RecordingMetadata()
             .With(RecordingMetadata.Program, DescribeProgram())

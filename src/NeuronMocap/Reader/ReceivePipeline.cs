@@ -10,7 +10,7 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Reader;
 
 // What happens to a packet between the receive thread and the consumers, and who the consumers are.
-internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
+internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderFigures
 {
     private const string StreamName = "stream";
 
@@ -24,16 +24,10 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     private readonly Func<bool>? _backPressure;
 
     // Of a reader with two connections, whose threads take turns from here on: everything behind has one producer. Null for one connection.
-    private readonly object? _gate;
+    private readonly object? _receiveLock;
     private readonly StreamCounters _counters;
     private readonly PacketDispatcher _dispatcher;
     private readonly object _lock = new();
-    private readonly List<FrameQueue> _queues = [];
-    private readonly List<FrameStream> _streams = [];
-    private readonly Dictionary<string, long> _droppedByClosedQueues = new(StringComparer.Ordinal);
-    private long _callbackFailures;
-    private long _undelivered;
-    private bool _ended;
     private volatile bool _stopped;
 
     public ReceivePipeline(
@@ -47,9 +41,9 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         ReaderRecordings recordings,
         Action<Exception> callbackFailed,
         Func<bool>? backPressure = null,
-        object? gate = null)
+        object? receiveLock = null)
     {
-        _gate = gate;
+        _receiveLock = receiveLock;
         _recordings = recordings;
         _format = format;
         _recognizer = recognizer;
@@ -70,7 +64,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
 
     public long UnsettledLoss => _counters.Trackers.Sum(static tracker => tracker.Index.Unsettled);
 
-    public StreamTap? Tap => _recordings.Tap;
+    public StreamTap Tap => _recordings.Tap;
 
     public IReadOnlyList<IFileOutput> Outputs => _recordings.All;
 
@@ -85,11 +79,11 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     {
         if (_stopped)
         {
-            CountUndelivered(packet);
+            _counters.CountUndelivered();
             return;
         }
 
-        if (_gate is null)
+        if (_receiveLock is null)
             DeliveringThread = Environment.CurrentManagedThreadId;
 
         bool isNews = packet.IsFrame && _recognizer.OnFrame(packet);
@@ -99,7 +93,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
             if (isNews)
                 _activity.Redescribe(packet.Timestamp);
 
-            if (_gate is null)
+            if (_receiveLock is null)
                 Dispatch(packet);
             else
                 DeliverInTurn(packet);
@@ -107,7 +101,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         finally
         {
             _activity.EndDelivery();
-            if (_gate is null)
+            if (_receiveLock is null)
                 DeliveringThread = 0;
         }
     }
@@ -115,11 +109,11 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
     // Of either of two connections.
     public void DeliverInTurn(in ReceivedPacket packet)
     {
-        lock (_gate!)
+        lock (_receiveLock!)
         {
             if (_stopped)
             {
-                CountUndelivered(packet);
+                _counters.CountUndelivered();
                 return;
             }
 
@@ -152,26 +146,26 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         if (_stopped)
             return;
 
-        if (_gate is null)
+        if (_receiveLock is null)
         {
             _counters.CountText(bytes);
             return;
         }
 
-        lock (_gate)
+        lock (_receiveLock)
             _counters.CountText(bytes);
     }
 
     // Of either connection.
     public void CountSkipped(int bytes, SkipReason reason)
     {
-        if (_gate is null)
+        if (_receiveLock is null)
         {
             _counters.CountSkipped(bytes, reason);
             return;
         }
 
-        lock (_gate)
+        lock (_receiveLock)
             _counters.CountSkipped(bytes, reason);
     }
 
@@ -186,34 +180,22 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
 
     public void OnLinkClosed() => Commands.OnLinkClosed();
 
-    // From here on nothing is delivered, even where the receive thread still holds bytes; frames are counted.
+    // From here on nothing is delivered, even where the receive thread still holds bytes; packets are counted.
     public void Stop() => _stopped = true;
 
     // No more packets will come.
-    public void End()
-    {
-        lock (_lock)
-        {
-            _ended = true;
-            foreach (FrameStream stream in _streams)
-                stream.End();
-        }
-    }
+    public void End() => _counters.Queues.CompleteAdding();
 
-    public FrameQueue OpenQueue(int capacity, string name)
-    {
-        var queue = new FrameQueue(capacity, _format, closed => Close(closed, closed), name, _metrics.HandOver(name), _backPressure);
-        Open(queue, queue);
-        return queue;
-    }
+    public FrameQueue OpenQueue(int capacity, string name) => Open(CreateQueue(capacity, name, PacketKind.None, _backPressure));
 
-    public FrameQueue OpenMotionQueue(int capacity, string name, out MotionOnlyConsumer intake)
+    public FrameQueue OpenMotionQueue(int capacity, string name) => Open(CreateQueue(capacity, name, PacketKind.Motion, backPressure: null));
+
+    public FrameStream OpenStream(PacketKind kind)
     {
-        MotionOnlyConsumer? consumer = null;
-        var queue = new FrameQueue(capacity, _format, closed => Close(closed, consumer!), name, _metrics.HandOver(name));
-        intake = consumer = new MotionOnlyConsumer(queue);
-        Open(queue, consumer);
-        return queue;
+        FrameQueue queue = CreateQueue(FrameQueue.DefaultCapacity, StreamName, kind, _backPressure);
+        var stream = new FrameStream(queue);
+        Open(queue);
+        return stream;
     }
 
     public LatestFrames OpenLatest()
@@ -223,59 +205,17 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
         return latest;
     }
 
-    public FrameStream OpenStream(PacketKind kind, out FrameQueue queue)
-    {
-        FrameStream? stream = null;
-        queue = new FrameQueue(
-            FrameQueue.DefaultCapacity, _format, closed => Close(closed, stream!), StreamName, _metrics.HandOver(StreamName), _backPressure);
-        stream = new FrameStream(queue, kind);
-        Open(queue, stream);
-        return stream;
-    }
-
-    public ReaderStatistics GetStatistics()
-    {
-        lock (_lock)
-        {
-            long dropped = 0;
-            foreach (long closed in _droppedByClosedQueues.Values)
-                dropped += closed;
-            foreach (FrameQueue queue in _queues)
-                dropped += queue.Dropped;
-
-            return _counters.Snapshot() with
-            {
-                Dropped = dropped,
-                RefusedDatagrams = _senders.RefusedDatagrams,
-                Undelivered = Interlocked.Read(ref _undelivered),
-                CallbackFailures = Volatile.Read(ref _callbackFailures),
-            };
-        }
-    }
+    public ReaderStatistics GetStatistics() => _counters.Snapshot() with { RefusedDatagrams = _senders.RefusedDatagrams };
 
     public IReadOnlyList<AvatarStatistics> GetAvatarStatistics() => [.. _counters.Trackers.Select(static tracker => tracker.Snapshot)];
 
-    public IReadOnlyList<ConsumerStatistics> GetConsumers()
-    {
-        lock (_lock)
-        {
-            ILookup<string, FrameQueue> open = _queues.ToLookup(static queue => queue.Name, StringComparer.Ordinal);
-            return
-            [
-                .. _droppedByClosedQueues.Keys.Union(open.Select(static group => group.Key), StringComparer.Ordinal)
-                    .Select(name => new ConsumerStatistics(
-                        name,
-                        _droppedByClosedQueues.GetValueOrDefault(name) + open[name].Sum(static queue => queue.Dropped),
-                        open[name].Sum(static queue => queue.Count))),
-            ];
-        }
-    }
+    public IReadOnlyList<ConsumerStatistics> GetConsumers() => _counters.Queues.Snapshot();
 
     public void Forget(IFileOutput output) => _recordings.Forget(output);
 
     public long GetSkipped(SkipReason reason) => _counters.GetSkipped(reason);
 
-    public void CountCallbackFailure() => Interlocked.Increment(ref _callbackFailures);
+    public void CountCallbackFailure() => _counters.CountCallbackFailure();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Dispatch(in ReceivedPacket packet)
@@ -285,45 +225,26 @@ internal sealed class ReceivePipeline : IPacketReceiver, IReaderFigures
             Commands.OnPacket(packet);
     }
 
-    // Of either connection, without turns.
-    private void CountUndelivered(in ReceivedPacket packet)
-    {
-        if (packet.IsFrame)
-            Interlocked.Increment(ref _undelivered);
-    }
-
     // Nobody else counts while a connection is opened, but a second one does.
     private void Resume(bool isCalculation)
     {
-        lock (_gate ?? _lock)
+        lock (_receiveLock ?? _lock)
             _counters.Resume(isCalculation);
     }
 
-    private void Open(FrameQueue queue, IPacketConsumer consumer)
-    {
-        lock (_lock)
-        {
-            _queues.Add(queue);
-            if (consumer is FrameStream stream)
-            {
-                _streams.Add(stream);
-                if (_ended)
-                    stream.End();
-            }
-        }
+    private FrameQueue CreateQueue(int capacity, string name, PacketKind only, Func<bool>? backPressure) =>
+        new(capacity, _format, Close, name, _metrics.HandOver(name), backPressure) { Only = only };
 
-        _dispatcher.Add(consumer);
+    private FrameQueue Open(FrameQueue queue)
+    {
+        _counters.Queues.Add(queue);
+        _dispatcher.Add(queue);
+        return queue;
     }
 
-    private void Close(FrameQueue queue, IPacketConsumer consumer)
+    private void Close(FrameQueue queue)
     {
-        _dispatcher.Remove(consumer);
-        lock (_lock)
-        {
-            if (_queues.Remove(queue))
-                _droppedByClosedQueues[queue.Name] = _droppedByClosedQueues.GetValueOrDefault(queue.Name) + queue.Dropped;
-            if (consumer is FrameStream stream)
-                _streams.Remove(stream);
-        }
+        _dispatcher.Remove(queue);
+        _counters.Queues.Remove(queue);
     }
 }

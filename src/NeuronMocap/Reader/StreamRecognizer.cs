@@ -17,7 +17,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
     private readonly ulong[] _keys = new ulong[(int)PacketKind.StudioCalculation + 1];
     private volatile int _recognized;
     private volatile Described? _described;
-    private int _source;
+    private int _sender;
     private long _seen;
 
     // A new connection stands.
@@ -31,7 +31,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
     // Of frames only. Whether something is new: for all others two comparisons.
     public bool OnFrame(in ReceivedPacket packet)
     {
-        if (packet.Source == _source)
+        if (packet.Sender == _sender)
             _seen = packet.Timestamp;
 
         ReadOnlySpan<byte> header = packet.Bytes;
@@ -111,11 +111,11 @@ internal sealed class StreamRecognizer(FrameFormat format)
     private bool Recognize(in ReceivedPacket packet, ulong key)
     {
         // That it sends is what keeps the others out, not that it changes what it sends.
-        if (packet.Source != _source && packet.Timestamp - _seen < TakeOverAfter && _recognized != 0)
+        if (packet.Sender != _sender && packet.Timestamp - _seen < TakeOverAfter && _recognized != 0)
             return false;
 
         _keys[(int)packet.Kind] = key;
-        _source = packet.Source;
+        _sender = packet.Sender;
         _seen = packet.Timestamp;
 
         // Where motion and calculation data share a connection, the motion says what the server is set to.

@@ -17,37 +17,38 @@ internal sealed class ConnectionSupervisor(
     public bool TrySend(ReadOnlySpan<byte> bytes) => _standing?.TrySend(bytes) ?? false;
 
     // Completes with the status to end with, when stopped or, with reconnecting off, after the first link.
-    public async Task<ConnectionStatus> RunAsync(IPacketReceiver receiver, CancellationToken stop)
+    public async Task<ConnectionStatus> RunAsync(IPacketReceiver receiver, ILinkListener listener, CancellationToken cancellationToken)
     {
         int failures = 0;
         while (true)
         {
-            (LinkEnd end, bool delivered) = await RunLinkAsync(receiver, failures + 1, stop).ConfigureAwait(false);
+            (LinkEnd end, bool delivered) = await RunLinkAsync(receiver, listener, failures + 1, cancellationToken).ConfigureAwait(false);
 
             // The first reason counts: a link that ended by itself, and would not have been tried again, was not ended by a later stop.
             if (end.Reason != ConnectionReason.Requested && (end.IsFinal || !policy.Enabled))
                 return new ConnectionStatus(ConnectionState.Stopped, end.Reason, end.Message) { Attempt = failures + 1 };
-            if (stop.IsCancellationRequested)
+            if (cancellationToken.IsCancellationRequested)
                 return new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, LinkEnd.Requested.Message);
 
             failures = delivered ? 0 : failures + 1;
             TimeSpan delay = policy.GetDelay(failures, jitter());
             status.Set(new ConnectionStatus(ConnectionState.Waiting, end.Reason, end.Message) { Attempt = failures, RetryIn = delay });
-            await CancellableDelay.WaitAsync(delay, stop).ConfigureAwait(false);
+            await CancellableDelay.WaitAsync(delay, cancellationToken).ConfigureAwait(false);
         }
     }
 
     // Delivered: whether frames came over the link.
-    private async Task<(LinkEnd End, bool Delivered)> RunLinkAsync(IPacketReceiver receiver, int attempt, CancellationToken stop)
+    private async Task<(LinkEnd End, bool Delivered)> RunLinkAsync(
+        IPacketReceiver receiver, ILinkListener listener, int attempt, CancellationToken cancellationToken)
     {
         Link? link = null;
         ConnectionReason reason = ConnectionReason.NetworkError;
         try
         {
             link = createLink();
-            using CancellationTokenRegistration closing = stop.Register(link.Close);
+            using CancellationTokenRegistration closing = cancellationToken.Register(link.Close);
             status.Set(new ConnectionStatus(ConnectionState.Connecting, ConnectionReason.None, $"Connecting to {link.Target}.") { Attempt = attempt });
-            (LinkEnd End, bool Delivered) result = await ReceiveAsync(link, receiver, attempt, stop).ConfigureAwait(false);
+            (LinkEnd End, bool Delivered) result = await ReceiveAsync(link, receiver, listener, attempt, cancellationToken).ConfigureAwait(false);
             reason = result.End.Reason;
             return result;
         }
@@ -59,22 +60,23 @@ internal sealed class ConnectionSupervisor(
         finally
         {
             _standing = null;
-            receiver.Tap?.Close(reason.ToString(), Stopwatch.GetTimestamp());
-            receiver.OnLinkClosed();
+            listener.Tap?.Close(reason.ToString(), Stopwatch.GetTimestamp());
+            listener.OnLinkClosed();
             link?.Dispose();
         }
     }
 
-    private async Task<(LinkEnd End, bool Delivered)> ReceiveAsync(Link link, IPacketReceiver receiver, int attempt, CancellationToken stop)
+    private async Task<(LinkEnd End, bool Delivered)> ReceiveAsync(
+        Link link, IPacketReceiver receiver, ILinkListener listener, int attempt, CancellationToken cancellationToken)
     {
-        LinkEnd end = await link.OpenAsync(stop).ConfigureAwait(false);
+        LinkEnd end = await link.OpenAsync(cancellationToken).ConfigureAwait(false);
         if (end.Reason != ConnectionReason.None)
             return (end, false);
 
         _standing = link;
         activity.Begin(link.Target);
-        receiver.OnLinkOpened();
-        receiver.Tap?.Open(link.IsDatagrams, link.LocalEndPoint, link.RemoteEndPoint, Stopwatch.GetTimestamp());
+        listener.OnLinkOpened();
+        listener.Tap?.Open(link.IsDatagrams, link.LocalEndPoint, link.RemoteEndPoint, Stopwatch.GetTimestamp());
         status.Set(new ConnectionStatus(ConnectionState.Connected, ConnectionReason.None, $"Connected to {link.Target}; waiting for frames.")
         {
             Attempt = attempt,
@@ -83,7 +85,7 @@ internal sealed class ConnectionSupervisor(
             ReceiveThread = link.ReceiveThread,
             ReceiveBufferSize = link.ReceiveBufferSize,
         });
-        end = await link.ReceiveAsync(receiver).ConfigureAwait(false);
+        end = await link.ReceiveAsync(receiver, listener).ConfigureAwait(false);
         return (activity.Explain(end), activity.HasPackets);
     }
 }

@@ -6,13 +6,13 @@ internal static class HostResolver
 {
     // A name that takes longer than a connection may is abandoned: no runtime can interrupt the system's resolver. Throws SocketException,
     // ArgumentException for names that no computer can have, and TimeoutException, which also stands for a cancelled wait.
-    public static async Task<IPAddress[]> ResolveAsync(LinkOptions options, CancellationToken stop)
+    public static async Task<IPAddress[]> ResolveAsync(LinkOptions options, CancellationToken cancellationToken)
     {
         if (IPAddress.TryParse(options.Host, out IPAddress? address))
             return [address];
 
         Task<IPAddress[]> resolving = options.Resolve(options.Host);
-        using var limit = CancellationTokenSource.CreateLinkedTokenSource(stop);
+        using var limit = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
         Task first = await Task.WhenAny(resolving, CancellableDelay.WaitAsync(options.ConnectTimeout, limit.Token)).ConfigureAwait(false);
         limit.Cancel();
         if (first == resolving)

@@ -24,11 +24,11 @@ internal abstract class Link : IDisposable
 
     // Completes with the reason of failure, with None when the link stands, or with Requested when it was closed first. Throws nothing
     // that the network can cause.
-    public abstract Task<LinkEnd> OpenAsync(CancellationToken stop);
+    public abstract Task<LinkEnd> OpenAsync(CancellationToken cancellationToken);
 
-    // Delivers packets until the link ends, and completes with the reason: Requested when it was closed before it ended by itself. Throws
-    // nothing that the network can cause.
-    public abstract Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver);
+    // Delivers packets until the link ends; the listener hears what else happens to the link. Completes with the reason: Requested when it was
+    // closed before it ended by itself. Throws nothing that the network can cause.
+    public abstract Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver, ILinkListener? listener);
 
     // Sends a request to the other side, where there is one that takes requests. Any thread, while the link stands.
     public virtual bool TrySend(ReadOnlySpan<byte> bytes) => false;

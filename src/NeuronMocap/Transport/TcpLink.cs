@@ -12,7 +12,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
     private const int SendTimeoutMilliseconds = 1000;
 
     private readonly object _lock = new();
-    private readonly object _sending = new();
+    private readonly object _sendLock = new();
     private readonly TcpReceiver _receiver = options.TakeReceiver(options.ReceiveThread);
     private Socket? _socket;
     private bool _closed;
@@ -21,15 +21,15 @@ internal sealed class TcpLink(LinkOptions options) : Link
 
     public override ReceiveThread ReceiveThread => _receiver.Thread;
 
-    public override async Task<LinkEnd> OpenAsync(CancellationToken stop)
+    public override async Task<LinkEnd> OpenAsync(CancellationToken cancellationToken)
     {
-        LinkEnd end = await FindAndConnectAsync(stop).ConfigureAwait(false);
-        return stop.IsCancellationRequested ? LinkEnd.Requested : end;
+        LinkEnd end = await FindAndConnectAsync(cancellationToken).ConfigureAwait(false);
+        return cancellationToken.IsCancellationRequested ? LinkEnd.Requested : end;
     }
 
-    public override async Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver)
+    public override async Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver, ILinkListener? listener)
     {
-        var assembler = new PacketAssembler(new PacketScanner(options.MaxValues), receiver, receiver.Tap);
+        var assembler = new PacketAssembler(new PacketScanner(options.MaxValues), receiver, listener?.Tap);
         try
         {
             await _receiver.ReceiveAsync(_socket!, assembler).ConfigureAwait(false);
@@ -56,7 +56,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
 
         try
         {
-            lock (_sending)
+            lock (_sendLock)
             {
                 // Not before the first command: on Linux this time-out would hold for connecting, too.
                 _socket!.SendTimeout = SendTimeoutMilliseconds;
@@ -80,12 +80,12 @@ internal sealed class TcpLink(LinkOptions options) : Link
         _receiver.Close();
     }
 
-    private async Task<LinkEnd> FindAndConnectAsync(CancellationToken stop)
+    private async Task<LinkEnd> FindAndConnectAsync(CancellationToken cancellationToken)
     {
         IPAddress[] addresses;
         try
         {
-            addresses = await HostResolver.ResolveAsync(options, stop).ConfigureAwait(false);
+            addresses = await HostResolver.ResolveAsync(options, cancellationToken).ConfigureAwait(false);
         }
         catch (SocketException exception)
         {
@@ -107,8 +107,8 @@ internal sealed class TcpLink(LinkOptions options) : Link
         LinkEnd? telling = null;
         foreach (IPAddress address in addresses)
         {
-            LinkEnd end = await ConnectAsync(address, stop).ConfigureAwait(false);
-            if (end.Reason == ConnectionReason.None || stop.IsCancellationRequested)
+            LinkEnd end = await ConnectAsync(address, cancellationToken).ConfigureAwait(false);
+            if (end.Reason == ConnectionReason.None || cancellationToken.IsCancellationRequested)
                 return end;
             if (telling is not { } other || Weight(end.Reason) > Weight(other.Reason))
                 telling = end;
@@ -117,7 +117,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
         return telling!.Value;
     }
 
-    private async Task<LinkEnd> ConnectAsync(IPAddress address, CancellationToken stop)
+    private async Task<LinkEnd> ConnectAsync(IPAddress address, CancellationToken cancellationToken)
     {
         // The systems have several errors for this, and some of them mean other things too.
         if (options.LocalAddress is { } own && own.AddressFamily != address.AddressFamily)
@@ -125,7 +125,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
 
         Socket? socket = null;
         var remote = new IPEndPoint(address, options.Port);
-        using var timeout = CancellationTokenSource.CreateLinkedTokenSource(stop);
+        using var timeout = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
         timeout.CancelAfter(options.ConnectTimeout);
         try
         {

@@ -5,7 +5,7 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Transport;
 
 // A UDP port that anyone may send to (protocol.md section 4.2).
-internal sealed class UdpLink(LinkOptions options, SenderFilter filter, UdpServers? servers = null, object? gate = null) : Link
+internal sealed class UdpLink(LinkOptions options, SenderFilter filter, UdpServers? servers = null, object? receiveLock = null) : Link
 {
     private readonly object _lock = new();
     private readonly ReceiveGate _gate = new();
@@ -18,11 +18,11 @@ internal sealed class UdpLink(LinkOptions options, SenderFilter filter, UdpServe
 
     public override string Target => $"UDP port {(LocalEndPoint as IPEndPoint)?.Port ?? options.Port}";
 
-    public override Task<LinkEnd> OpenAsync(CancellationToken stop) => Task.FromResult(Bind());
+    public override Task<LinkEnd> OpenAsync(CancellationToken cancellationToken) => Task.FromResult(Bind());
 
-    public override async Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver)
+    public override async Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver, ILinkListener? listener)
     {
-        var senders = new UdpSenders(new PacketScanner(options.MaxValues), receiver, filter, servers, gate);
+        var senders = new UdpSenders(new PacketScanner(options.MaxValues), receiver, filter, servers, receiveLock, listener?.Tap);
         using var settling = new UdpSettling(senders, _gate);
         try
         {

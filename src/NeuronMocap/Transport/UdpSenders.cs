@@ -23,7 +23,7 @@ internal sealed class UdpSenders : IPacketReceiver
     private readonly IPacketReceiver _receiver;
     private readonly SenderFilter _filter;
     private readonly UdpServers _servers;
-    private readonly object? _gate;
+    private readonly object? _receiveLock;
     private readonly bool _isCalculationPort;
     private readonly SenderProbe _probe;
     private readonly StreamTap? _tap;
@@ -37,12 +37,18 @@ internal sealed class UdpSenders : IPacketReceiver
     private long _heldBytes;
     private long _clock;
 
-    // Servers and gate: those that two ports of a reader share; the gate keeps their threads apart.
-    public UdpSenders(PacketScanner scanner, IPacketReceiver receiver, SenderFilter filter, UdpServers? servers = null, object? gate = null)
+    // Two ports of a reader share the servers and the receive lock; the lock keeps their threads apart.
+    public UdpSenders(
+        PacketScanner scanner,
+        IPacketReceiver receiver,
+        SenderFilter filter,
+        UdpServers? servers = null,
+        object? receiveLock = null,
+        StreamTap? tap = null)
     {
-        (_scanner, _receiver, _filter, _servers, _gate) = (scanner, receiver, filter, servers ?? new UdpServers(), gate);
+        (_scanner, _receiver, _filter, _servers, _receiveLock) = (scanner, receiver, filter, servers ?? new UdpServers(), receiveLock);
         _probe = new SenderProbe(scanner);
-        _tap = receiver.Tap;
+        _tap = tap;
         _isCalculationPort = receiver is CalculationOnly;
         _strays = new PacketAssembler(scanner, receiver);
     }
@@ -61,13 +67,13 @@ internal sealed class UdpSenders : IPacketReceiver
     // The clock tells the silences; a playback has its own.
     public void Push(SocketAddress address, ArraySegment<byte> datagram, long timestamp, long clock)
     {
-        if (_gate is null)
+        if (_receiveLock is null)
         {
             Take(address, datagram, timestamp, clock);
             return;
         }
 
-        lock (_gate)
+        lock (_receiveLock)
             Take(address, datagram, timestamp, clock);
     }
 
@@ -100,13 +106,13 @@ internal sealed class UdpSenders : IPacketReceiver
     // Hands out the datagrams of those that can be told by now; of all, where nobody can wait any longer.
     public void Settle(long clock, bool isLast = false)
     {
-        if (_gate is null)
+        if (_receiveLock is null)
         {
             SettleAlone(clock, isLast);
             return;
         }
 
-        lock (_gate)
+        lock (_receiveLock)
             SettleAlone(clock, isLast);
     }
 
@@ -124,16 +130,6 @@ internal sealed class UdpSenders : IPacketReceiver
             else
                 i++;
         }
-    }
-
-    StreamTap? IPacketReceiver.Tap => null;
-
-    void IPacketReceiver.OnLinkOpened()
-    {
-    }
-
-    void IPacketReceiver.OnLinkClosed()
-    {
     }
 
     void IPacketReceiver.OnPacket(in ReceivedPacket packet)
@@ -245,7 +241,7 @@ internal sealed class UdpSenders : IPacketReceiver
         return true;
     }
 
-    private static int OriginOf(UdpSender sender) => PacketOrigin.Create(sender.Server!.Source, sender.Server.Run);
+    private static int OriginOf(UdpSender sender) => PacketOrigin.Create(sender.Server!.Number, sender.Server.Run);
 
     private bool TryMakeRoom(UdpSender newcomer, UdpSender? speaker)
     {

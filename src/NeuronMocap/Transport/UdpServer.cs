@@ -1,11 +1,11 @@
 namespace NeuronMocap.Transport;
 
-// What sends from one address under one source number: motion and calculation data, from one port or from one each.
-internal sealed class UdpServer(int source, HostKey host)
+// What sends from one address under one sender number: motion and calculation data, from one port or from one each.
+internal sealed class UdpServer(int number, HostKey host)
 {
     private readonly UdpSender?[] _senders = new UdpSender?[2];
 
-    public int Source => source;
+    public int Number => number;
 
     public HostKey Host => host;
 

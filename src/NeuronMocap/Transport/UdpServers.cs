@@ -17,7 +17,7 @@ internal sealed class UdpServers
     private static readonly long LongestSilence = Stopwatch.Frequency;
 
     private readonly List<UdpServer> _servers = [];
-    private int _nextSource;
+    private int _nextServer;
     private int _nextNumber;
     private long _turn;
 
@@ -123,7 +123,7 @@ internal sealed class UdpServers
 
     private UdpServer Add(HostKey host)
     {
-        var server = new UdpServer(_nextSource++, host);
+        var server = new UdpServer(_nextServer++, host);
         _servers.Add(server);
         return server;
     }

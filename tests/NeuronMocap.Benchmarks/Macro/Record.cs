@@ -33,8 +33,8 @@ internal static class Record
         ReceivePipeline pipeline = Pipelines.Create();
         int handled = 0;
         pipeline.Callbacks.Motion.Add(frame => handled += Math.Sign(frame.Values.Length));
-        pipeline.Tap!.Open(isDatagrams: false, local: null, remote: null, Stopwatch.GetTimestamp());
-        StreamRecorder[] recorders = [.. Enumerable.Range(0, recordings).Select(_ => Start(pipeline.Tap!))];
+        pipeline.Tap.Open(isDatagrams: false, local: null, remote: null, Stopwatch.GetTimestamp());
+        StreamRecorder[] recorders = [.. Enumerable.Range(0, recordings).Select(_ => Start(pipeline.Tap))];
         var assembler = new PacketAssembler(new PacketScanner(), pipeline);
         uint index = 0;
         Push();

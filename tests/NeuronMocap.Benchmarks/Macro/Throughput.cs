@@ -92,11 +92,11 @@ internal static class Throughput
         reader.Start();
         while (!reader.Completion.IsCompleted)
         {
-            counted += queue.Pump(static _ => { });
+            counted += queue.Pump<MotionFrame>(static _ => { });
             Thread.Sleep(1);
         }
 
-        counted += queue.Pump(static _ => { });
+        counted += queue.Pump<MotionFrame>(static _ => { });
         return ToFigures(reader, cpu, frames, counted);
     }
 

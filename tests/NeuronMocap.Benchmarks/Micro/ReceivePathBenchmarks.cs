@@ -40,7 +40,7 @@ public class ReceivePathBenchmarks
     public void Count()
     {
         TestFrame.SetIndex(_packet, ++_index);
-        _counters.CountMotion(Packet);
+        _counters.Count(Packet);
     }
 
     [Benchmark]

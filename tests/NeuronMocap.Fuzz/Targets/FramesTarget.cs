@@ -67,7 +67,7 @@ internal sealed class FramesTarget
             "The {0} values are not those of the packet of {1} bytes.",
             frame.Values.Length,
             packet.Length);
-        WrongResultException.ThrowUnless((frame.Timestamp, frame.Source) == (1, 2) && frame.Age > TimeSpan.Zero, "Time or source is another's.");
+        WrongResultException.ThrowUnless((frame.Timestamp, frame.Sender) == (1, 2) && frame.Age > TimeSpan.Zero, "Time or source is another's.");
         input.Digest.Add(frame.Values);
         input.Digest.Add((long)frame.AvatarIndex);
         input.Digest.Add(frame.AvatarName);

@@ -12,8 +12,6 @@ internal sealed class StreamReading : IPacketReceiver
     private ArraySegment<byte> _stream;
     private Digest _digest;
 
-    public StreamTap? Tap => null;
-
     /// <summary>Bytes that were delivered or skipped.</summary>
     public int Position { get; private set; }
 
@@ -27,14 +25,6 @@ internal sealed class StreamReading : IPacketReceiver
         _digest = default;
         Position = 0;
         Packets = 0;
-    }
-
-    public void OnLinkOpened()
-    {
-    }
-
-    public void OnLinkClosed()
-    {
     }
 
     public void OnText(ReadOnlySpan<byte> bytes)

@@ -62,25 +62,15 @@ internal sealed class UdpTarget
     {
         private Digest _digest;
 
-        public StreamTap? Tap => null;
-
         public long Bytes { get; private set; }
 
         public int Packets { get; private set; }
 
         public ulong Digest => _digest.Value;
 
-        public void OnLinkOpened()
-        {
-        }
-
-        public void OnLinkClosed()
-        {
-        }
-
         public void OnPacket(in ReceivedPacket packet)
         {
-            _digest.Add((long)packet.Source);
+            _digest.Add((long)packet.Sender);
             _digest.Add(packet.Bytes);
             Bytes += packet.IsText ? 0 : packet.Length;
             Packets++;

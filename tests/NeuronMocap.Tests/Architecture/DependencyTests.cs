@@ -18,7 +18,7 @@ public sealed class DependencyTests
         ["Transport"] = ["Protocol", "Protocol/Text"],
         ["Frames"] = ["Protocol", "Skeleton"],
         ["Delivery"] = ["Frames", "Protocol", "Skeleton"],
-        ["Diagnostics"] = ["Delivery", "Protocol", "Transport"],
+        ["Diagnostics"] = ["Frames", "Protocol", "Transport"],
         ["Files"] = [],
         ["Files/Bvh"] = ["Files", "Frames", "Protocol", "Protocol/Text", "Skeleton"],
         ["Files/Calculation"] = ["Files", "Frames", "Protocol", "Protocol/Text", "Skeleton"],

@@ -27,6 +27,11 @@ public class FrameSequenceTests
     [Fact]
     public void A_frame_that_comes_late_has_been_stood_in_for() => Assert.Equal([1, 1, 2, 0, 1], Rows(120, [5, 6, 8, 7, 9], [0, 1, 3, 3, 4]));
 
+    // They once were taken for a server that counts anew, and the rows after them stood twice.
+    [Fact]
+    public void Late_frames_in_order_that_fill_a_gap_are_no_restart() =>
+        Assert.Equal([1, 1, 4, 0, 0, 0, 1], Rows(120, [4, 5, 9, 6, 7, 8, 10], [0, 1, 5, 5, 5, 5, 6]));
+
     [Fact]
     public void A_server_that_counts_anew_loses_no_frames() => Assert.Equal(
         [1, 1, 0, 0, 1, 1, 1, 1, 1], Rows(120, [50, 51, 10, 11, 12, 13, 1_000_000, 1_000_001, 7], [0, 1, 2, 3, 4, 5, 6, 7, 8]));

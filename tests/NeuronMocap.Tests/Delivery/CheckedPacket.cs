@@ -29,7 +29,7 @@ internal static class CheckedPacket
         ReadOnlySpan<byte> bytes = packet.Bytes;
         int number = BinaryPrimitives.ReadInt32LittleEndian(bytes);
         bool isWhole = bytes.Length == SizeOf(number)
-            && (packet.Timestamp, packet.Source) == (-number, number % 7)
+            && (packet.Timestamp, packet.Sender) == (-number, number % 7)
             && bytes[4..^1].IndexOfAnyExcept(FillingOf(number)) < 0
             && bytes[^1] == (byte)~FillingOf(number);
         if (!isWhole)

@@ -17,22 +17,22 @@ public sealed class FrameQueueTests
         Publish(PacketKind.Motion, TestPackets.Motion(3));
 
         List<string> seen = [];
-        int taken = _queue.Pump(
-            motion => seen.Add($"motion {motion.FrameIndex} {motion.Values[5]}"),
-            calculation => seen.Add($"calculation {calculation.FrameIndex} {calculation.Values.Length}"));
+        int taken = _queue.Pump<AvatarFrame>(frame => seen.Add(frame is MotionFrame
+            ? $"motion {frame.FrameIndex} {frame.Values[5]}"
+            : $"calculation {frame.FrameIndex} {frame.Values.Length}"));
 
         Assert.Equal(3, taken);
         Assert.Equal([$"motion 1 {TestPackets.Value(1, 0, 5)}", "calculation 2 946", $"motion 3 {TestPackets.Value(3, 0, 5)}"], seen);
-        Assert.Equal(0, _queue.Pump(_ => Assert.Fail("there was a frame")));
+        Assert.Equal(0, _queue.Pump<MotionFrame>(_ => Assert.Fail("there was a frame")));
     }
 
     [Fact]
-    public void Frames_without_a_handler_are_passed_over()
+    public void Frames_of_other_kinds_are_passed_over()
     {
         Publish(PacketKind.Calculation, TestPackets.Calculation(1));
         Publish(PacketKind.Motion, TestPackets.Motion(2));
         int frames = 0;
-        Assert.Equal(2, _queue.Pump(_ => frames++));
+        Assert.Equal(2, _queue.Pump<MotionFrame>(_ => frames++));
         Assert.Equal(1, frames);
     }
 
@@ -43,7 +43,7 @@ public sealed class FrameQueueTests
             Publish(PacketKind.Motion, TestPackets.Motion(i));
 
         List<uint?> indices = [];
-        _queue.Pump(frame => indices.Add(frame.FrameIndex));
+        _queue.Pump<MotionFrame>(frame => indices.Add(frame.FrameIndex));
         Assert.Equal([0u, 1u, 2u, 3u], indices);
         Assert.Equal(3, _queue.Dropped);
     }
@@ -54,10 +54,10 @@ public sealed class FrameQueueTests
         for (int i = 0; i < 4; i++)
             Publish(PacketKind.Motion, TestPackets.Motion(i));
 
-        Assert.Equal(3, _queue.Pump(_ => { }, maxFrames: 3));
+        Assert.Equal(3, _queue.Pump<MotionFrame>(_ => { }, maxFrames: 3));
         Assert.Equal(1, _queue.Count);
-        Assert.Equal(0, _queue.Pump(_ => { }, maxFrames: 0));
-        Assert.Equal(1, _queue.Pump(_ => { }));
+        Assert.Equal(0, _queue.Pump<MotionFrame>(_ => { }, maxFrames: 0));
+        Assert.Equal(1, _queue.Pump<MotionFrame>(_ => { }));
     }
 
     [Fact]
@@ -65,10 +65,10 @@ public sealed class FrameQueueTests
     {
         Publish(PacketKind.Motion, TestPackets.Motion(1));
         Publish(PacketKind.Motion, TestPackets.Motion(2));
-        Assert.Throws<FormatException>(() => _queue.Pump(_ => throw new FormatException()));
+        Assert.Throws<FormatException>(() => _queue.Pump<MotionFrame>(_ => throw new FormatException()));
 
         List<uint?> indices = [];
-        _queue.Pump(frame => indices.Add(frame.FrameIndex));
+        _queue.Pump<MotionFrame>(frame => indices.Add(frame.FrameIndex));
         Assert.Equal([2u], indices);
     }
 
@@ -76,8 +76,8 @@ public sealed class FrameQueueTests
     public void A_handler_cannot_pump_the_queue_it_is_called_from()
     {
         Publish(PacketKind.Motion, TestPackets.Motion(1));
-        _queue.Pump(_ => Assert.Throws<InvalidOperationException>(() => _queue.Pump(_ => { })));
-        Assert.Equal(0, _queue.Pump(_ => { }));
+        _queue.Pump<MotionFrame>(_ => Assert.Throws<InvalidOperationException>(() => _queue.Pump<MotionFrame>(_ => { })));
+        Assert.Equal(0, _queue.Pump<MotionFrame>(_ => { }));
     }
 
     [Fact]
@@ -88,7 +88,7 @@ public sealed class FrameQueueTests
         for (int i = 0; i < 3; i++)
             ((IPacketConsumer)queue).OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(i), 0, 0));
 
-        Assert.Equal(1, queue.Pump(_ => queue.Dispose()));
+        Assert.Equal(1, queue.Pump<MotionFrame>(_ => queue.Dispose()));
         queue.Dispose();
         Assert.Equal(1, closed);
     }

@@ -70,7 +70,7 @@ public sealed class PacketRingTests
 
         Assert.True(ring.TryPeek(out ReceivedPacket packet));
         Assert.Equal(large, packet.Bytes.ToArray());
-        Assert.Equal((PacketKind.Calculation, 42L, 7), (packet.Kind, packet.Timestamp, packet.Source));
+        Assert.Equal((PacketKind.Calculation, 42L, 7), (packet.Kind, packet.Timestamp, packet.Sender));
     }
 
     [Fact]

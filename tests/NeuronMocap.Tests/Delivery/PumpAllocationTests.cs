@@ -20,11 +20,7 @@ public sealed class PumpAllocationTests
         AssertBytes(0, () =>
         {
             Publish(3);
-            _queue.Pump(
-                this,
-                static (self, frame) => self._sum += frame.Values[0],
-                static (self, frame) => self._sum += frame.Values[1],
-                static (self, frame) => self._sum += frame.Values[2]);
+            _queue.Pump(this, static (PumpAllocationTests self, AvatarFrame frame) => self._sum += frame.Values[0]);
         });
         Assert.NotEqual(0, _sum);
     }
@@ -36,13 +32,13 @@ public sealed class PumpAllocationTests
         AssertBytes(0, () =>
         {
             Publish(1);
-            _queue.Pump((sums, Factor: 2f), static (state, frame) => state.sums[0] += frame.Values[0] * state.Factor);
+            _queue.Pump((sums, Factor: 2f), static ((float[] sums, float Factor) state, MotionFrame frame) => state.sums[0] += frame.Values[0] * state.Factor);
         });
         Assert.NotEqual(0, sums[0]);
     }
 
     [Fact]
-    public void A_state_reaches_the_handler_of_each_kind()
+    public void A_state_reaches_the_handler_with_each_kind()
     {
         ((IPacketConsumer)_queue).OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(1), 0, 0));
         ((IPacketConsumer)_queue).OnPacket(new ReceivedPacket(PacketKind.Calculation, TestPackets.Calculation(2), 0, 0));
@@ -51,20 +47,19 @@ public sealed class PumpAllocationTests
         List<string> seen = [];
         int taken = _queue.Pump(
             seen,
-            static (list, frame) => list.Add($"motion {frame.FrameIndex}"),
-            static (list, frame) => list.Add($"calculation {frame.FrameIndex}"),
-            static (list, frame) => list.Add($"studio {frame.FrameIndex}"),
+            static (List<string> list, AvatarFrame frame) => list.Add($"{frame.GetType().Name} {frame.FrameIndex}"),
             maxFrames: 3);
 
         Assert.Equal(3, taken);
-        Assert.Equal(["motion 1", "calculation 2", "studio 3"], seen);
-        Assert.Equal(1, _queue.Pump(seen, onMotion: null));
+        Assert.Equal(["MotionFrame 1", "CalculationFrame 2", "StudioCalculationFrame 3"], seen);
+        Assert.Equal(1, _queue.Pump(seen, static (List<string> list, CalculationFrame frame) => list.Add("another kind")));
+        Assert.Equal((3, 4L, 0), (seen.Count, _queue.Delivered, _queue.Count));
     }
 
     [Fact]
     public void Reading_a_stream_allocates_the_copies_alone()
     {
-        var stream = new FrameStream(_queue, PacketKind.Motion);
+        var stream = new FrameStream(_queue);
         var frame = new MotionFrame(SkeletonFormat.Default);
         frame.Borrow(new ReceivedPacket(PacketKind.Motion, Packet, 0, 0));
         long clone = Measure(() => GC.KeepAlive(frame.Clone()));
@@ -85,7 +80,7 @@ public sealed class PumpAllocationTests
     [Fact]
     public void A_look_for_a_frame_that_finds_none_allocates_nothing()
     {
-        var stream = new FrameStream(_queue, PacketKind.Motion);
+        var stream = new FrameStream(_queue);
         AssertBytes(0, () => _sum += stream.TryRead() is null ? 1 : 0);
         Assert.Equal(Rounds, _sum);
     }

@@ -22,7 +22,7 @@ public sealed class StreamCountersTests
 
         AvatarTracker real = Assert.Single(_counters.Trackers, static tracker => tracker.Avatar == 0);
         Assert.Equal((160, 40), (real.Snapshot.Frames, real.Snapshot.Lost));
-        Assert.Equal((40, StreamCounters.MaxTrackers), (_counters.Snapshot().Lost, _counters.Trackers.Length));
+        Assert.Equal((40, AvatarTrackers.MaxTrackers), (_counters.Snapshot().Lost, _counters.Trackers.Length));
     }
 
     [Fact]
@@ -69,7 +69,7 @@ public sealed class StreamCountersTests
     {
         Deliver(frame: 1, avatar: 0, seconds: 0);
         Deliver(frame: 1, avatar: 1, seconds: 0);
-        Flood(first: 5000, count: StreamCounters.MaxTrackers - 2, seconds: 1);
+        Flood(first: 5000, count: AvatarTrackers.MaxTrackers - 2, seconds: 1);
         Deliver(frame: 2, avatar: 0, seconds: 4);
         Flood(first: 9000, count: 1, seconds: 5.5);
         Assert.DoesNotContain(_counters.Trackers, static tracker => tracker.Avatar == 1);
@@ -82,29 +82,29 @@ public sealed class StreamCountersTests
     [Fact]
     public void Avatars_for_which_there_is_no_room_allocate_nothing()
     {
-        Flood(first: 5000, count: StreamCounters.MaxTrackers, seconds: 0);
+        Flood(first: 5000, count: AvatarTrackers.MaxTrackers, seconds: 0);
         ReceivedPacket packet = Packet(frame: 1, avatar: 1, seconds: 1);
-        Allocations.AssertNone(() => _counters.CountMotion(packet));
+        Allocations.AssertNone(() => _counters.Count(packet));
     }
 
     [Fact]
     public void Every_source_gets_some_trackers_whatever_others_make_up()
     {
-        Flood(first: 5000, count: 2 * StreamCounters.MaxTrackers, seconds: 0);
+        Flood(first: 5000, count: 2 * AvatarTrackers.MaxTrackers, seconds: 0);
         for (int avatar = 0; avatar < 20; avatar++)
-            _counters.CountMotion(Packet(frame: 1, avatar, seconds: 1, source: 1));
+            _counters.Count(Packet(frame: 1, avatar, seconds: 1, source: 1));
 
-        Assert.Equal(StreamCounters.MaxTrackers, _counters.Trackers.Count(tracker => tracker.Source == 0));
-        Assert.Equal(StreamCounters.TrackersOfSource, _counters.Trackers.Count(tracker => tracker.Source == 1));
+        Assert.Equal(AvatarTrackers.MaxTrackers, _counters.Trackers.Count(tracker => tracker.Sender == 0));
+        Assert.Equal(AvatarTrackers.TrackersOfSender, _counters.Trackers.Count(tracker => tracker.Sender == 1));
     }
 
     [Fact]
     public void Another_sender_of_a_source_counts_anew_and_goes_on_in_its_figures()
     {
         for (int frame = 100; frame < 130; frame++)
-            _counters.CountMotion(Packet(frame, avatar: 0, seconds: frame / 100.0));
+            _counters.Count(Packet(frame, avatar: 0, seconds: frame / 100.0));
         for (int frame = 90; frame < 130; frame++)
-            _counters.CountMotion(Packet(frame, avatar: 0, seconds: 3 + (frame / 100.0), run: 1));
+            _counters.Count(Packet(frame, avatar: 0, seconds: 3 + (frame / 100.0), run: 1));
 
         AvatarStatistics avatar = Assert.Single(_counters.Trackers).Snapshot;
         Assert.Equal((70L, 1L, 0L, 0L), (avatar.Frames, avatar.Restarts, avatar.Disordered, avatar.Lost));
@@ -135,7 +135,7 @@ public sealed class StreamCountersTests
             if (frame == 10)
                 _counters.Resume(isCalculation);
             if (frame is not (10 or 11))
-                _counters.CountCalculation(new ReceivedPacket(PacketKind.Calculation, TestPackets.Calculation(frame), frame + 1, origin: 0));
+                _counters.Count(new ReceivedPacket(PacketKind.Calculation, TestPackets.Calculation(frame), frame + 1, origin: 0));
         }
 
         Assert.Equal(lost, _counters.Snapshot().Lost);
@@ -147,7 +147,7 @@ public sealed class StreamCountersTests
             Deliver(frame: 1, first + i, seconds);
     }
 
-    private void Deliver(int frame, int avatar, double seconds) => _counters.CountMotion(Packet(frame, avatar, seconds));
+    private void Deliver(int frame, int avatar, double seconds) => _counters.Count(Packet(frame, avatar, seconds));
 
     private static ReceivedPacket Packet(int frame, int avatar, double seconds, int source = 0, int run = 0) =>
         new(PacketKind.Motion, TestPackets.Motion(frame, avatar, count: 6), (long)(seconds * Stopwatch.Frequency) + 1, PacketOrigin.Create(source, run));

@@ -145,7 +145,7 @@ public sealed class UdpDiagnosisTests
         var ofReader = new StreamSample(PacketKind.Calculation);
         await link.OpenAsync(CancellationToken.None).Soon();
         int port = ((IPEndPoint)link.LocalEndPoint!).Port;
-        long waiting = await CountWaitingAsync(port, ofReader, () => link.ReceiveAsync(ofReader), link.Close);
+        long waiting = await CountWaitingAsync(port, ofReader, () => link.ReceiveAsync(ofReader, listener: null), link.Close);
 
         var ofDiagnosis = new StreamSample(PacketKind.Calculation);
         using var listener = new UdpListener(options, new SenderFilter([]), ofDiagnosis);

@@ -144,9 +144,9 @@ public sealed class CalculationFrameTests
         GoldenPackets.CalculationData(new float[338], avatar: 2, name: "After", frame: 8).CopyTo(buffer, 0);
         frame.Borrow(new ReceivedPacket(PacketKind.Calculation, new ArraySegment<byte>(buffer, 0, 1416), timestamp: 456, origin: 5));
 
-        Assert.Equal((2, "After", 8u, 456L, 5), (frame.AvatarIndex, frame.AvatarName, frame.FrameIndex, frame.Timestamp, frame.Source));
+        Assert.Equal((2, "After", 8u, 456L, 5), (frame.AvatarIndex, frame.AvatarName, frame.FrameIndex, frame.Timestamp, frame.Sender));
         Assert.Equal(21, frame.BoneCount);
-        Assert.Equal((1, "Before", 7u, 123L, 4), (clone.AvatarIndex, clone.AvatarName, clone.FrameIndex, clone.Timestamp, clone.Source));
+        Assert.Equal((1, "Before", 7u, 123L, 4), (clone.AvatarIndex, clone.AvatarName, clone.FrameIndex, clone.Timestamp, clone.Sender));
         Assert.Equal(Ascending(946), clone.Values.ToArray());
         Assert.Equal(59, clone.BoneCount);
     }

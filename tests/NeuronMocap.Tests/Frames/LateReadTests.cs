@@ -74,14 +74,14 @@ public sealed class LateReadTests
     [Fact]
     public void Kept_frames_of_any_usual_number_of_avatars_never_show_a_newer_frame()
     {
-        for (int avatars = 1; avatars < LentFrames<MotionFrame>.OfHandlers; avatars++)
+        for (int avatars = 1; avatars < LentFrames.OfHandlers; avatars++)
         {
             var queue = new FrameQueue(1024, SkeletonFormat.Default, _ => { });
             var kept = new MotionFrame?[avatars];
             for (int i = 0; i < avatars * 8; i++)
                 Publish(queue, PacketKind.Motion, i, i % avatars);
 
-            queue.Pump(frame =>
+            queue.Pump<MotionFrame>(frame =>
             {
                 ref MotionFrame? last = ref kept[frame.AvatarIndex];
                 if (last is not null)
@@ -100,9 +100,9 @@ public sealed class LateReadTests
             Publish(queue, PacketKind.Motion, i);
 
         MotionFrame? kept = null;
-        queue.Pump(frame => kept = frame, maxFrames: 1);
+        queue.Pump<MotionFrame>(frame => kept = frame, maxFrames: 1);
         AssertLate(kept!);
-        queue.Pump(frame =>
+        queue.Pump<MotionFrame>(frame =>
         {
             Assert.NotSame(kept, frame);
             AssertLate(kept!);
@@ -116,7 +116,7 @@ public sealed class LateReadTests
         Publish(queue, PacketKind.Motion, 1);
         using var handled = new SemaphoreSlim(0);
         Task? late = null;
-        queue.Pump(frame => late = ReadLaterAsync(frame));
+        queue.Pump<MotionFrame>(frame => late = ReadLaterAsync(frame));
         handled.Release();
         AssertLate(await Record.ExceptionAsync(() => late!), nameof(MotionFrame.Values));
 
@@ -134,7 +134,7 @@ public sealed class LateReadTests
         var queue = new FrameQueue(4, SkeletonFormat.Default, _ => { });
         Publish(queue, PacketKind.Motion, 1);
         MotionFrame? kept = null;
-        Assert.Throws<FormatException>(() => queue.Pump(frame =>
+        Assert.Throws<FormatException>(() => queue.Pump<MotionFrame>(frame =>
         {
             kept = frame;
             throw new FormatException();
@@ -149,10 +149,10 @@ public sealed class LateReadTests
         var inner = new FrameQueue(4, SkeletonFormat.Default, _ => { });
         Publish(outer, PacketKind.Motion, 1);
         Publish(inner, PacketKind.Motion, 2);
-        outer.Pump(frame =>
+        outer.Pump<MotionFrame>(frame =>
         {
             MotionFrame? other = null;
-            inner.Pump(lent =>
+            inner.Pump<MotionFrame>(lent =>
             {
                 other = lent;
                 Assert.Equal((1u, 2u), (frame.FrameIndex, lent.FrameIndex));
@@ -203,11 +203,11 @@ public sealed class LateReadTests
         var queue = new FrameQueue(4, SkeletonFormat.Default, _ => { });
         Publish(queue, kind, 7);
         AvatarFrame? clone = null;
-        Pump(queue, frame => clone = Clone(frame));
+        Pump(queue, frame => clone = frame.Clone());
         Assert.Equal(7u, clone!.FrameIndex);
         foreach ((_, Action<AvatarFrame> read) in FrameMembers.Of(clone.GetType()))
             Assert.IsNotType<InvalidOperationException>(Record.Exception(() => read(clone)));
-        Assert.Equal(7u, Clone(clone).FrameIndex);
+        Assert.Equal(7u, clone.Clone().FrameIndex);
     }
 
     [Fact]
@@ -226,7 +226,7 @@ public sealed class LateReadTests
 
         AssertLate(received!);
         MotionFrame? pumped = null;
-        Assert.Equal(1, queue.Pump(frame => pumped = frame));
+        Assert.Equal(1, queue.Pump<MotionFrame>(frame => pumped = frame));
         AssertLate(pumped!);
     }
 
@@ -261,7 +261,7 @@ public sealed class LateReadTests
     private static void Publish(FrameQueue queue, PacketKind kind, int frame, int avatar = 0) =>
         ((IPacketConsumer)queue).OnPacket(Packet(kind, frame, avatar));
 
-    private static void Pump(FrameQueue queue, Action<AvatarFrame> handler) => queue.Pump(handler, handler, handler);
+    private static void Pump(FrameQueue queue, Action<AvatarFrame> handler) => queue.Pump(handler);
 
     private static void Add(FrameCallbacks callbacks, Action<AvatarFrame> handler)
     {
@@ -275,13 +275,6 @@ public sealed class LateReadTests
         PacketKind.Motion => latest.TryTakeMotion(0, out MotionFrame? motion) ? motion : null,
         PacketKind.Calculation => latest.TryTakeCalculation(0, out CalculationFrame? calculation) ? calculation : null,
         _ => latest.TryTakeStudioCalculation(0, out StudioCalculationFrame? studio) ? studio : null,
-    };
-
-    private static AvatarFrame Clone(AvatarFrame frame) => frame switch
-    {
-        MotionFrame motion => motion.Clone(),
-        CalculationFrame calculation => calculation.Clone(),
-        _ => ((StudioCalculationFrame)frame).Clone(),
     };
 
     private static void AssertLate(AvatarFrame frame) => AssertLate(Record.Exception(() => frame.FrameIndex), nameof(AvatarFrame.FrameIndex));

@@ -221,11 +221,11 @@ public sealed class MotionFrameTests
         GoldenPackets.NewMotion(new float[180], avatar: 2, name: "After", frame: 8).CopyTo(buffer, 0);
         frame.Borrow(new ReceivedPacket(PacketKind.Motion, new ArraySegment<byte>(buffer, 0, 784), timestamp: 456, origin: 5));
 
-        Assert.Equal((2, "After", 8u, 456L, 5), (frame.AvatarIndex, frame.AvatarName, frame.FrameIndex, frame.Timestamp, frame.Source));
+        Assert.Equal((2, "After", 8u, 456L, 5), (frame.AvatarIndex, frame.AvatarName, frame.FrameIndex, frame.Timestamp, frame.Sender));
         Assert.Equal(180, frame.Layout.ValueCount);
         foreach (MotionFrame kept in (MotionFrame[])[clone, cloneOfClone])
         {
-            Assert.Equal((1, "Before", 7u, 123L, 4), (kept.AvatarIndex, kept.AvatarName, kept.FrameIndex, kept.Timestamp, kept.Source));
+            Assert.Equal((1, "Before", 7u, 123L, 4), (kept.AvatarIndex, kept.AvatarName, kept.FrameIndex, kept.Timestamp, kept.Sender));
             Assert.Equal(Ascending(354), kept.Values.ToArray());
             Assert.Equal(354, kept.Layout.ValueCount);
         }
@@ -271,7 +271,7 @@ public sealed class MotionFrameTests
         Assert.Equal(SkeletonFormat.Default, frame.Format);
         Assert.InRange(frame.Timestamp, before, Stopwatch.GetTimestamp());
         Assert.True(frame.Age >= TimeSpan.Zero);
-        Assert.Equal(0, frame.Source);
+        Assert.Equal(0, frame.Sender);
     }
 
     [Fact]

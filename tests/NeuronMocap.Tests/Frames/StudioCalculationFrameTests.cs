@@ -61,8 +61,8 @@ public sealed class StudioCalculationFrameTests
         StudioCalculationFrame kept = frame.Clone();
         frame.Borrow(new ReceivedPacket(PacketKind.StudioCalculation, TestPackets.Studio(2, avatar: 3, bones: 21), timestamp: 3, origin: 4));
 
-        Assert.Equal((false, 2u, 3, 4), (frame.HasSkeleton, frame.FrameIndex, frame.AvatarIndex, frame.Source));
-        Assert.Equal((true, 1u, 0, 2), (kept.HasSkeleton, kept.FrameIndex, kept.AvatarIndex, kept.Source));
+        Assert.Equal((false, 2u, 3, 4), (frame.HasSkeleton, frame.FrameIndex, frame.AvatarIndex, frame.Sender));
+        Assert.Equal((true, 1u, 0, 2), (kept.HasSkeleton, kept.FrameIndex, kept.AvatarIndex, kept.Sender));
         Assert.Equal(TestPackets.Value(1, 0, (84 / 4 * 12) + 13), kept.GetPosition(Bone.Head).X);
     }
 

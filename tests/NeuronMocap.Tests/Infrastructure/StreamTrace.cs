@@ -12,8 +12,6 @@ internal sealed class StreamTrace(byte[] stream) : IPacketReceiver
     private int _position;
     private int _textAt;
 
-    public StreamTap? Tap => null;
-
     public List<string> Lines { get; } = [];
 
     /// <summary>Pushes pieces through an assembler, each in memory that is not the next one's and is overwritten afterwards.</summary>
@@ -34,14 +32,6 @@ internal sealed class StreamTrace(byte[] stream) : IPacketReceiver
         Assert.Equal(stream.Length - trace._position, assembler.PendingBytes);
         trace.End();
         return trace.Lines;
-    }
-
-    public void OnLinkOpened()
-    {
-    }
-
-    public void OnLinkClosed()
-    {
     }
 
     public void OnText(ReadOnlySpan<byte> bytes)

@@ -16,7 +16,7 @@ public sealed class FootContactTests
     {
         var actor = new SyntheticActor(rate);
         var body = SkeletonBody.Default();
-        var track = new FootTrack();
+        var track = new FootContactTrack();
         var live = new FootContactEstimator();
         List<FootContacts> known = [];
         List<FootContacts> lives = [];
@@ -89,7 +89,7 @@ public sealed class FootContactTests
     [Fact]
     public void An_empty_take_and_one_of_a_single_frame_are_takes()
     {
-        var track = new FootTrack();
+        var track = new FootContactTrack();
         Assert.Empty(track.EstimateContacts());
         track.Add(Vector3.Zero, Vector3.UnitY * 20, 0);
         Assert.Equal([new FootContacts(Left: true, Right: false)], track.EstimateContacts());

@@ -90,7 +90,7 @@ public sealed class RecordedFrameReaderTests
             writer.WriteBytes(Recordings.At(4), 0, second.AsSpan(1024), sender: 1);
         });
         using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
-        Assert.Equal([(1u, 0), (2u, 1)], RecordedFrames.ReadAll(reader).Select(static read => ((uint)read.Frame.FrameIndex!, read.Frame.Source)));
+        Assert.Equal([(1u, 0), (2u, 1)], RecordedFrames.ReadAll(reader).Select(static read => ((uint)read.Frame.FrameIndex!, read.Frame.Sender)));
         Assert.Equal(0, reader.Statistics.SkippedBytes);
     }
 

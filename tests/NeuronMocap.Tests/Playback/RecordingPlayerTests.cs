@@ -127,7 +127,7 @@ public sealed class RecordingPlayerTests
             using FrameQueue queue = reader.OpenQueue(capacity: 8);
             reader.Start();
             while (!reader.Completion.IsCompleted || queue.Count > 0)
-                queue.Pump(frame => Assert.Equal((uint)next++, frame.FrameIndex));
+                queue.Pump<MotionFrame>(frame => Assert.Equal((uint)next++, frame.FrameIndex));
         }
 
         Assert.Equal((count, 0), (next, reader.GetStatistics().Dropped));

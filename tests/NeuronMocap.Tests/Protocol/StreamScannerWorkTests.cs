@@ -104,16 +104,6 @@ public class StreamScannerWorkTests
 
     private sealed class Receiver(List<string> found) : IPacketReceiver
     {
-        public StreamTap? Tap => null;
-
-        public void OnLinkOpened()
-        {
-        }
-
-        public void OnLinkClosed()
-        {
-        }
-
         public void OnPacket(in ReceivedPacket packet) => found.Add(packet.IsText ? "line" : "packet");
 
         public void OnText(ReadOnlySpan<byte> bytes)

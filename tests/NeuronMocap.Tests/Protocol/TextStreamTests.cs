@@ -167,17 +167,7 @@ public sealed class TextStreamTests
 
     private sealed class Counts : IPacketReceiver
     {
-        public StreamTap? Tap => null;
-
         public int Packets { get; private set; }
-
-        public void OnLinkOpened()
-        {
-        }
-
-        public void OnLinkClosed()
-        {
-        }
 
         public void OnPacket(in ReceivedPacket packet) => Packets++;
 

@@ -39,15 +39,15 @@ public sealed class CalculationPortTests : IDisposable
         {
             queue = reader.OpenQueue(4 * Frames);
             latest = reader.OpenLatest();
-            reader.MotionReceived += frame => motionSources.Add(frame.Source);
-            reader.CalculationReceived += frame => calculationSources.Add(frame.Source);
+            reader.MotionReceived += frame => motionSources.Add(frame.Sender);
+            reader.CalculationReceived += frame => calculationSources.Add(frame.Sender);
         });
         await using NeuronReader reading = reader;
         await using Broadcaster serving = broadcaster;
         await Limits.UntilAsync(() => reader.GetStatistics() is { MotionFrames: Frames, CalculationFrames: Frames });
 
         int motion = 0, calculation = 0;
-        await Limits.UntilAsync(() => queue!.Pump(frame => motion++, frame => calculation++) >= 0 && motion == Frames && calculation == Frames);
+        await Limits.UntilAsync(() => queue!.Pump<AvatarFrame>(frame => _ = frame is MotionFrame ? motion++ : calculation++) >= 0 && motion == Frames && calculation == Frames);
         Assert.True(latest!.TryTakeMotion(0, out _) && latest.TryTakeCalculation(0, out _));
         Assert.Equal([0], motionSources.Concat(calculationSources).Distinct());
         Assert.Equal((Frames, Frames), (motionSources.Count, calculationSources.Count));
@@ -207,7 +207,7 @@ public sealed class CalculationPortTests : IDisposable
         await Limits.UntilAsync(() => reader.GetStatistics() is { MotionFrames: Many, CalculationFrames: Many });
         List<uint?> motionIndices = [], calculationIndices = [];
         await Limits.UntilAsync(() => queue.Count == 2 * Many);
-        queue.Pump(frame => motionIndices.Add(frame.FrameIndex), frame => calculationIndices.Add(frame.FrameIndex));
+        queue.Pump<AvatarFrame>(frame => (frame is MotionFrame ? motionIndices : calculationIndices).Add(frame.FrameIndex));
         Assert.Equal(Enumerable.Range(0, Many).Select(i => (uint?)i), motionIndices);
         Assert.Equal(Enumerable.Range(0, Many).Select(i => (uint?)i), calculationIndices);
         Assert.Equal((0, 0L, 0L), (overlaps, reader.GetStatistics().Lost, reader.GetStatistics().Dropped));
@@ -232,7 +232,7 @@ public sealed class CalculationPortTests : IDisposable
         using (var frames = RecordedFrameReader.Open(Recording))
         {
             while (frames.Read())
-                Assert.Equal(0, frames.Frame.Source);
+                Assert.Equal(0, frames.Frame.Sender);
 
             ReaderStatistics read = frames.Statistics;
             Assert.Equal((Frames, Frames, 0L, 0L, 0L), (read.MotionFrames, read.CalculationFrames, read.Lost, read.SkippedBytes, read.Reconnects));
@@ -257,7 +257,7 @@ public sealed class CalculationPortTests : IDisposable
             await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == i * Frames && reader.GetStatistics().CalculationFrames == i * Frames);
         }
 
-        Assert.Equal([0], reader.GetAvatarStatistics().Select(avatar => avatar.Source).Distinct());
+        Assert.Equal([0], reader.GetAvatarStatistics().Select(avatar => avatar.Sender).Distinct());
         Assert.Equal(2, reader.GetAvatarStatistics().Count);
     }
 

@@ -227,7 +227,7 @@ public sealed class ConnectionTests
 
         public override Task<LinkEnd> OpenAsync(CancellationToken stop) => throw new InvalidOperationException("no descriptor");
 
-        public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver) => throw new InvalidOperationException();
+        public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver, ILinkListener? listener) => throw new InvalidOperationException();
 
         public override void Close()
         {

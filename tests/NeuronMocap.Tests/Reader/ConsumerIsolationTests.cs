@@ -90,7 +90,7 @@ public sealed class ConsumerIsolationTests : IDisposable
                     asked.Release();
                     var seen = new RunOfFrames();
                     while (seen.Frames < portion / 6 && !reader.Completion.IsCompleted)
-                        queue.Pump(seen.Add);
+                        queue.Pump<MotionFrame>(seen.Add);
 
                     Assert.Equal((0, 0L), (seen.Missing, queue.Dropped));
                 }
@@ -126,7 +126,7 @@ public sealed class ConsumerIsolationTests : IDisposable
                 bool ended = reader.Completion.IsCompleted;
                 try
                 {
-                    if (queue.Pump(Handle, maxFrames: 1) == 0 && ended)
+                    if (queue.Pump<MotionFrame>(Handle, maxFrames: 1) == 0 && ended)
                         return seen;
                     if (queue.Count == 0)
                         Thread.Yield();

@@ -66,29 +66,26 @@ public class FixtureReaderTests
     private static void AssertFrames(StreamFixture fixture, FrameQueue queue)
     {
         int next = 0;
-        int count = queue.Pump(
-            motion =>
+        int count = queue.Pump<AvatarFrame>(frame =>
+        {
+            ExpectedPacket expected = fixture.Expected[next++];
+            if (frame is StudioCalculationFrame studio)
             {
-                ExpectedPacket expected = fixture.Expected[next++];
-                Assert.Equal("frame", expected.Type);
-                Assert.Equal(expected.Displacement ?? true, motion.Header.HasDisplacement);
-                Assert.Equal(expected.Reference ?? false, motion.Header.HasReference);
-                Assert.Equal((motion.Header.HasDisplacement, motion.Header.HasReference), (motion.Layout.HasDisplacement, motion.Layout.HasReference));
-                AssertFrame(expected, motion);
-            },
-            calculation =>
-            {
-                ExpectedPacket expected = fixture.Expected[next++];
-                Assert.Equal("calculation", expected.Type);
-                AssertFrame(expected, calculation);
-            },
-            studio =>
-            {
-                ExpectedPacket expected = fixture.Expected[next++];
                 Assert.Equal("studioCalculation", expected.Type);
                 Assert.Equal((expected.Avatar, expected.Name, expected.Index), (studio.AvatarIndex, studio.AvatarName, studio.FrameIndex));
                 StudioCalculations.AssertFixture(studio);
-            });
+                return;
+            }
+
+            Assert.Equal(frame is MotionFrame ? "frame" : "calculation", expected.Type);
+            AssertFrame(expected, frame);
+            if (frame is MotionFrame motion)
+            {
+                Assert.Equal(expected.Displacement ?? true, motion.Header.HasDisplacement);
+                Assert.Equal(expected.Reference ?? false, motion.Header.HasReference);
+                Assert.Equal((motion.Header.HasDisplacement, motion.Header.HasReference), (motion.Layout.HasDisplacement, motion.Layout.HasReference));
+            }
+        });
         Assert.Equal(fixture.Expected.Count, count);
     }
 

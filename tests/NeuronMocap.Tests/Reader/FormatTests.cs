@@ -34,10 +34,16 @@ public sealed class FormatTests
         Assert.Equal(Expected(format, isOld), reader.Status.Format);
         int motions = 0;
         int calculations = 0;
-        queue.Pump(
-            motion => AssertMotion(motion, options, motions++),
-            calculation => AssertCalculation(calculation, options, calculations++, motions),
-            calculation => AssertStudioCalculation(calculation, options, calculations++, motions),
+        queue.Pump<AvatarFrame>(
+            frame =>
+            {
+                if (frame is MotionFrame motion)
+                    AssertMotion(motion, options, motions++);
+                else if (frame is CalculationFrame calculation)
+                    AssertCalculation(calculation, options, calculations++, motions);
+                else
+                    AssertStudioCalculation((StudioCalculationFrame)frame, options, calculations++, motions);
+            },
             Frames * Avatars * 2);
         Assert.Equal((Frames * Avatars, Frames * Avatars), (motions, calculations));
         Assert.Equal((0L, 0L), (reader.GetStatistics().SkippedBytes, reader.GetStatistics().Lost));

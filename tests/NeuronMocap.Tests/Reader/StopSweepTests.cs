@@ -266,7 +266,7 @@ public sealed partial class StopSweepTests(ITestOutputHelper output)
         {
             while (!reader.Completion.IsCompleted)
             {
-                queue.Pump(_ =>
+                queue.Pump<MotionFrame>(_ =>
                 {
                     if (stopping == Stopping.PumpHandler)
                         StopWhenDue();

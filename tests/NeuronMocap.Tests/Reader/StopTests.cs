@@ -141,7 +141,7 @@ public sealed class StopTests
             Task pumping = Task.Run(() =>
             {
                 while (!reader.Completion.IsCompleted)
-                    queue.Pump(_ => { });
+                    queue.Pump<MotionFrame>(_ => { });
             });
             await Task.WhenAll(Enumerable.Range(0, 4).Select(_ => Task.Run(reader.Dispose))).Soon();
             await AssertStoppedAsync(reader);

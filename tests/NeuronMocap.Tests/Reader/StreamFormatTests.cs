@@ -151,7 +151,7 @@ public sealed class StreamFormatTests
 
         await Limits.UntilAsync(() => queue.Count == 2);
         List<int> frames = [];
-        queue.Pump(motion => frames.Add((int)motion.Values[0]), calculation => frames.Add((int)calculation.Values[0]));
+        queue.Pump<AvatarFrame>(frame => frames.Add((int)frame.Values[0]));
         Assert.Equal([2, 3], frames);
         Assert.Equal(StreamFormat.Text, (await log.WaitAsync(ConnectionState.Receiving)).Format);
         await log.WaitAsync(ConnectionState.Silent);
@@ -179,7 +179,7 @@ public sealed class StreamFormatTests
 
         await Limits.UntilAsync(() => queue.Count == 5);
         List<int> frames = [];
-        queue.Pump(motion => frames.Add((int)motion.Values[0]));
+        queue.Pump<MotionFrame>(motion => frames.Add((int)motion.Values[0]));
         Assert.Equal([0, 1, 3, 4, 5], frames);
     }
 
@@ -243,7 +243,7 @@ public sealed class StreamFormatTests
         await Limits.UntilAsync(() => Volatile.Read(ref called) == 5);
 
         int pumped = 0;
-        Assert.Equal(2, queue.Pump(onMotion: null, onStudioCalculation: frame => pumped += (int)frame.FrameIndex!));
+        Assert.Equal(2, queue.Pump<StudioCalculationFrame>(frame => pumped += (int)frame.FrameIndex!));
         Assert.Equal(5, pumped);
         Assert.True(latest.TryTakeStudioCalculation(2, out StudioCalculationFrame? newest));
         Assert.Equal(TestPackets.Value(4, 2, 13), newest.GetPosition(Bone.Hips).X);

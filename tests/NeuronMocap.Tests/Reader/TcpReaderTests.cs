@@ -34,7 +34,7 @@ public sealed class TcpReaderTests : IDisposable
 
         AssertFrames(called);
         List<MotionFrame> pumped = [];
-        queue.Pump(frame => pumped.Add(frame.Clone()));
+        queue.Pump<MotionFrame>(frame => pumped.Add(frame.Clone()));
         AssertFrames(pumped);
         Assert.True(latest.TryTakeMotion(0, out MotionFrame? newest));
         Assert.Equal((uint)FrameCount - 1, newest.FrameIndex);
@@ -169,7 +169,7 @@ public sealed class TcpReaderTests : IDisposable
         closed.Dispose();
 
         Assert.Equal(FrameCount - 8, idle.Dropped);
-        Assert.Equal(FrameCount, large.Pump(_ => { }));
+        Assert.Equal(FrameCount, large.Pump<MotionFrame>(_ => { }));
         Assert.Equal((2 * FrameCount) - 8 - 16, reader.GetStatistics().Dropped);
     }
 

@@ -70,7 +70,7 @@ public sealed class UdpFaultTests
         }
 
         await Limits.UntilAsync(() => end.Reader.GetStatistics().MotionFrames == Senders);
-        Assert.Equal(Enumerable.Range(0, Senders), end.Reader.GetAvatarStatistics().Select(avatar => avatar.Source));
+        Assert.Equal(Enumerable.Range(0, Senders), end.Reader.GetAvatarStatistics().Select(avatar => avatar.Sender));
         Assert.Equal(0, end.Reader.GetStatistics().SkippedBytes);
     }
 

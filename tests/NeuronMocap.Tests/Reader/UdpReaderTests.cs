@@ -25,7 +25,7 @@ public sealed class UdpReaderTests
         }
 
         List<uint?> indices = [];
-        queue.Pump(frame =>
+        queue.Pump<MotionFrame>(frame =>
         {
             indices.Add(frame.FrameIndex);
             Assert.Equal(TestPackets.Value((int)frame.FrameIndex!, 0, 353), frame.Values[353]);
@@ -50,7 +50,7 @@ public sealed class UdpReaderTests
         await reader.WaitForFramesAsync(2);
 
         List<(uint?, int)> seen = [];
-        queue.Pump(frame => seen.Add((frame.FrameIndex, frame.Source)));
+        queue.Pump<MotionFrame>(frame => seen.Add((frame.FrameIndex, frame.Sender)));
         Assert.Equal([(500u, 1), (10u, 0)], seen);
         Assert.Equal(0, reader.GetStatistics().Lost);
         Assert.Equal(2, reader.GetAvatarStatistics().Count);

@@ -33,7 +33,7 @@ public sealed class UdpRestartTests : IDisposable
         Assert.Equal((0L, 0L), (export.FramesIgnored, export.FramesDropped));
         Assert.Equal(before + after, BvhDocument.Load(Target).FrameCount);
         AvatarStatistics avatar = Assert.Single(end.Reader.GetAvatarStatistics());
-        Assert.Equal((0, before + after, 1L, 0L, 0L), (avatar.Source, avatar.Frames, avatar.Restarts, avatar.Lost, avatar.Disordered));
+        Assert.Equal((0, before + after, 1L, 0L, 0L), (avatar.Sender, avatar.Frames, avatar.Restarts, avatar.Lost, avatar.Disordered));
     }
 
     // Whether the stop comes before or after the wait for the old port's silence.
@@ -65,7 +65,7 @@ public sealed class UdpRestartTests : IDisposable
 
         await end.Reader.WaitForFramesAsync(400);
         export.Dispose();
-        Assert.Equal([(0, 200L), (1, 200L)], end.Reader.GetAvatarStatistics().Select(avatar => (avatar.Source, avatar.Frames)));
+        Assert.Equal([(0, 200L), (1, 200L)], end.Reader.GetAvatarStatistics().Select(avatar => (avatar.Sender, avatar.Frames)));
         Assert.Equal(200, BvhDocument.Load(Target).FrameCount);
     }
 
@@ -107,18 +107,18 @@ public sealed class UdpRestartTests : IDisposable
 
         using (var frames = RecordedFrameReader.Open(Recording))
         {
-            List<(int Source, uint? Index)> read = [];
+            List<(int Sender, uint? Index)> read = [];
             while (frames.Read())
-                read.Add((frames.Frame.Source, frames.Frame.FrameIndex));
+                read.Add((frames.Frame.Sender, frames.Frame.FrameIndex));
 
             Assert.Equal([.. Indices(60), .. Indices(60)], read);
         }
 
         using var player = RecordingPlayer.Open(Recording);
         player.Speed = RecordingPlayer.MaxSpeed;
-        List<(int Source, uint? Index)> played = [];
+        List<(int Sender, uint? Index)> played = [];
         await using var reader = new NeuronReader(player);
-        reader.MotionReceived += frame => played.Add((frame.Source, frame.FrameIndex));
+        reader.MotionReceived += frame => played.Add((frame.Sender, frame.FrameIndex));
         reader.Start();
         await reader.Completion.Soon();
         Assert.Equal([.. Indices(60), .. Indices(60)], played);
@@ -131,7 +131,7 @@ public sealed class UdpRestartTests : IDisposable
         await end.SendAsync(end.CreateSender(), TestPackets.Motion(1));
         await end.SendAsync(end.CreateSender(), TestPackets.Motion(2));
         await end.Reader.WaitForFramesAsync(2);
-        Assert.Equal(0, Assert.Single(end.Reader.GetAvatarStatistics()).Source);
+        Assert.Equal(0, Assert.Single(end.Reader.GetAvatarStatistics()).Sender);
     }
 
     // A playback's first frame stands at the time of its own, not of the one that made known whose it is. The second
@@ -159,7 +159,7 @@ public sealed class UdpRestartTests : IDisposable
         Assert.Fail("Every frame has a time at which it was handed out.");
     }
 
-    private static IEnumerable<(int Source, uint? Index)> Indices(int count) => Enumerable.Range(0, count).Select(i => (0, (uint?)i));
+    private static IEnumerable<(int Sender, uint? Index)> Indices(int count) => Enumerable.Range(0, count).Select(i => (0, (uint?)i));
 
     private static async Task SendAsync(UdpEnd end, Socket server, int frames)
     {

@@ -76,7 +76,7 @@ public sealed class ReaderMetricsTests
         await connection.SendAsync(TestPackets.Motions(1, 10));
         await reader.WaitForFramesAsync(10);
         await Limits.UntilAsync(() => queue.Count == 10);
-        queue.Pump(null);
+        queue.Pump<AvatarFrame>(static _ => { });
         await Limits.UntilAsync(() => latest.TryTakeMotion(0, out _));
 
         (string Name, double Value, string Tags)[] recorded = log.Measurements;

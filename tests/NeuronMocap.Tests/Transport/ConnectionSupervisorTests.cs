@@ -132,7 +132,7 @@ public sealed class ConnectionSupervisorTests
     }
 
     private Task<ConnectionStatus> SuperviseAsync(ReconnectPolicy policy, Func<Link> createLink) =>
-        new ConnectionSupervisor(createLink, policy, _status, _activity, () => 0).RunAsync(_pipeline, _stop.Token).Soon();
+        new ConnectionSupervisor(createLink, policy, _status, _activity, () => 0).RunAsync(_pipeline, _pipeline, _stop.Token).Soon();
 
     private void Tell(ConnectionStatus status)
     {
@@ -149,7 +149,7 @@ public sealed class ConnectionSupervisorTests
 
         public override Task<LinkEnd> OpenAsync(CancellationToken stop) => Task.FromResult(LinkEnd.None);
 
-        public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver) => Task.FromResult(receive(receiver));
+        public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver, ILinkListener? listener) => Task.FromResult(receive(receiver));
 
         public override void Close() => closed?.Invoke();
     }

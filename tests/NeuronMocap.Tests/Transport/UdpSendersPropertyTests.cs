@@ -100,7 +100,7 @@ public sealed class UdpSendersPropertyTests
                 expected.Receive(datagram);
 
             PacketLog received = Receive(arrivals);
-            Assert.Equal(expected.Packets, received.Packets.Select(packet => (packet.Source, packet.Bytes)));
+            Assert.Equal(expected.Packets, received.Packets.Select(packet => (packet.Sender, packet.Bytes)));
             Assert.Equal(expected.Skipped, received.Skipped);
         });
     }

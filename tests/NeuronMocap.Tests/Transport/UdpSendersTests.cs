@@ -33,7 +33,7 @@ public sealed class UdpSendersTests
         Push(5001, second[1024..]);
         Push(5000, first[1024..]);
         Assert.Equal([second, first], _log.Packets.Select(packet => packet.Bytes));
-        Assert.Equal([1, 0], _log.Packets.Select(packet => packet.Source));
+        Assert.Equal([1, 0], _log.Packets.Select(packet => packet.Sender));
     }
 
     [Fact]
@@ -81,7 +81,7 @@ public sealed class UdpSendersTests
 
         Assert.Equal((64, 64), (UdpSenders.Limit, _senders.Count));
         Assert.Equal(400, _log.Packets.Count);
-        Assert.Equal([0], _log.Packets.Select(packet => packet.Source - _log.Packets[0].Source).Distinct());
+        Assert.Equal([0], _log.Packets.Select(packet => packet.Sender - _log.Packets[0].Sender).Distinct());
         Assert.InRange(_log.Skipped, 1024 * (20_000 - 64), 1024 * 20_000);
     }
 
@@ -99,8 +99,8 @@ public sealed class UdpSendersTests
         }
 
         Assert.Equal(64, _senders.Count);
-        Assert.Equal(401, _log.Packets.Count(packet => packet.Source == 1));
-        Assert.Equal(63, _log.Packets.Count(packet => packet.Source != 1));
+        Assert.Equal(401, _log.Packets.Count(packet => packet.Sender == 1));
+        Assert.Equal(63, _log.Packets.Count(packet => packet.Sender != 1));
         Assert.Equal([SkipReason.TooManySenders], _log.Reasons.Distinct());
     }
 
@@ -186,7 +186,7 @@ public sealed class UdpSendersTests
                 Push(5000, TestPackets.Motion(5 + i), seconds: 0.81 + (i * 0.05));
         }
 
-        Assert.Equal([1], _log.Packets.Where(packet => packet.Source != 0).Select(packet => packet.Source).Distinct());
+        Assert.Equal([1], _log.Packets.Where(packet => packet.Sender != 0).Select(packet => packet.Sender).Distinct());
         Assert.Equal((10, 20), (Sources().Count(source => source == 0), Sources().Count(source => source == 1)));
     }
 
@@ -202,7 +202,7 @@ public sealed class UdpSendersTests
         }
 
         Assert.Equal((12, 10), (Sources().Count(source => source == 0), Sources().Count(source => source == 1)));
-        Assert.Equal([TestPackets.Motion(3)], _log.Packets.Where(packet => packet.Source == 1).Select(packet => packet.Bytes).DistinctBy(Convert.ToHexString));
+        Assert.Equal([TestPackets.Motion(3)], _log.Packets.Where(packet => packet.Sender == 1).Select(packet => packet.Bytes).DistinctBy(Convert.ToHexString));
     }
 
     [Fact]
@@ -254,7 +254,7 @@ public sealed class UdpSendersTests
 
         Assert.Equal(
             Enumerable.Range(0, 600).Select(i => TestPackets.Motion(i)),
-            _log.Packets.Where(packet => packet.Source == 0).Select(packet => packet.Bytes));
+            _log.Packets.Where(packet => packet.Sender == 0).Select(packet => packet.Bytes));
         Assert.InRange(_senders.Count, 1, 64);
     }
 
@@ -297,7 +297,7 @@ public sealed class UdpSendersTests
     private void PushFrom(IPAddress address, int port, byte[] datagram, double seconds = 0) =>
         _senders.Push(new IPEndPoint(address, port).Serialize(), datagram, Ticks(seconds));
 
-    private IEnumerable<int> Sources() => _log.Packets.Select(packet => packet.Source);
+    private IEnumerable<int> Sources() => _log.Packets.Select(packet => packet.Sender);
 
     private static long Ticks(double seconds) => (long)(seconds * Stopwatch.Frequency);
 

@@ -86,7 +86,7 @@ public sealed class UdpSettlingTests
             new NeuronReaderOptions { Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0 }.Link, new SenderFilter([]));
         Assert.Equal(ConnectionReason.None, (await link.OpenAsync(TestContext.Current.CancellationToken)).Reason);
         _receiver.OnSecond = static () => throw new InvalidOperationException("a fault");
-        Task<LinkEnd> end = link.ReceiveAsync(_receiver);
+        Task<LinkEnd> end = link.ReceiveAsync(_receiver, listener: null);
         using var first = new UdpClient();
         using var second = new UdpClient();
         first.Send(TestPackets.Motion(1), 1480, (IPEndPoint)link.LocalEndPoint!);
@@ -114,19 +114,9 @@ public sealed class UdpSettlingTests
     {
         private int _packets;
 
-        public StreamTap? Tap => null;
-
         public Action? OnSecond { get; set; }
 
         public int Packets => Volatile.Read(ref _packets);
-
-        public void OnLinkOpened()
-        {
-        }
-
-        public void OnLinkClosed()
-        {
-        }
 
         public void OnPacket(in ReceivedPacket packet)
         {

@@ -5,9 +5,7 @@ namespace NeuronMocap.Tests.Network;
 // Receives packets as the receive path does, and keeps copies.
 internal sealed class PacketLog : IPacketReceiver
 {
-    public StreamTap? Tap => null;
-
-    public List<(PacketKind Kind, byte[] Bytes, int Source)> Packets { get; } = [];
+    public List<(PacketKind Kind, byte[] Bytes, int Sender)> Packets { get; } = [];
 
     public List<int> Origins { get; } = [];
 
@@ -18,17 +16,9 @@ internal sealed class PacketLog : IPacketReceiver
 
     public List<SkipReason> Reasons { get; } = [];
 
-    public void OnLinkOpened()
-    {
-    }
-
-    public void OnLinkClosed()
-    {
-    }
-
     public void OnPacket(in ReceivedPacket packet)
     {
-        Packets.Add((packet.Kind, packet.Bytes.ToArray(), packet.Source));
+        Packets.Add((packet.Kind, packet.Bytes.ToArray(), packet.Sender));
         Origins.Add(packet.Origin);
     }
 

@@ -47,6 +47,6 @@ internal static class Recordings
         foreach (float value in frame.Values)
             hash.Add(BitConverter.SingleToInt32Bits(value));
 
-        return $"{frame.GetType().Name} {frame.Source} {frame.AvatarIndex} {frame.AvatarName} {frame.FrameIndex} {frame.Values.Length} {hash.ToHashCode():X8}";
+        return $"{frame.GetType().Name} {frame.Sender} {frame.AvatarIndex} {frame.AvatarName} {frame.FrameIndex} {frame.Values.Length} {hash.ToHashCode():X8}";
     }
 }

@@ -57,7 +57,7 @@ namespace NeuronMocap.Unity.EditorTools
         {
             foreach (AvatarStatistics some in figures)
             {
-                if (some.Kind == PacketKind.Motion && some.AvatarIndex == performer.AvatarIndex && some.Source == performer.Sender)
+                if (some.Kind == PacketKind.Motion && some.AvatarIndex == performer.AvatarIndex && some.Sender == performer.Sender)
                     return some;
             }
 

@@ -35,7 +35,7 @@ namespace NeuronMocap.Unity
         public void OnCalculation(CalculationFrame frame)
         {
             if (frame.BoneCount > 0)
-                Find(frame.Source, frame.AvatarIndex)?.Contacts.Add(frame.Timestamp, frame.FootContacts);
+                Find(frame.Sender, frame.AvatarIndex)?.Contacts.Add(frame.Timestamp, frame.FootContacts);
         }
 
         private AvatarStream? Find(int sender, int avatarIndex)
@@ -51,7 +51,7 @@ namespace NeuronMocap.Unity
 
         private AvatarStream? FindOrAdd(MotionFrame frame)
         {
-            if (Find(frame.Source, frame.AvatarIndex) is { } known)
+            if (Find(frame.Sender, frame.AvatarIndex) is { } known)
                 return known;
 
             AvatarStream[] before = _all;
@@ -59,7 +59,7 @@ namespace NeuronMocap.Unity
             if (place < 0)
                 return null;
 
-            var added = new AvatarStream(frame.Source, frame.AvatarIndex, frame.Timestamp);
+            var added = new AvatarStream(frame.Sender, frame.AvatarIndex, frame.Timestamp);
             var all = new AvatarStream[Math.Max(before.Length, place + 1)];
             before.CopyTo(all, 0);
             all[place] = added;

@@ -69,7 +69,7 @@ internal sealed class StreamContents
             _ => (PacketKind.StudioCalculation, "calculation data of Axis Studio"),
         };
         _formats.Add(format);
-        var key = (kind, frame.Source, frame.AvatarIndex);
+        var key = (kind, frame.Sender, frame.AvatarIndex);
         if (!_frames.TryGetValue(key, out Frames? frames))
             _frames.Add(key, frames = new Frames());
 
@@ -111,7 +111,7 @@ internal sealed class StreamContents
 
     private void AddAvatar(InfoSection section, AvatarStatistics avatar, bool hasTimes)
     {
-        Frames? frames = _frames.GetValueOrDefault((avatar.Kind, avatar.Source, avatar.AvatarIndex));
+        Frames? frames = _frames.GetValueOrDefault((avatar.Kind, avatar.Sender, avatar.AvatarIndex));
         string kind = avatar.Kind == PacketKind.Motion ? "motion" : "calculation";
         string text = Quantity.Format($"{avatar.AvatarIndex} {avatar.AvatarName}: {avatar.Frames:#,0} {kind} frame{(avatar.Frames == 1 ? string.Empty : "s")}");
         if (hasTimes && frames?.Rate is { } rate)
@@ -128,7 +128,7 @@ internal sealed class StreamContents
         {
             ["avatar"] = avatar.AvatarIndex,
             ["name"] = avatar.AvatarName,
-            ["source"] = avatar.Source,
+            ["source"] = avatar.Sender,
             ["kind"] = avatar.Kind.ToString(),
             ["frames"] = avatar.Frames,
             ["rate"] = hasTimes && frames?.Rate is { } known ? Math.Round(known, 4) : null,

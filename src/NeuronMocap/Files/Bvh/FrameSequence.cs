@@ -1,15 +1,11 @@
 using System.Diagnostics;
+using NeuronMocap.Frames;
 
 namespace NeuronMocap.Bvh;
 
 // How many rows a frame makes, by its index, and how long a row lasts, by the times of receipt.
 internal sealed class FrameSequence(BvhGaps gaps)
 {
-    // As where losses are counted: a larger step is a server that counts anew, and a frame that comes later than this is not late but the same.
-    private const uint LargestGap = 10_000;
-    private const uint LargestDelay = 63;
-    private const int RestartRun = 3;
-
     // No suit is faster. An index that jumps without time having passed is no loss, and a stream that means harm cannot blow up the file.
     private const int MostRowsPerSecond = 1000;
 
@@ -20,9 +16,10 @@ internal sealed class FrameSequence(BvhGaps gaps)
     private static readonly long Settling = Stopwatch.Frequency / 4;
     private static readonly long LongEnough = Stopwatch.Frequency;
 
-    private uint? _index;
+    private readonly IndexTracker _tracker = new();
+
+    // The smallest so far. The tracker's is known after 16 frames, and rows that were written cannot be taken back.
     private uint _step = uint.MaxValue;
-    private int _lateRun;
     private long _timestamp;
     private long _elapsed;
     private long _intervals;
@@ -41,23 +38,20 @@ internal sealed class FrameSequence(BvhGaps gaps)
     public int Next(uint? index, long timestamp)
     {
         if (!_hasBegun)
-            return Begin(index, timestamp);
-        if (index is not { } next || _index is not { } last)
-            return Continue(index, timestamp, missing: 0, isGap: timestamp - _timestamp > LongestInterval);
-        if (next == last)
-            return Continue(index, timestamp, missing: 0, isGap: false);
-        if (last - next <= LargestDelay)
-            return ++_lateRun < RestartRun ? 0 : Begin(index, timestamp);
+        {
+            _tracker.StartAt(index);
+            return Begin(timestamp);
+        }
 
-        uint step = next - last;
-        if (step > LargestGap)
-            return Begin(index, timestamp);
-
-        // Of frequency reducing every index is a multiple: the smallest step is from one frame to the next.
-        _step = Math.Min(_step, step);
-        long missing = ((step + (_step / 2)) / _step) - 1;
-        bool isLoss = missing * Stopwatch.Frequency <= (timestamp - _timestamp) * MostRowsPerSecond;
-        return isLoss ? Continue(index, timestamp, (int)missing, isGap: false) : Begin(index, timestamp);
+        uint? last = _tracker.Newest;
+        return _tracker.OnIndex(index) switch
+        {
+            IndexChange.None => Continue(timestamp, missing: 0, isGap: timestamp - _timestamp > LongestInterval),
+            IndexChange.Same => Continue(timestamp, missing: 0, isGap: false),
+            IndexChange.Late => 0,
+            IndexChange.Restart => Begin(timestamp),
+            _ => Advance(index!.Value - last!.Value, timestamp),
+        };
     }
 
     /// <summary>The time of a row: the usual one that is near what was measured, else the measured one.</summary>
@@ -86,21 +80,30 @@ internal sealed class FrameSequence(BvhGaps gaps)
         return BvhFrameTime.FromFrameRate(nearest ?? Math.Min(Math.Max(Math.Round(rate, 2), 0.01), 1e6));
     }
 
+    // Of frequency reducing every index is a multiple: the smallest step is from one frame to the next.
+    private int Advance(uint step, long timestamp)
+    {
+        _step = Math.Min(_step, step);
+        long missing = ((step + (_step / 2)) / _step) - 1;
+        bool isLoss = missing * Stopwatch.Frequency <= (timestamp - _timestamp) * MostRowsPerSecond;
+        return isLoss ? Continue(timestamp, (int)missing, isGap: false) : Begin(timestamp);
+    }
+
     // What came before has no relation in time to what comes now.
-    private int Begin(uint? index, long timestamp)
+    private int Begin(long timestamp)
     {
         _run = 0;
-        Keep(index, timestamp);
+        (_timestamp, _hasBegun) = (timestamp, true);
         return 1;
     }
 
-    private int Continue(uint? index, long timestamp, int missing, bool isGap)
+    private int Continue(long timestamp, int missing, bool isGap)
     {
         bool isCounted = !isGap && (missing == 0 || gaps == BvhGaps.Repeat);
         if (isCounted)
             Count(timestamp - _timestamp, missing + 1);
 
-        Keep(index, timestamp);
+        _timestamp = timestamp;
         return gaps == BvhGaps.Repeat ? missing + 1 : 1;
     }
 
@@ -116,6 +119,4 @@ internal sealed class FrameSequence(BvhGaps gaps)
 
         _run += elapsed;
     }
-
-    private void Keep(uint? index, long timestamp) => (_index, _timestamp, _hasBegun, _lateRun) = (index, timestamp, true, 0);
 }

@@ -6,19 +6,10 @@ namespace NeuronMocap.Recording;
 // Counts what an arrival brought, and keeps its frames until they are asked for: an assembler hands out all at once, in memory that it uses again.
 internal sealed class FoundPackets(StreamCounters counters) : IPacketReceiver
 {
-    private readonly PacketDispatcher _dispatcher = new(counters);
     private readonly List<(ReceivedPacket Packet, int Start)> _packets = [];
     private byte[] _bytes = [];
     private int _length;
     private int _next;
-
-    public StreamTap? Tap => null;
-
-    public void OnLinkOpened() => counters.Resume();
-
-    public void OnLinkClosed()
-    {
-    }
 
     public void OnText(ReadOnlySpan<byte> bytes) => counters.CountText(bytes.Length);
 
@@ -26,7 +17,7 @@ internal sealed class FoundPackets(StreamCounters counters) : IPacketReceiver
 
     public void OnPacket(in ReceivedPacket packet)
     {
-        _dispatcher.Dispatch(packet);
+        counters.Count(packet);
         if (!packet.IsFrame)
             return;
 

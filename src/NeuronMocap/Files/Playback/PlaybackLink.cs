@@ -15,7 +15,8 @@ internal sealed class PlaybackLink(PlaybackRun run) : Link
 
     public override Task<LinkEnd> OpenAsync(CancellationToken stop) => RunAsync(() => run.Open(_closed.Token));
 
-    public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver) => RunAsync(() => run.Receive(receiver, _closed.Token));
+    public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver, ILinkListener? listener) =>
+        RunAsync(() => run.Receive(receiver, listener, _closed.Token));
 
     public override void Close()
     {

@@ -26,16 +26,6 @@ internal sealed class PlaybackReceiver : IPacketReceiver
         FramesOfTime = 0;
     }
 
-    public StreamTap? Tap => null;
-
-    public void OnLinkOpened()
-    {
-    }
-
-    public void OnLinkClosed()
-    {
-    }
-
     public void OnPacket(in ReceivedPacket packet)
     {
         if (packet.IsFrame)

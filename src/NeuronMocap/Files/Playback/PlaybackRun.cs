@@ -12,6 +12,7 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
 
     // Of the link that plays.
     private CancellationToken _closed;
+    private ILinkListener? _listener;
 
     public string Target => file.Target;
 
@@ -23,11 +24,12 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
     });
 
     // Plays until the connection ends.
-    public LinkEnd Receive(IPacketReceiver receiver, CancellationToken closed) => file.Use(() =>
+    public LinkEnd Receive(IPacketReceiver receiver, ILinkListener? listener, CancellationToken closed) => file.Use(() =>
     {
         _closed = closed;
+        _listener = listener;
         feed.Target = receiver;
-        return Receive(receiver);
+        return Receive();
     });
 
     // Any thread: a link was closed.
@@ -79,7 +81,7 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
         return LinkEnd.None;
     }
 
-    private LinkEnd Receive(IPacketReceiver receiver)
+    private LinkEnd Receive()
     {
         while (true)
         {
@@ -98,7 +100,7 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
                 if (!feed.Parser.IsOpen)
                     return new LinkEnd(ConnectionReason.ClosedByPeer, "The playback has gone to another place, where no connection stood.");
 
-                receiver.OnLinkOpened();
+                _listener?.OnLinkOpened();
                 continue;
             }
 
@@ -141,7 +143,7 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
         if (feed.Follow(arrival, timestamp) && !arrival.IsCalculation)
         {
             if (_hasOpened)
-                feed.Target!.OnLinkOpened();
+                _listener?.OnLinkOpened();
 
             _hasOpened = true;
         }

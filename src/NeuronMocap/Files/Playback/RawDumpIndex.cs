@@ -48,16 +48,6 @@ internal sealed class RawDumpIndex : IPacketReceiver
         return low;
     }
 
-    public StreamTap? Tap => null;
-
-    public void OnLinkOpened()
-    {
-    }
-
-    public void OnLinkClosed()
-    {
-    }
-
     public void OnPacket(in ReceivedPacket packet)
     {
         // The bytes of a line were told before it.
@@ -99,8 +89,7 @@ internal sealed class RawDumpIndex : IPacketReceiver
 
     private void CountFrame(in ReceivedPacket packet)
     {
-        bool isMotion = packet.Kind == PacketKind.Motion;
-        uint avatar = isMotion ? MotionHeader.ReadAvatarIndex(packet.Bytes) : CalculationHeader.ReadAvatarIndex(packet.Bytes);
+        uint avatar = packet.AvatarIndex;
         if (_seen.Count == MostFrames || !_seen.Add((packet.Kind, avatar)) || InstantCount == 0)
         {
             _seen.Clear();
@@ -108,7 +97,7 @@ internal sealed class RawDumpIndex : IPacketReceiver
             InstantCount++;
         }
 
-        if (isMotion && MotionHeader.TryRead(packet.Bytes, out MotionHeader header) && header.Timecode is { } timecode)
+        if (packet.Kind == PacketKind.Motion && MotionHeader.TryRead(packet.Bytes, out MotionHeader header) && header.Timecode is { } timecode)
             _timecodes.Add(timecode, InstantCount);
     }
 

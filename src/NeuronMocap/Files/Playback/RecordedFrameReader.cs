@@ -22,9 +22,7 @@ public sealed class RecordedFrameReader : IDisposable
     private readonly StreamCounters _counters = new();
     private readonly FoundPackets _found;
     private readonly ArrivalParser _parser;
-    private readonly LentFrames<MotionFrame> _motion;
-    private readonly LentFrames<CalculationFrame> _calculation = new(static () => new CalculationFrame(), LentFrames<CalculationFrame>.OfTakers);
-    private readonly LentFrames<StudioCalculationFrame> _studio = new(static () => new StudioCalculationFrame(), LentFrames<StudioCalculationFrame>.OfTakers);
+    private readonly LentFrames _frames;
     private AvatarFrame? _frame;
     private bool _isOver;
 
@@ -33,8 +31,7 @@ public sealed class RecordedFrameReader : IDisposable
         _source = source;
         _found = new FoundPackets(_counters);
         _parser = new ArrivalParser(options.MaxValues ?? source.MaxValues, new SenderFilter([]), _found);
-        FrameFormat format = source.CreateFormat(options.RotationOrder, options.SkeletonVariant);
-        _motion = new LentFrames<MotionFrame>(() => new MotionFrame(format), LentFrames<MotionFrame>.OfTakers);
+        _frames = new LentFrames(source.CreateFormat(options.RotationOrder, options.SkeletonVariant), LentFrames.OfTakers);
     }
 
     /// <summary>Name of the file, without its folder.</summary>
@@ -120,20 +117,10 @@ public sealed class RecordedFrameReader : IDisposable
             Connection = _parser.Connection;
         }
 
-        Show(packet);
+        _frame = _frames.Lend(packet);
         return true;
     }
 
     /// <summary>Closes the file.</summary>
     public void Dispose() => _source.Dispose();
-
-    private void Show(in ReceivedPacket packet)
-    {
-        _frame = packet.Kind switch
-        {
-            PacketKind.Motion => _motion.Lend(packet),
-            PacketKind.Calculation => _calculation.Lend(packet),
-            _ => _studio.Lend(packet),
-        };
-    }
 }

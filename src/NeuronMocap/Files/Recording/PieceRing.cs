@@ -182,7 +182,7 @@ internal struct PieceRecord
 
     public PieceKind Kind;
     public int Connection;
-    public int Source;
+    public int Sender;
     public int TextLength;
     public int Length;
     public bool IsDatagrams;

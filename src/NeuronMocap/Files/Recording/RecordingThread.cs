@@ -9,6 +9,7 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
 {
     // The connections that stand, two at most.
     private readonly List<(int Number, bool IsCalculation, SenderTable Senders)> _open = [];
+    private readonly object _lock = new();
     private readonly Dictionary<string, string> _metadata = new(StringComparer.Ordinal);
     private (long Pieces, long Bytes) _lossTold;
     private TimeSpan _time;
@@ -19,7 +20,7 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
     // Any thread: written with the next block.
     public void SetMetadata(string key, string value)
     {
-        lock (_metadata)
+        lock (_lock)
             _metadata[key] = value;
     }
 
@@ -65,7 +66,7 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
 
     private void WriteMetadata()
     {
-        lock (_metadata)
+        lock (_lock)
         {
             if (_metadata.Count == 0)
                 return;
@@ -145,15 +146,15 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
     private void WriteBytes(in PieceRecord record, TimeSpan time, ReadOnlySpan<byte> sender, ReadOnlySpan<byte> bytes)
     {
         RecordingWriter writer = files.Prepare(time, bytes.Length, out TimeSpan timeInFile);
-        if (sender.Length > 0 && SendersOf(record.Connection).IsNew(record.Source, out int? forgotten))
+        if (sender.Length > 0 && SendersOf(record.Connection).IsNew(record.Sender, out int? forgotten))
         {
             if (forgotten is { } old)
                 writer.RemoveSender(timeInFile, record.Connection, old);
 
-            writer.AddSender(timeInFile, record.Connection, record.Source, Describe(sender));
+            writer.AddSender(timeInFile, record.Connection, record.Sender, Describe(sender));
         }
 
-        writer.WriteBytes(timeInFile, record.Connection, bytes, record.Source);
+        writer.WriteBytes(timeInFile, record.Connection, bytes, record.Sender);
     }
 
     private SenderTable SendersOf(int connection)

@@ -9,27 +9,27 @@ internal sealed class SenderTable
     private long _clock;
 
     // Whether the sender has to be told first; and which one was forgotten for it.
-    public bool IsNew(int source, out int? forgotten)
+    public bool IsNew(int sender, out int? forgotten)
     {
         forgotten = null;
-        bool isNew = !_lastUsed.ContainsKey(source);
+        bool isNew = !_lastUsed.ContainsKey(sender);
         if (isNew && _lastUsed.Count >= UdpSenders.Limit)
         {
             forgotten = FindOldest();
             _lastUsed.Remove(forgotten.Value);
         }
 
-        _lastUsed[source] = ++_clock;
+        _lastUsed[sender] = ++_clock;
         return isNew;
     }
 
     private int FindOldest()
     {
         (int oldest, long used) = (0, long.MaxValue);
-        foreach ((int source, long lastUsed) in _lastUsed)
+        foreach ((int sender, long lastUsed) in _lastUsed)
         {
             if (lastUsed < used)
-                (oldest, used) = (source, lastUsed);
+                (oldest, used) = (sender, lastUsed);
         }
 
         return oldest;

@@ -186,7 +186,7 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
         if (_ring is not { } ring || Find(connection) is not { } link)
             return;
 
-        var record = new PieceRecord { Kind = PieceKind.Bytes, Connection = connection.Number, Source = number, Timestamp = timestamp };
+        var record = new PieceRecord { Kind = PieceKind.Bytes, Connection = connection.Number, Sender = number, Timestamp = timestamp };
         if (bytes.Length <= RecordingWriter.MaxPieceLength && ring.HasRoom(sender.Length + bytes.Length)
             && link.TryTellWhatIsUntold(ring, timestamp) && ring.TryWrite(record, sender, bytes))
         {

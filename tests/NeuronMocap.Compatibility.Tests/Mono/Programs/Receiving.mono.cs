@@ -51,7 +51,7 @@ public static class Program
             DateTime end = DateTime.UtcNow.AddSeconds(30);
             while (count < frames && DateTime.UtcNow < end)
             {
-                queue.Pump(frame =>
+                queue.Pump<MotionFrame>(frame =>
                 {
                     count++;
                     foreach (float value in frame.Values.ToArray())

@@ -1,5 +1,4 @@
 using System.Globalization;
-using NeuronMocap.Delivery;
 using NeuronMocap.Files;
 using NeuronMocap.Transport;
 
@@ -20,7 +19,6 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
     private static readonly TimeSpan FlushPeriod = TimeSpan.FromMilliseconds(200);
 
     private readonly FrameQueue _queue;
-    private readonly MotionOnlyConsumer _intake;
     private readonly BvhExportFiles _files;
     private readonly BvhExportBodies _bodies;
     private readonly Action<IFileOutput> _ended;
@@ -30,11 +28,10 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
     private Exception? _failure;
     private long _lostAtFailure;
 
-    internal BvhExport(string path, FrameQueue queue, MotionOnlyConsumer intake, BvhExportFiles files, BvhExportBodies bodies, Action<IFileOutput> ended)
+    internal BvhExport(string path, FrameQueue queue, BvhExportFiles files, BvhExportBodies bodies, Action<IFileOutput> ended)
     {
         Path = path;
         _queue = queue;
-        _intake = intake;
         _files = files;
         _bodies = bodies;
         _ended = ended;
@@ -117,7 +114,7 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
 
     private void Stop()
     {
-        _intake.Close();
+        _queue.CompleteAdding();
         _stop.Set();
     }
 
@@ -145,7 +142,7 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
     {
         try
         {
-            _intake.Close();
+            _queue.CompleteAdding();
             long waiting = _queue.Count;
             _queue.Dispose();
             Exception? unwritten = _files.Close();

@@ -15,7 +15,7 @@ internal sealed class BvhExportFiles
     private readonly BvhExportOptions _options;
     private readonly BvhExportBodies _bodies;
     private readonly Func<string, Stream> _open;
-    private readonly Dictionary<(int Source, int Avatar), Take> _takes = [];
+    private readonly Dictionary<(int Sender, int Avatar), Take> _takes = [];
     private readonly List<Take> _begun = [];
 
     // What was there before may be anything, a device for example, and is not deleted.
@@ -170,7 +170,7 @@ internal sealed class BvhExportFiles
 
     private Take? FindTake(MotionFrame frame)
     {
-        var key = (frame.Source, frame.AvatarIndex);
+        var key = (frame.Sender, frame.AvatarIndex);
         if (_takes.TryGetValue(key, out Take? take))
             return take;
 
@@ -208,7 +208,7 @@ internal sealed class BvhExportFiles
         }
 
         var take = new Take(writer, path, part, frame.AvatarIndex, frame.AvatarName, source);
-        _takes[(frame.Source, frame.AvatarIndex)] = take;
+        _takes[(frame.Sender, frame.AvatarIndex)] = take;
         _begun.Add(take);
         return take;
     }
@@ -231,8 +231,8 @@ internal sealed class BvhExportFiles
     private string PathOf(MotionFrame frame, int part)
     {
         string suffix = !_options.FilePerAvatar ? ""
-            : frame.Source == 0 ? Invariant($"-avatar{frame.AvatarIndex}")
-            : Invariant($"-sender{frame.Source}-avatar{frame.AvatarIndex}");
+            : frame.Sender == 0 ? Invariant($"-avatar{frame.AvatarIndex}")
+            : Invariant($"-sender{frame.Sender}-avatar{frame.AvatarIndex}");
         suffix += part == 1 ? "" : Invariant($"-part{part}");
         return suffix.Length == 0
             ? _path

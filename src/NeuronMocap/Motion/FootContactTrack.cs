@@ -6,7 +6,7 @@ namespace NeuronMocap.Motion;
 /// <summary>
 /// The way of the feet through a take, from which their contacts with the ground follow when all of it is known. Not thread-safe.
 /// </summary>
-public sealed class FootTrack
+public sealed class FootContactTrack
 {
     private readonly List<FootSample> _samples = [];
     private readonly List<double> _times = [];
@@ -46,12 +46,12 @@ public sealed class FootTrack
         return contacts;
     }
 
-    // As GroundHeight does, from both ends: a step up is known before it comes.
+    // As GroundEstimator does, from both ends: a step up is known before it comes.
     private float[] EstimateGround()
     {
         float[] heights = [.. _samples.Select(static sample => sample.Lowest)];
-        var forward = new GroundHeight();
-        var backward = new GroundHeight();
+        var forward = new GroundEstimator();
+        var backward = new GroundEstimator();
         for (int i = 0; i < heights.Length; i++)
             heights[i] = forward.Update(heights[i], _times[i]);
         for (int i = heights.Length - 1; i >= 0; i--)

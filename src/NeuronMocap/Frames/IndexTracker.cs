@@ -1,10 +1,10 @@
 using System.Runtime.CompilerServices;
 
-namespace NeuronMocap.Delivery;
+namespace NeuronMocap.Frames;
 
-// Follows the frame index of one avatar, and tells apart what a step of it can mean: the next frame, a gap, a late frame, a server that counts
-// anew, and a server that sends every second or third frame only (Axis Neuron's frequency reducing: the index then steps evenly by 2 or 3).
-// The receive thread writes, anyone reads: each figure is whole by itself. The index wraps at 2^32; unsigned differences do not care.
+// Follows the frame index of one avatar and decides what a step of it means: the next frame, a gap, a late frame, a server that counts anew,
+// or a server that sends only every second or third frame (Axis Neuron's frequency reducing: the index then steps evenly by 2 or 3).
+// One thread writes, any thread reads: each figure is whole by itself. The index wraps at 2^32; unsigned differences do not care.
 internal sealed class IndexTracker
 {
     // A server that restarts, or is set to another take, starts counting elsewhere: a step beyond this is no gap.
@@ -51,6 +51,9 @@ internal sealed class IndexTracker
     // By how much the index grows from frame to frame.
     public int Step => Volatile.Read(ref _step);
 
+    // Writing thread only. Null before the first index, and after a frame without one.
+    public uint? Newest => _newest;
+
     // Forgets where the index stood, but not its step, which is a setting of the server: a smaller one shows with the next frame.
     public void StartAt(uint? index)
     {
@@ -61,12 +64,12 @@ internal sealed class IndexTracker
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void OnIndex(uint? index)
+    public IndexChange OnIndex(uint? index)
     {
         if (index is not { } next || _newest is not { } newest)
         {
             StartAt(index);
-            return;
+            return IndexChange.None;
         }
 
         uint step = next - newest;
@@ -75,22 +78,32 @@ internal sealed class IndexTracker
         {
             Advance(next, step);
             EndRun();
+            return IndexChange.Ahead;
         }
-        else if (back <= LargestDelay)
-        {
-            OnLate(next, (int)back);
-        }
-        else if (step > LargestGap)
-        {
-            Restart(next);
-        }
-        else
-        {
-            OnOtherStep(next, step);
-        }
+
+        return OnOtherStep(next, step, back);
     }
 
-    private void OnOtherStep(uint next, uint step)
+    // It is known from elsewhere that the counting begins anew.
+    public void Restart()
+    {
+        Volatile.Write(ref _restarts, _restarts + 1);
+        StartAt(null);
+    }
+
+    private IndexChange OnOtherStep(uint next, uint step, uint back)
+    {
+        if (back <= LargestDelay)
+            return OnLate(next, (int)back);
+        if (step > LargestGap)
+            return Restart(next);
+
+        Widen(next, step);
+        return IndexChange.Ahead;
+    }
+
+    // A gap, or another frequency.
+    private void Widen(uint next, uint step)
     {
         Advance(next, step);
         if (step < (uint)_step)
@@ -127,7 +140,7 @@ internal sealed class IndexTracker
         EndRun();
     }
 
-    private void OnLate(uint index, int back)
+    private IndexChange OnLate(uint index, int back)
     {
         ulong bit = 1UL << back;
         if ((_missing & bit) != 0)
@@ -144,7 +157,7 @@ internal sealed class IndexTracker
             // The server does send what the steps of the run passed over: neighbours that arrive swapped step as evenly as a reduced frequency.
             if (back < _even.Sum && back % _even.Divisor != 0)
                 EndRun();
-            return;
+            return IndexChange.Late;
         }
 
         uint step = index - _lateIndex;
@@ -155,24 +168,18 @@ internal sealed class IndexTracker
         if (_lateRun < RestartRun)
         {
             Volatile.Write(ref _disordered, _disordered + 1);
-            return;
+            return back == 0 ? IndexChange.Same : IndexChange.Late;
         }
 
         Volatile.Write(ref _disordered, Math.Max(_disordered - (RestartRun - 1), 0));
-        Restart(index);
+        return Restart(index);
     }
 
-    // It is known from elsewhere that the counting begins anew.
-    public void Restart()
-    {
-        Volatile.Write(ref _restarts, _restarts + 1);
-        StartAt(null);
-    }
-
-    private void Restart(uint index)
+    private IndexChange Restart(uint index)
     {
         Volatile.Write(ref _restarts, _restarts + 1);
         StartAt(index);
+        return IndexChange.Restart;
     }
 
     private int MissingAt(int back) => back is >= 0 and <= LargestDelay ? (int)((_missing >> back) & 1) : 0;

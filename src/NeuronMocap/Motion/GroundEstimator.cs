@@ -4,7 +4,7 @@ namespace NeuronMocap.Motion;
 /// How high the ground is under an actor, from the lowest points of the body, frame by frame: for live use. It is never above
 /// the body, follows it down at once, and up at <see cref="LargestRise"/>: up stairs within a few steps, and hardly in a jump. Allocates nothing. Not thread-safe.
 /// </summary>
-public sealed class GroundHeight
+public sealed class GroundEstimator
 {
     /// <summary>How fast the ground may come up, in centimetres per second: that of stairs.</summary>
     public const float LargestRise = 30;

@@ -2,12 +2,12 @@ using NeuronMocap.Motion;
 
 namespace NeuronMocap.Tests.Kinematics;
 
-public sealed class GroundHeightTests
+public sealed class GroundEstimatorTests
 {
     [Fact]
     public void The_ground_is_where_the_body_is_lowest()
     {
-        var ground = new GroundHeight();
+        var ground = new GroundEstimator();
         Assert.True(float.IsNaN(ground.Height));
         Assert.Equal(5, ground.Update(5, 0));
         Assert.Equal(2, ground.Update(2, 0.01));
@@ -18,7 +18,7 @@ public sealed class GroundHeightTests
     public void A_jump_hardly_lifts_it()
     {
         // Half a second in the air, 30 cm high.
-        var ground = new GroundHeight();
+        var ground = new GroundEstimator();
         ground.Update(0, 0);
         float highest = 0;
         for (int i = 0; i <= 60; i++)
@@ -34,7 +34,7 @@ public sealed class GroundHeightTests
     [Fact]
     public void Stairs_lift_it_and_what_is_no_number_is_left_out()
     {
-        var ground = new GroundHeight();
+        var ground = new GroundEstimator();
         for (int i = 0; i < 1300; i++)
             ground.Update(18 * (i / 120), i / 120.0);
 

@@ -1,6 +1,6 @@
-using NeuronMocap.Delivery;
+using NeuronMocap.Frames;
 
-namespace NeuronMocap.Tests.Delivery;
+namespace NeuronMocap.Tests.Frames;
 
 public sealed class IndexTrackerTests
 {
@@ -34,6 +34,19 @@ public sealed class IndexTrackerTests
     {
         Feed(indices);
         Assert.Equal(restarts, _tracker.Restarts);
+    }
+
+    [Fact]
+    public void Each_index_is_told_what_it_means()
+    {
+        uint?[] indices = [7, 8, 8, 12, 10, null, 5, 6, 1_000_000, 1_000_001, 999_990, 999_991, 999_992];
+        Assert.Equal(
+            [
+                IndexChange.None, IndexChange.Ahead, IndexChange.Same, IndexChange.Ahead, IndexChange.Late, IndexChange.None, IndexChange.None, IndexChange.Ahead,
+                IndexChange.Restart, IndexChange.Ahead, IndexChange.Late, IndexChange.Late, IndexChange.Restart,
+            ],
+            indices.Select(_tracker.OnIndex));
+        Assert.Equal(999_992u, _tracker.Newest);
     }
 
     // A burst overtaken by one datagram: three that come late, in order, each into its gap. It once was taken for a restart.

@@ -6,7 +6,7 @@ namespace NeuronMocap.Motion;
 // fit over all frames so far until there are Memory of them, so a line stands after a few frames and then hardly moves, yet follows the drift of
 // clocks. A single late frame counts as late as frames usually are. When the errors all point one way, the rate has changed or a frame without
 // number is missing, and the fit begins again with the newest frames.
-internal sealed class ArrivalClock
+internal sealed class SenderClock
 {
     private const int Memory = 200;
     private const int ShortMemory = 3;

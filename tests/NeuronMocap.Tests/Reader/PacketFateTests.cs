@@ -1,0 +1,112 @@
+using FsCheck;
+using FsCheck.Fluent;
+using NeuronMocap.Protocol;
+using NeuronMocap.Reader;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Telemetry;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tests.Reader;
+
+/// <summary>
+/// What a reader says became of the packets and bytes of damaged streams, against a reading of the whole stream by <see cref="ReferenceScanner"/>: every packet
+/// is delivered, passed over or undelivered, every delivered frame is taken out, dropped or waits, and every other byte is skipped.
+/// </summary>
+public sealed class PacketFateTests
+{
+    [Fact]
+    public void Every_packet_and_every_byte_has_one_fate()
+    {
+        Gen<FateCase> cases =
+            from stream in WireStream.Any
+            from capacity in Gen.Choose(1, 4)
+            from pieces in Gen.Frequency((1, Gen.Constant(int.MaxValue)), (2, Gen.Choose(0, 30)))
+            from pumpEvery in Gen.Choose(1, 40)
+            select new FateCase(stream, capacity, pieces, pumpEvery);
+        long delivered = 0;
+        long dropped = 0;
+        long passedOver = 0;
+        long undelivered = 0;
+        long skipped = 0;
+        Properties.Hold(cases, static one => one.Simpler(), count: 1_500, one =>
+        {
+            byte[] bytes = one.Stream.ToBytes();
+            ReferenceReading expected = ReferenceScanner.Read(bytes, WireStream.MaxValues);
+            ReceivePipeline pipeline = Create();
+            using FrameQueue queue = pipeline.OpenQueue(one.Capacity, "fates");
+            int stoppedAt = Push(one, bytes, pipeline, queue);
+            ReferenceReading beforeStop = ReferenceScanner.Read(bytes[..stoppedAt], WireStream.MaxValues);
+
+            ReaderStatistics statistics = pipeline.GetStatistics();
+            long frames = statistics.MotionFrames + statistics.CalculationFrames + statistics.StudioCalculationFrames;
+            Assert.Equal(expected.Packets.Count, statistics.PacketsReceived);
+            Assert.Equal(beforeStop.Packets.Count, frames + statistics.CommandPackets + statistics.EmptyPackets);
+            Assert.Equal(expected.Packets.Count - beforeStop.Packets.Count, statistics.Undelivered);
+            Assert.Equal(beforeStop.Packets.Count(IsFrame), frames);
+            Assert.Equal(frames, queue.Delivered + queue.Dropped + queue.Count);
+            Assert.Equal(queue.Dropped, statistics.Dropped);
+            if (stoppedAt == bytes.Length)
+            {
+                Assert.Equal((bytes.Length - expected.Pending, expected.Skipped), (statistics.BytesReceived, statistics.SkippedBytes));
+                Assert.Equal(
+                    statistics.BytesReceived,
+                    statistics.SkippedBytes + expected.Text + expected.Packets.Where(static packet => !TextLine.IsImage(packet.Bytes)).Sum(static packet => packet.Bytes.Length));
+            }
+
+            queue.Pump<AvatarFrame>(static _ => { });
+            Assert.Equal(statistics.PacketsReceived, queue.Delivered + queue.Dropped + statistics.CommandPackets + statistics.EmptyPackets + statistics.Undelivered);
+            delivered += queue.Delivered;
+            dropped += queue.Dropped;
+            passedOver += statistics.CommandPackets + statistics.EmptyPackets;
+            undelivered += statistics.Undelivered;
+            skipped += statistics.SkippedBytes;
+        });
+        Assert.All([delivered, dropped, passedOver, undelivered, skipped], static count => Assert.True(count > 100, "The cases are too poor to prove anything."));
+    }
+
+    // Returns the number of bytes that were pushed before the reader was stopped.
+    private static int Push(FateCase one, byte[] bytes, ReceivePipeline pipeline, FrameQueue queue)
+    {
+        var assembler = new PacketAssembler(new PacketScanner(WireStream.MaxValues), pipeline);
+        int pushed = 0;
+        int? stoppedAt = null;
+        int piece = 0;
+        foreach (ArraySegment<byte> bytesOfPiece in one.Stream.Cut(bytes))
+        {
+            if (piece == one.PiecesBeforeStop)
+            {
+                pipeline.Stop();
+                stoppedAt = pushed;
+            }
+
+            assembler.Push(bytesOfPiece, timestamp: piece);
+            pushed += bytesOfPiece.Count;
+            if (++piece % one.PumpEvery == 0)
+                queue.Pump<AvatarFrame>(static _ => { });
+        }
+
+        return stoppedAt ?? pushed;
+    }
+
+    private static bool IsFrame(FoundPacket packet) => packet.Kind != PacketKind.Command && packet.Bytes.Length > ProtocolConstants.HeaderSize;
+
+    private static ReceivePipeline Create()
+    {
+        var status = new StatusBoard(static _ => { });
+        return new ReceivePipeline(
+            SkeletonFormat.Default,
+            new StreamRecognizer(SkeletonFormat.Default),
+            new LinkActivity(status, TimeSpan.FromSeconds(3), udpSenders: null),
+            status,
+            new SenderFilter([]),
+            new ReaderMetrics("fates"),
+            static _ => false,
+            new ReaderRecordings(new NeuronReaderOptions(), "fates"),
+            static exception => throw exception);
+    }
+
+    private sealed record FateCase(WireStream Stream, int Capacity, int PiecesBeforeStop, int PumpEvery)
+    {
+        public IEnumerable<FateCase> Simpler() => Stream.Simpler().Select(stream => this with { Stream = stream });
+    }
+}
