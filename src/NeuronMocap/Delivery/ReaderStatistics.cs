@@ -8,6 +8,9 @@ public readonly record struct ReaderStatistics
     /// <summary>Bytes of the stream that are accounted for: delivered or skipped. A packet that is not yet whole is not in it.</summary>
     public long BytesReceived { get; init; }
 
+    /// <summary>Frames of every kind delivered: motion, calculation and Axis Studio's calculation.</summary>
+    public long Frames => MotionFrames + CalculationFrames + StudioCalculationFrames;
+
     /// <summary>Motion frames delivered.</summary>
     public long MotionFrames { get; init; }
 
