@@ -26,7 +26,7 @@ if (args.Length > 1 && !int.TryParse(args[1], out seconds))
 }
 
 // Two frames for each turn of the loop.
-using Broadcaster? demo = address == "demo" ? Broadcaster.StartDemo(frameRate: 2 * TurnsPerSecond) : null;
+using Broadcaster? demo = address is "demo" ? Broadcaster.StartDemo(frameRate: 2 * TurnsPerSecond) : null;
 NeuronReaderOptions options;
 try
 {
@@ -43,11 +43,11 @@ using var reader = new NeuronReader(options);
 // Both are opened before the start, so that they miss nothing. Sixteen frames are few, so that the hitch shows; the default is 512.
 using FrameQueue queue = reader.OpenQueue(capacity: 16);
 using LatestFrames latest = reader.OpenLatest();
+ConnectionStatus shown = reader.Status;
 reader.Start();
 
 var game = new Game();
 long taken = 0;
-ConnectionStatus shown = default;
 var clock = Stopwatch.StartNew();
 for (int turn = 1; turn <= seconds * TurnsPerSecond; turn++)
 {
@@ -69,7 +69,7 @@ for (int turn = 1; turn <= seconds * TurnsPerSecond; turn++)
     }
 
     if (turn % TurnsPerSecond == 0)
-        Console.WriteLine($"{turn,5} turns: {taken} frames taken, {queue.Dropped} dropped, {game.Drawn} drawn, hips at {game.Hips:0} cm");
+        Console.WriteLine($"{turn,5} turns: {taken} frames taken, {queue.Dropped} dropped, {game.Drawn} drawn, {game.Way:0} cm walked");
 
     // Turns that are late follow each other without a wait.
     TimeSpan wait = TimeSpan.FromSeconds((double)turn / TurnsPerSecond) - clock.Elapsed;
@@ -87,20 +87,21 @@ return received > 0 && received == taken + queue.Dropped ? 0 : 1;
 /// <summary>What this loop would be about.</summary>
 internal sealed class Game
 {
-    public Vector3 Hips { get; private set; }
+    private Vector3? _hips;
 
     public float Way { get; private set; }
 
     public long Drawn { get; private set; }
 
-    // The way that the hips went needs every frame.
+    // How far the performer went takes every frame; where they are takes one.
     public void Simulate(MotionFrame frame)
     {
         if (!frame.HasSkeleton)
             return;
 
-        Way += Vector3.Distance(Hips, frame.GetPosition(Bone.Hips));
-        Hips = frame.GetPosition(Bone.Hips);
+        Vector3 hips = frame.GetPosition(Bone.Hips);
+        Way += Vector3.Distance(_hips ?? hips, hips);
+        _hips = hips;
     }
 
     public void Draw(MotionFrame frame) => Drawn++;

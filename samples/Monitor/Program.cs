@@ -17,7 +17,7 @@ if (args.Length > 1 && !long.TryParse(args[1], out limit))
     return 2;
 }
 
-using Broadcaster? demo = address == "demo" ? Broadcaster.StartDemo(avatars: 2) : null;
+using Broadcaster? demo = address is "demo" ? Broadcaster.StartDemo(avatars: 2) : null;
 NeuronReaderOptions options;
 try
 {

@@ -21,7 +21,7 @@ if (args.Length > 1 && !double.TryParse(args[1], out seconds))
     return 2;
 }
 
-using Broadcaster? demo = address == "demo" ? Broadcaster.StartDemo() : null;
+using Broadcaster? demo = address is "demo" ? Broadcaster.StartDemo() : null;
 try
 {
     ReaderStatistics live = await RecordAsync(NeuronReaderOptions.Parse(demo is null ? address : $"{demo.LocalEndPoint}"));

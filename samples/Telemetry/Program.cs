@@ -9,6 +9,9 @@
 // In a project of your own: dotnet add package NeuronMocap.Hosting.
 // Exit code: 0 ended as asked, 1 no frame arrived or the collector took nothing, 2 wrong settings.
 using System.Diagnostics;
+using Microsoft.Extensions.Configuration;
+using Microsoft.Extensions.DependencyInjection;
+using Microsoft.Extensions.Hosting;
 using Microsoft.Extensions.Options;
 using NeuronMocap;
 using NeuronMocap.Server;
@@ -36,30 +39,29 @@ OpenTelemetryBuilder telemetry = builder.Services.AddOpenTelemetry()
     .WithTracing(traces => traces.AddSource(ConnectionTrace.SourceName))
     .WithLogging(configureBuilder: null, logs => logs.IncludeFormattedMessage = true);
 string? collector = builder.Configuration["Collector"];
-if (collector is not null)
-    telemetry.UseOtlpExporter(OtlpExportProtocol.HttpProtobuf, new Uri(collector));
-else
+if (collector is null)
     telemetry.WithMetrics(metrics => metrics.AddConsoleExporter()).WithTracing(traces => traces.AddConsoleExporter()); // the host shows the logs
+else if (Uri.TryCreate(collector, UriKind.Absolute, out Uri? url))
+    telemetry.UseOtlpExporter(OtlpExportProtocol.HttpProtobuf, url);
+else
+    return Fail(2, $"Collector is '{collector}'; it must be an address such as http://127.0.0.1:4318.");
 
 try
 {
     using IHost host = builder.Build();
     var reader = host.Services.GetRequiredService<NeuronReader>();
     var meters = host.Services.GetRequiredService<MeterProvider>();
-    bool exported = false;
-
-    // A reader that has stopped reports nothing more: the last numbers are exported before.
-    host.Services.GetRequiredService<IHostApplicationLifetime>().ApplicationStopping.Register(() => exported = meters.ForceFlush(5000));
-
     using var end = new CancellationTokenSource();
     if (builder.Configuration.GetValue<double?>("Seconds") is { } seconds)
         end.CancelAfter(TimeSpan.FromSeconds(seconds));
 
-    await host.RunAsync(end.Token);
+    await host.StartAsync();
+    await host.WaitForShutdownAsync(end.Token);
     if (reader.GetStatistics().Frames == 0)
         return Fail(1, "No frame arrived; the log above says why.");
 
-    return exported ? 0 : Fail(1, $"The collector at {collector} took nothing. Check the address, and that it takes OTLP over HTTP.");
+    // The reader has stopped, but its last figures are there until the host is disposed of.
+    return meters.ForceFlush(timeoutMilliseconds: 5000) ? 0 : Fail(1, $"The collector at {collector} took nothing. Check the address, and that it takes OTLP over HTTP.");
 }
 catch (OptionsValidationException exception)
 {

@@ -19,7 +19,7 @@ internal static class AddressText
             word = word[TcpScheme.Length..].TrimEnd('/');
 
         (string host, string? port) = Split(word);
-        if (host.Length == 0 || host.AsSpan().IndexOfAny("[]/ \t") >= 0)
+        if (host.Length == 0 || word.Contains("://", StringComparison.Ordinal) || host.AsSpan().IndexOfAny("[]/ \t") >= 0)
             throw new FormatException($"'{text}' is not an address. Use HOST or HOST:PORT, and [ADDRESS]:PORT for IPv6.");
         if (host.Contains(':', StringComparison.Ordinal) && !(IPAddress.TryParse(host, out IPAddress? address) && address.AddressFamily == AddressFamily.InterNetworkV6))
             throw new FormatException($"'{host}' is not an IPv6 address. Use HOST, HOST:PORT or [IPV6]:PORT.");

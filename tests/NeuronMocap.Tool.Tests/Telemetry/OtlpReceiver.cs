@@ -20,6 +20,9 @@ internal sealed class OtlpReceiver : IAsyncDisposable
     /// <summary>The logs as they came, for a search of their text.</summary>
     public ConcurrentQueue<byte[]> Logs { get; } = [];
 
+    /// <summary>The spans as they came, for a search of their text.</summary>
+    public ConcurrentQueue<byte[]> Traces { get; } = [];
+
     public static async Task<OtlpReceiver> StartAsync()
     {
         WebApplicationBuilder builder = WebApplication.CreateSlimBuilder();
@@ -32,6 +35,7 @@ internal sealed class OtlpReceiver : IAsyncDisposable
                 receiver.Metrics.Enqueue(metric);
         });
         receiver._server.MapPost("/v1/logs", async (HttpRequest request) => receiver.Logs.Enqueue(await ReadAsync(request)));
+        receiver._server.MapPost("/v1/traces", async (HttpRequest request) => receiver.Traces.Enqueue(await ReadAsync(request)));
         await receiver._server.StartAsync();
         return receiver;
     }

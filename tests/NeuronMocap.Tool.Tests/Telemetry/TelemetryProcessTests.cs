@@ -6,10 +6,10 @@ namespace NeuronMocap.Tool.Tests.Telemetry;
 public sealed class TelemetryProcessTests
 {
     [Fact]
-    public async Task Frames_of_the_demo_reach_the_collector()
+    public async Task Frames_logs_and_connections_reach_the_collector()
     {
         await using OtlpReceiver collector = await OtlpReceiver.StartAsync();
-        using var program = new ToolProcess("neuron-telemetry", "--demo", "--otlp", collector.Url, "--interval", "0.2", "--duration", "3");
+        using var program = new ToolProcess("Telemetry", $"--Collector={collector.Url}", "--OTEL_METRIC_EXPORT_INTERVAL=200", "--Seconds=3");
         Task<string> error = program.ReadErrorAsync();
         string output = await program.Output.ReadToEndAsync();
         int exitCode = await program.WaitForExitAsync();
@@ -24,15 +24,19 @@ public sealed class TelemetryProcessTests
         Assert.InRange(frames[^1].Value, 2, 400);
         Assert.Equal(0, collector.Metrics.Last(metric => metric.Name == "neuron.reader.lost").Value);
         Assert.InRange(collector.Metrics.Last(metric => metric.Name == "neuron.reader.frame.interval").Value, 1, 400);
-        Assert.Contains(collector.Metrics, metric =>
-            metric is { Name: "neuron.reader.state", Value: 1 } && metric.Tags.Contains("neuron.connection.state=receiving"));
-        Assert.Contains("Receiving from", string.Concat(collector.Logs.Select(Encoding.UTF8.GetString)), StringComparison.Ordinal);
+        string[] states = [.. collector.Metrics.Where(metric => metric is { Name: "neuron.reader.state", Value: 1 }).SelectMany(metric => metric.Tags)];
+        Assert.Contains("neuron.connection.state=receiving", states);
+
+        // The last export is of a reader that has stopped.
+        Assert.Contains("neuron.connection.state=stopped", states);
+        Assert.Contains("Receiving from", Text(collector.Logs), StringComparison.Ordinal);
+        Assert.Contains("Receiving from", Text(collector.Traces), StringComparison.Ordinal);
     }
 
     [Fact]
     public async Task Without_a_collector_it_says_so()
     {
-        using var program = new ToolProcess("neuron-telemetry", "--demo", "--otlp", "http://" + FrameServer.RefusingAddress(), "--duration", "1");
+        using var program = new ToolProcess("Telemetry", "--Collector=http://" + FrameServer.RefusingAddress(), "--Seconds=1");
         Task<string> output = program.Output.ReadToEndAsync();
         string error = await program.ReadErrorAsync();
         await output;
@@ -41,14 +45,12 @@ public sealed class TelemetryProcessTests
     }
 
     [Theory]
-    [InlineData("Port is 0; it must be 1 to 65535.", "--host", "studio", "--port", "0")]
-    [InlineData("Port is 'x'; it must be a whole number.", "--port", "x")]
-    [InlineData("--demo is a server of its own", "--demo", "--host", "studio")]
-    [InlineData("--otlp ftp://x is not the address of a collector", "--otlp", "ftp://x")]
-    [InlineData("--duration soon is not a number of seconds", "--duration", "soon")]
-    public async Task Wrong_options_are_named(string expected, params string[] args)
+    [InlineData("Port is 0; it must be 1 to 65535.", "--NeuronReader:Host=studio", "--NeuronReader:Port=0")]
+    [InlineData("Port is 'x'; it must be a whole number.", "--NeuronReader:Port=x")]
+    [InlineData("Collector is 'studio'; it must be an address", "--Collector=studio")]
+    public async Task Wrong_settings_are_named(string expected, params string[] args)
     {
-        using var program = new ToolProcess("neuron-telemetry", args);
+        using var program = new ToolProcess("Telemetry", args);
         Task<string> output = program.Output.ReadToEndAsync();
         string error = await program.ReadErrorAsync();
         await output;
@@ -56,13 +58,5 @@ public sealed class TelemetryProcessTests
         Assert.Contains(expected, error, StringComparison.Ordinal);
     }
 
-    [Fact]
-    public async Task Help_lists_options_and_exit_codes()
-    {
-        using var program = new ToolProcess("neuron-telemetry", "--help");
-        string output = await program.Output.ReadToEndAsync();
-        Assert.Equal(0, await program.WaitForExitAsync());
-        foreach (string part in (string[])["--host", "--otlp", "--interval", "Exit codes", "NeuronReader__"])
-            Assert.Contains(part, output, StringComparison.Ordinal);
-    }
+    private static string Text(IEnumerable<byte[]> requests) => string.Concat(requests.Select(Encoding.UTF8.GetString));
 }
