@@ -1,16 +1,63 @@
-using System.Runtime.InteropServices;
-using NeuronMocap.Monitor;
+// A monitor for the console: the status in words whenever it changes, and a line for each avatar every second.
+//
+//   dotnet run --project samples/Monitor                            a simulator inside this program
+//   dotnet run --project samples/Monitor -- 192.168.1.20            a computer that runs Axis Neuron or Axis Studio; also HOST:PORT, udp://:PORT
+//   dotnet run --project samples/Monitor -- demo 300                ends after 300 frames; Ctrl+C ends it at any time
+//
+// In a project of your own: dotnet add package NeuronMocap (and NeuronMocap.Server for the simulator).
+// Exit code: 0 frames arrived, 1 none arrived, 2 wrong arguments.
+using NeuronMocap;
+using NeuronMocap.Server;
 
-using var cancellation = new CancellationTokenSource();
-using PosixSignalRegistration interrupt = CancelOn(PosixSignal.SIGINT);
-using PosixSignalRegistration terminate = CancelOn(PosixSignal.SIGTERM);
-using PosixSignalRegistration hangUp = CancelOn(PosixSignal.SIGHUP);
-using StandardStreams streams = StandardStreams.Open();
-
-return await CommandLine.RunAsync(args, streams, cancellation.Token);
-
-PosixSignalRegistration CancelOn(PosixSignal signal) => PosixSignalRegistration.Create(signal, context =>
+string address = args.Length > 0 ? args[0] : "demo";
+long limit = long.MaxValue;
+if (args.Length > 1 && !long.TryParse(args[1], out limit))
 {
-    context.Cancel = true;
-    cancellation.Cancel();
-});
+    Console.Error.WriteLine($"'{args[1]}' is not a number of frames.");
+    return 2;
+}
+
+using Broadcaster? demo = address is "demo" ? Broadcaster.StartDemo(avatars: 2) : null;
+NeuronReaderOptions options;
+try
+{
+    options = NeuronReaderOptions.Parse(demo is null ? address : $"{demo.LocalEndPoint}");
+}
+catch (FormatException exception)
+{
+    Console.Error.WriteLine(exception.Message);
+    return 2;
+}
+
+await using var reader = new NeuronReader(options);
+reader.StatusChanged += status => Console.WriteLine(status.Message);
+
+// The newest frame of each avatar: a monitor has no use for older ones.
+using LatestFrames latest = reader.OpenLatest();
+reader.Start();
+
+// A timer that was disposed of ends the loop below.
+using var timer = new PeriodicTimer(TimeSpan.FromSeconds(1));
+Console.CancelKeyPress += (_, key) =>
+{
+    key.Cancel = true;
+    timer.Dispose();
+};
+
+while (reader.GetStatistics().Frames < limit && await timer.WaitForNextTickAsync())
+{
+    foreach (AvatarStatistics avatar in reader.GetAvatarStatistics())
+    {
+        string line = $"{avatar.AvatarName,-12} {avatar.Kind,-12} {avatar.Rate,6:0.0} Hz {avatar.Frames,8} frames {avatar.Lost,4} lost";
+        if (latest.TryTakeMotion(avatar.AvatarIndex, out MotionFrame? frame) && frame.HasSkeleton)
+            line += $"   hips at {frame.GetPosition(Bone.Hips):0.0} cm";
+
+        Console.WriteLine(line);
+    }
+}
+
+// After the stop the numbers are final.
+await reader.DisposeAsync();
+ReaderStatistics total = reader.GetStatistics();
+Console.WriteLine($"{total.Frames} frames received, {total.Lost} lost.");
+return total.Frames > 0 ? 0 : 1;

@@ -1,41 +1,107 @@
-using System.CommandLine;
+// A service that receives a stream and exports the reader's metrics and logs, and a trace of its connections, with OpenTelemetry.
+//
+//   dotnet run --project samples/Telemetry                          a simulator inside this program; everything goes to the console
+//   dotnet run --project samples/Telemetry -- --NeuronReader:Host=192.168.1.20 --Collector=http://127.0.0.1:4318
+//
+// All settings are configuration: appsettings.json, environment variables such as NeuronReader__Host, or the command line as above.
+// NeuronReader:… are the reader's options; Collector is where to send OTLP over HTTP to; Seconds ends the service after that time, Ctrl+C at any time.
+//
+// In a project of your own: dotnet add package NeuronMocap.Hosting.
+// Exit code: 0 ended as asked, 1 no frame arrived or the collector took nothing, 2 wrong settings.
+using System.Diagnostics;
+using Microsoft.Extensions.Configuration;
+using Microsoft.Extensions.DependencyInjection;
+using Microsoft.Extensions.Hosting;
 using Microsoft.Extensions.Options;
-using NeuronMocap.TelemetryExport;
+using NeuronMocap;
+using NeuronMocap.Server;
+using OpenTelemetry;
+using OpenTelemetry.Exporter;
+using OpenTelemetry.Logs;
+using OpenTelemetry.Metrics;
+using OpenTelemetry.Resources;
+using OpenTelemetry.Trace;
 
-const int Done = 0;
-const int Failed = 1;
-const int BadUsage = 2;
+HostApplicationBuilder builder = Host.CreateApplicationBuilder(new HostApplicationBuilderSettings { Args = args, ContentRootPath = AppContext.BaseDirectory });
+using Broadcaster? demo = builder.Configuration["NeuronReader:Host"] is null && builder.Configuration["NeuronReader:Port"] is null ? Broadcaster.StartDemo() : null;
 
-var command = new TelemetryCommand();
-command.SetAction((parsed, _) => RunAsync(parsed));
-ParseResult result = command.Parse(args);
-if (result.Errors.Count > 0)
-    return Fail(BadUsage, string.Join(Environment.NewLine, [.. result.Errors.Select(error => error.Message), TelemetryCommand.Usage]));
-
-// Signals are the host's.
-return await result.InvokeAsync(new InvocationConfiguration { ProcessTerminationTimeout = null, EnableDefaultExceptionHandler = false });
-
-async Task<int> RunAsync(ParseResult parsed)
+// The options of the section NeuronReader, the host's logs, started and stopped with the host: all of it is this call.
+builder.Services.AddNeuronReader(options =>
 {
-    var options = new TelemetryOptions(
-        parsed.GetValue(command.Host),
-        parsed.GetValue(command.Port),
-        parsed.GetValue(command.Demo),
-        parsed.GetValue(command.Otlp) ?? new Uri("http://127.0.0.1:4318/"),
-        parsed.GetValue(command.Interval) ?? TimeSpan.FromSeconds(10),
-        parsed.GetValue(command.Duration));
-    try
-    {
-        return await new TelemetryRun(options).RunAsync() is { } failure ? Fail(Failed, failure) : Done;
-    }
-    catch (OptionsValidationException exception)
-    {
-        return Fail(BadUsage, string.Join(Environment.NewLine, exception.Failures));
-    }
+    if (demo?.LocalEndPoint is { } server)
+        (options.Host, options.Port) = (server.Address.ToString(), server.Port);
+});
+builder.Services.AddHostedService<ConnectionTrace>();
+
+OpenTelemetryBuilder telemetry = builder.Services.AddOpenTelemetry()
+    .ConfigureResource(resource => resource.AddService("neuron-telemetry"))
+    .WithMetrics(metrics => metrics.AddMeter("NeuronMocap"))
+    .WithTracing(traces => traces.AddSource(ConnectionTrace.SourceName))
+    .WithLogging(configureBuilder: null, logs => logs.IncludeFormattedMessage = true);
+string? collector = builder.Configuration["Collector"];
+if (collector is null)
+    telemetry.WithMetrics(metrics => metrics.AddConsoleExporter()).WithTracing(traces => traces.AddConsoleExporter()); // the host shows the logs
+else if (Uri.TryCreate(collector, UriKind.Absolute, out Uri? url))
+    telemetry.UseOtlpExporter(OtlpExportProtocol.HttpProtobuf, url);
+else
+    return Fail(2, $"Collector is '{collector}'; it must be an address such as http://127.0.0.1:4318.");
+
+try
+{
+    using IHost host = builder.Build();
+    var reader = host.Services.GetRequiredService<NeuronReader>();
+    var meters = host.Services.GetRequiredService<MeterProvider>();
+    using var end = new CancellationTokenSource();
+    if (builder.Configuration.GetValue<double?>("Seconds") is { } seconds)
+        end.CancelAfter(TimeSpan.FromSeconds(seconds));
+
+    await host.StartAsync();
+    await host.WaitForShutdownAsync(end.Token);
+    if (reader.GetStatistics().Frames == 0)
+        return Fail(1, "No frame arrived; the log above says why.");
+
+    // The reader has stopped, but its last figures are there until the host is disposed of.
+    return meters.ForceFlush(timeoutMilliseconds: 5000) ? 0 : Fail(1, $"The collector at {collector} took nothing. Check the address, and that it takes OTLP over HTTP.");
+}
+catch (OptionsValidationException exception)
+{
+    return Fail(2, string.Join(Environment.NewLine, exception.Failures));
 }
 
 static int Fail(int code, string message)
 {
-    Console.Error.WriteLine($"neuron-telemetry: {message}");
+    Console.Error.WriteLine(message);
     return code;
+}
+
+/// <summary>Makes a span of each connection, with an event for each change of its state.</summary>
+internal sealed class ConnectionTrace(NeuronReader reader) : IHostedService
+{
+    public const string SourceName = "NeuronMocap.Samples.Telemetry";
+
+    private static readonly ActivitySource Source = new(SourceName);
+
+    private Activity? _connection;
+
+    public Task StartAsync(CancellationToken cancellationToken)
+    {
+        reader.StatusChanged += OnStatusChanged;
+        return Task.CompletedTask;
+    }
+
+    public Task StopAsync(CancellationToken cancellationToken) => Task.CompletedTask;
+
+    private void OnStatusChanged(ConnectionStatus status)
+    {
+        if (status.State == ConnectionState.Connected)
+            _connection = Source.StartActivity("connection", ActivityKind.Client)?.SetTag("server.address", status.RemoteEndPoint?.ToString());
+
+        _connection?.AddEvent(new ActivityEvent(status.Message));
+        if (status.State is not (ConnectionState.Waiting or ConnectionState.Stopped))
+            return;
+
+        _connection?.SetStatus(status.Reason == ConnectionReason.Requested ? ActivityStatusCode.Ok : ActivityStatusCode.Error, status.Message);
+        _connection?.Dispose();
+        _connection = null;
+    }
 }

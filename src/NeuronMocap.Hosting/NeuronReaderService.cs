@@ -16,11 +16,12 @@ internal sealed class NeuronReaderService(NeuronReader reader) : IHostedLifecycl
         return Task.CompletedTask;
     }
 
+    // The container disposes of the reader, and with it of its metrics, after those who export them for the last time.
     public async Task StoppingAsync(CancellationToken cancellationToken)
     {
         try
         {
-            await reader.DisposeAsync().AsTask().WaitAsync(cancellationToken).ConfigureAwait(false);
+            await reader.StopAsync(keepsMetrics: true).AsTask().WaitAsync(cancellationToken).ConfigureAwait(false);
         }
         catch (OperationCanceledException) when (cancellationToken.IsCancellationRequested)
         {

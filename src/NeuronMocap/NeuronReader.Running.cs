@@ -95,9 +95,12 @@ public sealed partial class NeuronReader
 
     /// <summary>As <see cref="Dispose"/>, without blocking the thread.</summary>
     /// <returns>A task that completes when the reader has stopped, or after 2 s.</returns>
-    public async ValueTask DisposeAsync()
+    public ValueTask DisposeAsync() => StopAsync(keepsMetrics: false);
+
+    // With its metrics kept, a reader reports its last figures until it is disposed of: a host stops its readers before it exports for the last time.
+    internal async ValueTask StopAsync(bool keepsMetrics)
     {
-        Stop();
+        Stop(keepsMetrics);
         if (IsHandlerThread)
             return;
 
@@ -118,12 +121,13 @@ public sealed partial class NeuronReader
     }
 
     // What Dispose begins with, and then waits for.
-    internal void Stop()
+    internal void Stop(bool keepsMetrics = false)
     {
+        if (!keepsMetrics)
+            _metrics.Dispose();
         if (Interlocked.Exchange(ref _disposed, 1) == 0)
         {
             _pipeline.Stop();
-            _metrics.Dispose();
             _watchdog?.Dispose();
             _discovery?.Stop();
             if (Interlocked.Exchange(ref _started, 1) == 0)

@@ -1,5 +1,6 @@
 using System.Collections.Concurrent;
 using System.Diagnostics.CodeAnalysis;
+using System.Diagnostics.Metrics;
 using Microsoft.Extensions.Configuration;
 using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.Diagnostics.HealthChecks;
@@ -28,6 +29,40 @@ public sealed class HostTests
 
         Assert.Equal((ConnectionState.Stopped, ConnectionReason.Requested), (reader.Status.State, reader.Status.Reason));
         Assert.Equal(5, reader.GetStatistics().MotionFrames);
+    }
+
+    [Fact]
+    public async Task The_last_figures_can_be_exported_until_the_host_is_disposed_of()
+    {
+        using var server = new TestServer();
+        string name = $"last-figures-{Guid.NewGuid():N}";
+        using var listener = new MeterListener();
+        long frames = -1;
+        listener.InstrumentPublished = (instrument, meters) =>
+        {
+            if (instrument is { Name: "neuron.reader.frames", Meter.Name: "NeuronMocap" })
+                meters.EnableMeasurementEvents(instrument);
+        };
+        listener.SetMeasurementEventCallback<long>((_, value, tags, _) =>
+        {
+            if (tags.Contains(new("neuron.reader.name", name)) && tags.Contains(new("neuron.frame.kind", "motion")))
+                frames = value;
+        });
+        listener.Start();
+        using (IHost host = Build(builder => builder.Services.AddNeuronReader(), ("NeuronReader:Port", Text(server.Port)), ("NeuronReader:Name", name)))
+        {
+            await host.StartAsync().Soon();
+            using TestConnection connection = await server.AcceptAsync();
+            await connection.SendAsync(TestPackets.Motions(1, 5));
+            await host.Services.GetRequiredService<NeuronReader>().WaitForFramesAsync(5);
+            await host.StopAsync().Soon();
+            listener.RecordObservableInstruments();
+            Assert.Equal(5, frames);
+        }
+
+        frames = -1;
+        listener.RecordObservableInstruments();
+        Assert.Equal(-1, frames);
     }
 
     [Fact]

@@ -41,6 +41,19 @@ public sealed class NeuronCommandOptions
     /// </summary>
     public bool AcceptAnyReplyId { get; set; }
 
+    /// <summary>Makes options for an address as people write it; everything but <see cref="Host"/> and <see cref="Port"/> keeps its default.</summary>
+    /// <param name="address">
+    /// <c>HOST</c> or <c>HOST:PORT</c>, port 8013 unless given. An IPv6 address with a port stands in brackets: <c>[::1]:8013</c>.
+    /// </param>
+    /// <returns>New options.</returns>
+    /// <exception cref="FormatException">The text is not an address; the message says why, in words for the person who wrote it.</exception>
+    public static NeuronCommandOptions Parse(string address)
+    {
+        ArgumentNullException.ThrowIfNull(address);
+        (string host, int port) = AddressText.ParseServer(address, ProtocolConstants.DefaultCommandPort);
+        return new NeuronCommandOptions { Host = host, Port = port };
+    }
+
     internal LinkOptions Link => new(Host, Port) { ConnectTimeout = ConnectTimeout };
 
     internal NeuronCommandOptions Copy() => (NeuronCommandOptions)MemberwiseClone();

@@ -15,8 +15,11 @@ public readonly record struct ReaderStatistics
     /// <summary>Bytes of the stream that are accounted for: delivered or skipped. A packet that is not yet whole is not in it.</summary>
     public long BytesReceived { get; init; }
 
+    /// <summary>Frames of every kind delivered: motion, calculation and Axis Studio's calculation.</summary>
+    public long Frames => MotionFrames + CalculationFrames + StudioCalculationFrames;
+
     /// <summary>Whole packets found in the stream, whatever became of them. Packets that are not accepted are <see cref="SkippedBytes"/> instead.</summary>
-    public long PacketsReceived => MotionFrames + CalculationFrames + StudioCalculationFrames + CommandPackets + EmptyPackets + Undelivered;
+    public long PacketsReceived => Frames + CommandPackets + EmptyPackets + Undelivered;
 
     /// <summary>Motion frames delivered.</summary>
     public long MotionFrames { get; init; }

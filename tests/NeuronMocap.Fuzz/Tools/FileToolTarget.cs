@@ -4,9 +4,9 @@ using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
 using NeuronMocap.Fuzz.Inputs;
 using NeuronMocap.Fuzz.Targets;
-using NeuronMocap.Monitor;
-using NeuronMocap.Monitor.Files;
 using NeuronMocap.Recording;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Fuzz.Tools;
 
@@ -103,7 +103,7 @@ internal sealed class FileToolTarget(FileTask task)
 
     private static void CheckRefusal(string error)
     {
-        WrongResultException.ThrowUnless(error.StartsWith("neuron-monitor: ", StringComparison.Ordinal) && error.Length < 2_000, "A refusal says: {0}", error);
+        WrongResultException.ThrowUnless(error.StartsWith("neuron-mocap: ", StringComparison.Ordinal) && error.Length < 2_000, "A refusal says: {0}", error);
         foreach (char letter in error.AsSpan().TrimEnd("\r\n"))
             WrongResultException.ThrowUnless(!char.IsControl(letter), "A refusal has the character U+{0:X4}.", (int)letter);
     }

@@ -1,5 +1,5 @@
 using NeuronMocap.Fuzz.Inputs;
-using NeuronMocap.Monitor.Files;
+using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Fuzz.Tools;
 

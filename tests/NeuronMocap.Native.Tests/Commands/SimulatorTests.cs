@@ -38,8 +38,8 @@ public sealed class SimulatorTests
     private static NativeProgram Start(params string[] arguments)
     {
         var output = new DirectoryInfo(AppContext.BaseDirectory);
-        string program = Repository.PathOf("samples", "Simulator", "bin", output.Parent!.Name, output.Name, "neuron-simulator.dll");
-        return NativeProgram.Start(new ProcessStartInfo(Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet", [program, .. arguments]));
+        string program = Repository.PathOf("src", "NeuronMocap.Tool", "bin", output.Parent!.Name, output.Name, "neuron-mocap.dll");
+        return NativeProgram.Start(new ProcessStartInfo(Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet", [program, "simulate", .. arguments]));
     }
 
     private static async Task<int> PortAsync(NativeProgram simulator, string start) => IPEndPoint.Parse((await simulator.ReadAsync(start))[start.Length..]).Port;

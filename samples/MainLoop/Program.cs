@@ -1,0 +1,108 @@
+// A main loop, as a game has one: 60 turns a second, and frames are taken on its thread when it has time for them.
+//
+//   dotnet run --project samples/MainLoop                           a simulator inside this program, for 5 seconds
+//   dotnet run --project samples/MainLoop -- 192.168.1.20 60        a computer that runs Axis Neuron or Axis Studio, for 60 seconds
+//
+// There are two ways to take frames. A FrameQueue has every frame, in order: for a simulation, or to keep them. LatestFrames has only the newest of
+// each avatar: for drawing. Neither makes the connection wait. Two seconds after the start this loop stands still for half a second, as a game does that
+// loads a level: the queue is full by then, drops frames and counts them. The newest frame is there as always.
+//
+// In a project of your own: dotnet add package NeuronMocap (and NeuronMocap.Server for the simulator).
+// Exit code: 0 every frame is accounted for, 1 none arrived or the numbers do not add up, 2 wrong arguments.
+using System.Diagnostics;
+using System.Numerics;
+using NeuronMocap;
+using NeuronMocap.Server;
+
+const int TurnsPerSecond = 60;
+const int HitchTurn = 2 * TurnsPerSecond;
+
+string address = args.Length > 0 ? args[0] : "demo";
+int seconds = 5;
+if (args.Length > 1 && !int.TryParse(args[1], out seconds))
+{
+    Console.Error.WriteLine($"'{args[1]}' is not a number of seconds.");
+    return 2;
+}
+
+// Two frames for each turn of the loop.
+using Broadcaster? demo = address is "demo" ? Broadcaster.StartDemo(frameRate: 2 * TurnsPerSecond) : null;
+NeuronReaderOptions options;
+try
+{
+    options = NeuronReaderOptions.Parse(demo is null ? address : $"{demo.LocalEndPoint}");
+}
+catch (FormatException exception)
+{
+    Console.Error.WriteLine(exception.Message);
+    return 2;
+}
+
+using var reader = new NeuronReader(options);
+
+// Both are opened before the start, so that they miss nothing. Sixteen frames are few, so that the hitch shows; the default is 512.
+using FrameQueue queue = reader.OpenQueue(capacity: 16);
+using LatestFrames latest = reader.OpenLatest();
+ConnectionStatus shown = reader.Status;
+reader.Start();
+
+var game = new Game();
+long taken = 0;
+var clock = Stopwatch.StartNew();
+for (int turn = 1; turn <= seconds * TurnsPerSecond; turn++)
+{
+    // A status of this thread: StatusChanged would be called on another one.
+    ConnectionStatus status = reader.Status;
+    if (status != shown)
+        Console.WriteLine(status.Message);
+    shown = status;
+
+    // A frame is valid until the handler returns. The lambda is static, so that the loop allocates no memory.
+    taken += queue.Pump(game, static (game, frame) => game.Simulate(frame));
+    if (latest.TryTakeMotion(0, out MotionFrame? newest))
+        game.Draw(newest);
+
+    if (turn == HitchTurn)
+    {
+        Console.WriteLine("The loop stands still for half a second.");
+        Thread.Sleep(500);
+    }
+
+    if (turn % TurnsPerSecond == 0)
+        Console.WriteLine($"{turn,5} turns: {taken} frames taken, {queue.Dropped} dropped, {game.Drawn} drawn, {game.Way:0} cm walked");
+
+    // Turns that are late follow each other without a wait.
+    TimeSpan wait = TimeSpan.FromSeconds((double)turn / TurnsPerSecond) - clock.Elapsed;
+    if (wait > TimeSpan.Zero)
+        Thread.Sleep(wait);
+}
+
+// A queue can be emptied when its reader has stopped.
+reader.Dispose();
+taken += queue.Pump(game, static (game, frame) => game.Simulate(frame));
+long received = reader.GetStatistics().Frames;
+Console.WriteLine($"{received} frames received = {taken} taken + {queue.Dropped} dropped; {game.Drawn} were drawn.");
+return received > 0 && received == taken + queue.Dropped ? 0 : 1;
+
+/// <summary>What this loop would be about.</summary>
+internal sealed class Game
+{
+    private Vector3? _hips;
+
+    public float Way { get; private set; }
+
+    public long Drawn { get; private set; }
+
+    // How far the performer went takes every frame; where they are takes one.
+    public void Simulate(MotionFrame frame)
+    {
+        if (!frame.HasSkeleton)
+            return;
+
+        Vector3 hips = frame.GetPosition(Bone.Hips);
+        Way += Vector3.Distance(_hips ?? hips, hips);
+        _hips = hips;
+    }
+
+    public void Draw(MotionFrame frame) => Drawn++;
+}

@@ -1,4 +1,0 @@
-namespace NeuronMocap.Monitor.Export;
-
-/// <summary>A file cannot be begun; the message says why.</summary>
-internal sealed class ExportException(string message, Exception innerException) : Exception(message, innerException);

@@ -1,9 +1,0 @@
-namespace NeuronMocap.Monitor.Files.Plotting;
-
-/// <summary>A part of the drawing, in pixels; Y grows downwards.</summary>
-internal readonly record struct Box(double Left, double Top, double Width, double Height)
-{
-    public double Right => Left + Width;
-
-    public double Bottom => Top + Height;
-}

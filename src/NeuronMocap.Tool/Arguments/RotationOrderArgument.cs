@@ -1,0 +1,20 @@
+using System.CommandLine.Parsing;
+
+namespace NeuronMocap.Tool.Arguments;
+
+/// <summary>The rotation order of an option, or null and an error that names all of them.</summary>
+internal static class RotationOrderArgument
+{
+    public static RotationOrder? Parse(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        foreach (RotationOrder order in Enum.GetValues<RotationOrder>())
+        {
+            if (order.ToString().Equals(text, StringComparison.OrdinalIgnoreCase))
+                return order;
+        }
+
+        result.AddError($"{((OptionResult)result.Parent!).Option.Name}: '{text}' is not one of {string.Join(", ", Enum.GetNames<RotationOrder>())}.");
+        return null;
+    }
+}

@@ -1,0 +1,56 @@
+using System.Text;
+using System.Text.Json;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tool.Arguments;
+
+namespace NeuronMocap.Tool.Commands;
+
+/// <summary>The answers of a command channel for a program: one JSON object, lengths in metres.</summary>
+internal static class CommandJson
+{
+    public static string ZeroOut(ServerAddress server, ZeroOutTarget target) => Write(json =>
+    {
+        json.WriteString("type"u8, "zeroOut"u8);
+        json.WriteString("server"u8, server.ToString());
+        if (target.Avatar is { } avatar)
+            json.WriteNumber("avatar"u8, avatar);
+        else
+            json.WriteString("avatar"u8, "all"u8);
+    });
+
+    public static string Report(ServerAddress server, int avatar, RotationOrder order, BoneDimensions sizes, string header) => Write(json =>
+    {
+        json.WriteString("type"u8, "commands"u8);
+        json.WriteString("server"u8, server.ToString());
+        json.WriteString("rotationOrder"u8, order.ToString());
+        json.WriteNumber("avatar"u8, avatar);
+        json.WriteStartObject("boneSizes"u8);
+        json.WriteNumber("head"u8, sizes.Head);
+        json.WriteNumber("neck"u8, sizes.Neck);
+        json.WriteNumber("body"u8, sizes.Body);
+        json.WriteNumber("shoulderWidth"u8, sizes.ShoulderWidth);
+        json.WriteNumber("upperArm"u8, sizes.UpperArm);
+        json.WriteNumber("forearm"u8, sizes.Forearm);
+        json.WriteNumber("palm"u8, sizes.Palm);
+        json.WriteNumber("hipWidth"u8, sizes.HipWidth);
+        json.WriteNumber("upperLeg"u8, sizes.UpperLeg);
+        json.WriteNumber("lowerLeg"u8, sizes.LowerLeg);
+        json.WriteNumber("heelHeight"u8, sizes.HeelHeight);
+        json.WriteNumber("footLength"u8, sizes.FootLength);
+        json.WriteEndObject();
+        json.WriteString("bvhHeader"u8, header);
+    });
+
+    private static string Write(Action<Utf8JsonWriter> write)
+    {
+        using var buffer = new MemoryStream();
+        using (var json = new Utf8JsonWriter(buffer))
+        {
+            json.WriteStartObject();
+            write(json);
+            json.WriteEndObject();
+        }
+
+        return Encoding.UTF8.GetString(buffer.ToArray()) + "\n";
+    }
+}

@@ -1,0 +1,28 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Tool.Files;
+
+namespace NeuronMocap.Tool.Convert;
+
+/// <summary>From a BVH file to another one, of any skeleton: what is not to change is written as it was, digit by digit.</summary>
+internal static class BvhEdit
+{
+    public static void Write(FileSettings settings, TimeRange range, string output, ConversionSummary summary, IProgress<double> progress, CancellationToken cancelled)
+    {
+        BvhDocument document = BvhFile.Load(settings.Input, progress, cancelled);
+        summary.AddRepairs(document);
+        if (settings.Rate is { } rate)
+            document = document.Resample(rate);
+        if (!range.IsAll)
+        {
+            (long first, long count) = range.FramesOf(document.FrameCount, document.FrameRate);
+            document = document.Trim((int)first, (int)count);
+        }
+
+        if (settings.RotationOrder is { } order)
+            document = document.WithRotationOrder(order);
+
+        cancelled.ThrowIfCancellationRequested();
+        document.Save(output);
+        (summary.Frames, summary.Rate, summary.Seconds) = (document.FrameCount, document.FrameRate, document.FrameCount / document.FrameRate);
+    }
+}

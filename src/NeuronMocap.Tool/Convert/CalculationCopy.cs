@@ -1,0 +1,85 @@
+using System.Text;
+using NeuronMocap.Calculation;
+using NeuronMocap.Protocol;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Convert;
+
+/// <summary>Rows of calculation data, copied value by value.</summary>
+internal static class CalculationCopy
+{
+    private const int LongestEnd = 64;
+
+    /// <summary>From an export to another one.</summary>
+    public static void ToFile(
+        FileSettings settings, TimeRange range, string output, ConversionSummary summary, IProgress<double> progress, CancellationToken cancelled)
+    {
+        using CalculationFileReader reader = CalculationFileReader.Open(settings.Input, settings.Calculation);
+        CalculationTextFormat format = range.IsAll ? reader.TextFormat with { LastRowEnd = ReadEnd(settings.Input) } : reader.TextFormat;
+        if (settings.InputRate is { } rate)
+            format = format.WithFrameRate(rate);
+
+        using var writer = new CalculationFileWriter(output, reader.ValueCount, format);
+        Copy(reader, range, (_, values) => writer.WriteFrame(values), summary, progress, cancelled);
+    }
+
+    /// <summary>From an export to the packets of a stream; the sink is closed.</summary>
+    public static void ToPackets(
+        FileSettings settings, TimeRange range, IPacketSink sink, ConversionSummary summary, IProgress<double> progress, CancellationToken cancelled)
+    {
+        using (sink)
+        using (CalculationFileReader reader = CalculationFileReader.Open(settings.Input, settings.Calculation))
+        {
+            var header = new CalculationHeader { ValueCount = reader.ValueCount, AvatarName = new AvatarName("Char00") };
+            byte[] packet = new byte[header.PacketSize];
+            Copy(reader, range, Send, summary, progress, cancelled);
+
+            void Send(long row, ReadOnlySpan<float> values)
+            {
+                int length = PacketEncoder.WriteCalculation(packet, header with { FrameIndex = (uint)row }, values);
+                sink.Write(FrameTimes.Of(row, reader.FrameRate), packet.AsSpan(0, length));
+            }
+        }
+    }
+
+    // What stands behind the last value, which a writer has to know before it comes there.
+    private static string ReadEnd(string path)
+    {
+        using FileStream file = File.OpenRead(path);
+        byte[] end = new byte[(int)Math.Min(file.Length, LongestEnd)];
+        file.Position = file.Length - end.Length;
+        file.ReadExactly(end);
+        string text = Encoding.ASCII.GetString(end);
+        return text[text.TrimEnd().Length..];
+    }
+
+    private static void Copy(
+        CalculationFileReader reader,
+        TimeRange range,
+        Action<long, ReadOnlySpan<float>> write,
+        ConversionSummary summary,
+        IProgress<double> progress,
+        CancellationToken cancelled)
+    {
+        (long first, long count) = range.FramesOf(long.MaxValue / 2, reader.FrameRate);
+        float[] values = new float[reader.ValueCount];
+        long rows = 0;
+        for (; rows < first + count && reader.TryReadFrame(values); rows++)
+        {
+            cancelled.ThrowIfCancellationRequested();
+            if (rows >= first)
+                write(rows - first, values);
+            if (reader.Length is > 0 and { } length)
+                progress.Report((double)reader.BytesRead / length);
+        }
+
+        summary.AddRepairs(reader.Repairs, reader.RepairCount, reader.LeftOutRowCount);
+        if (reader is { DeclaredFrameRate: null, FrameRate: CalculationReadOptions.DefaultFrameRate })
+            summary.AddDoubt("the export does not say its rate, and 120 Hz is assumed; --rate tells another one");
+
+        (summary.Frames, summary.Rate, summary.Seconds) = (rows - first, reader.FrameRate, (rows - first) / reader.FrameRate);
+        if (rows <= first)
+            throw new NeuronException(Quantity.Format($"Nothing is left: the take ends at {rows / reader.FrameRate:0.###} s."));
+    }
+}

@@ -1,0 +1,24 @@
+using NeuronMocap.Calculation;
+using NeuronMocap.Server;
+
+namespace NeuronMocap.Tool.Convert;
+
+/// <summary>A take as a calculation export: what the sensors would have measured, in the axes of Axis Neuron's exports.</summary>
+internal static class CalculationOutput
+{
+    public static void Write(MotionSource take, Stream output, IProgress<double> progress, CancellationToken cancelled)
+    {
+        using var writer = new CalculationFileWriter(
+            output, CalculationFrame.FullValueCount, CalculationTextFormat.AxisNeuron.WithFrameRate(take.FrameRate));
+        float[] values = new float[writer.ValueCount];
+        long count = take.FrameCount!.Value;
+        for (long frame = 0; frame < count; frame++)
+        {
+            cancelled.ThrowIfCancellationRequested();
+            CalculationSynthesizer.Write(take, frame, values);
+            CalculationAxes.Export.ConvertFromBvh(values);
+            writer.WriteFrame(values);
+            progress.Report((double)frame / count);
+        }
+    }
+}

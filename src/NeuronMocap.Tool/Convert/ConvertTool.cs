@@ -1,0 +1,172 @@
+using System.Reflection;
+using NeuronMocap.Recording;
+using NeuronMocap.Server;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Convert;
+
+/// <summary>--convert: writes a file as another kind of file, or a part of it.</summary>
+internal sealed class ConvertTool(FileSettings settings, StandardStreams streams)
+{
+    private readonly TimeRange _range = new(settings.From, settings.To);
+    private readonly ConversionSummary _summary = new();
+
+    public void Run(OutputFile output, CancellationToken cancelled)
+    {
+        FileKind to = FileKinds.OfName(settings.Output!)!.Value;
+        FileKind from = settings.RecognizeInput();
+        if (from == FileKind.Raw && settings.InputRate is null)
+            _summary.AddDoubt("the bytes have no times, and the rate of their timecodes, or 120 Hz, is assumed; --rate tells another one");
+
+        output.Write(path =>
+        {
+            using var progress = new ProgressLine(streams, $"writing {Path.GetFileName(settings.Output)}");
+            Write(from, to, path, progress, cancelled);
+            if (from == FileKind.Recording)
+                StreamDoubts.AddDamage(_summary, settings.Input, cancelled);
+        });
+        streams.Error.WriteLine($"neuron-mocap: {TerminalText.Clean(_summary.Describe(Path.GetFileName(settings.Output!)))}");
+    }
+
+    private void Write(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancelled)
+    {
+        bool isStream = from is FileKind.Recording or FileKind.Raw;
+        if (to == FileKind.Calculation && settings.RotationOrder is not null)
+            throw new NeuronException("--order: a calculation export holds no angles, which have an order.");
+
+        switch (to)
+        {
+            case FileKind.Bvh when from == FileKind.Bvh:
+                BvhEdit.Write(settings, _range, path, _summary, progress, cancelled);
+                break;
+            case FileKind.Recording or FileKind.Raw when isStream:
+                CopyStream(from, to, path, progress, cancelled);
+                StreamDoubts.AddStream(_summary, path, to == FileKind.Recording, cancelled);
+                break;
+            case FileKind.Recording or FileKind.Raw when from == FileKind.Calculation:
+                RejectForCopy("the rows of a calculation export become packets as they are");
+                CalculationCopy.ToPackets(settings, _range, OpenSink(to, path, take: null), _summary, progress, cancelled);
+                AddLossOfRaw(to);
+                break;
+            case FileKind.Calculation when from == FileKind.Calculation:
+                RejectForCopy("the rows of a calculation export are copied as they are");
+                CalculationCopy.ToFile(settings, _range, path, _summary, progress, cancelled);
+                break;
+            case FileKind.Calculation when isStream && settings.Rate is null
+                && CalculationRows.TryWrite(settings, _range, path, _summary, progress, cancelled):
+                break;
+            default:
+                WriteTake(from, to, path, progress, cancelled);
+                break;
+        }
+    }
+
+    private void WriteTake(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancelled)
+    {
+        InputTake take = InputTake.Load(settings, from, progress, cancelled);
+        RotationOrder order = settings.RotationOrder ?? take.Order;
+        MotionSource motion = _range.IsAll && settings.Rate is null ? take.Motion : new TakePart(take.Motion, _range, settings.Rate);
+        switch (to)
+        {
+            case FileKind.Bvh:
+                using (FileStream file = File.Create(path))
+                    BvhOutput.Write(motion, take.Layout, order, file, progress, cancelled);
+                break;
+            case FileKind.Calculation:
+                using (FileStream file = File.Create(path))
+                    CalculationOutput.Write(motion, file, progress, cancelled);
+                _summary.AddLoss("the bones' rotations and lengths, of which an export has sensors and centres");
+                break;
+            default:
+                using (IPacketSink sink = OpenSink(to, path, take with { Order = order }))
+                    MotionPackets.Write(motion, take.Layout, order, new AvatarName(take.AvatarName), sink, progress, cancelled);
+                AddLossOfRaw(to);
+                break;
+        }
+
+        TakeDoubts.Add(_summary, settings, take, motion, _range, cancelled);
+    }
+
+    private void AddLossOfRaw(FileKind to)
+    {
+        if (to == FileKind.Raw)
+            _summary.AddLoss("times, rotation order and body: the bytes have no place for them, so --rate and --input-order tell when they are read");
+    }
+
+    private void CopyStream(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancelled)
+    {
+        RejectForCopy("the bytes of a stream are copied as they were received");
+        if (settings.InputOrder is not null)
+            throw new NeuronException("--input-order: the bytes of a stream are copied as they were received.");
+        if (settings.Avatar is not null)
+            throw new NeuronException("--avatar: the bytes of a stream are copied as they were received, of all avatars.");
+
+        if (from == FileKind.Raw && to == FileKind.Recording)
+        {
+            using RecordingWriter recording = CreateRecording(path, Metadata());
+            RawDump.CopyTo(settings.Input, recording, settings.Playback, _range.Start, settings.To is { } end ? TimeSpan.FromSeconds(end) : null, progress, cancelled);
+            return;
+        }
+
+        if (from == FileKind.Raw)
+            throw new NeuronException("Both files are the bytes of a stream; there is nothing to convert.");
+
+        using RecordingReader reader = RecordingReader.Open(settings.Input);
+        if (_range.From is not null)
+            reader.Seek(_range.Start);
+
+        var copy = new RecordingCopy(reader, _range, progress, cancelled);
+        if (to == FileKind.Raw)
+        {
+            using FileStream file = File.Create(path);
+            copy.WriteTo(file);
+        }
+        else
+        {
+            using RecordingWriter writer = RecordingWriter.Create(path, reader.Metadata, new RecordingWriterOptions { StartTime = reader.StartTime + _range.Start });
+            copy.WriteTo(writer);
+        }
+
+        if (copy.Pieces == 0)
+            throw new NeuronException(Quantity.Format($"Nothing is left: the recording ends at {reader.Duration.TotalSeconds:0.###} s."));
+    }
+
+    private void RejectForCopy(string why)
+    {
+        if (settings.Rate is not null)
+            throw new NeuronException($"--resample: {why}; only poses can be interpolated, for a .bvh file.");
+        if (settings.RotationOrder is not null)
+            throw new NeuronException($"--order: {why}.");
+    }
+
+    private IPacketSink OpenSink(FileKind kind, string path, InputTake? take)
+    {
+        if (kind == FileKind.Raw)
+            return new RawSink(File.Create(path));
+
+        RecordingMetadata metadata = Metadata();
+        if (take is not null)
+        {
+            string hierarchy = SourceHierarchy.GetText(take);
+            metadata = metadata
+                .With(RecordingMetadata.RotationOrderName, take.Order.ToString())
+                .With(RecordingMetadata.SkeletonVariantName, take.Motion.Variant.ToString())
+                .With(RecordingMetadata.BvhHierarchyName, hierarchy);
+        }
+
+        return new RecordingSink(CreateRecording(path, metadata));
+    }
+
+    // A file says no more than when it was written.
+    private RecordingWriter CreateRecording(string path, RecordingMetadata metadata) => RecordingWriter.Create(
+        path, metadata, new RecordingWriterOptions { StartTime = new DateTimeOffset(File.GetLastWriteTimeUtc(settings.Input), TimeSpan.Zero) });
+
+    private RecordingMetadata Metadata()
+    {
+        string? version = typeof(ConvertTool).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion;
+        return RecordingMetadata.Empty
+            .With(RecordingMetadata.Program, $"neuron-mocap {version}")
+            .With(RecordingMetadata.Server, $"the file {Path.GetFileName(settings.Input)}");
+    }
+}

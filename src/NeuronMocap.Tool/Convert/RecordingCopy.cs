@@ -1,0 +1,119 @@
+using NeuronMocap.Recording;
+
+namespace NeuronMocap.Tool.Convert;
+
+/// <summary>Copies what a recording holds, entry by entry: all bytes as they were received, those that no packet can be made of included.</summary>
+internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IProgress<double> progress, CancellationToken cancelled)
+{
+    // What is open in the copy: behind a damaged place a recording says again what was open, and an end may be lost there.
+    private readonly Dictionary<int, RecordedConnection> _open = [];
+    private readonly HashSet<(int Connection, int Sender)> _senders = [];
+
+    /// <summary>Pieces of bytes that were copied.</summary>
+    public long Pieces { get; private set; }
+
+    /// <summary>Copies into another recording, whose times begin where the range does.</summary>
+    public void WriteTo(RecordingWriter writer)
+    {
+        while (TryRead(out RecordingEntry entry))
+        {
+            TimeSpan time = entry.Time > range.Start ? entry.Time - range.Start : TimeSpan.Zero;
+            switch (entry.Kind)
+            {
+                case RecordingEntryKind.ConnectionOpened:
+                    Open(writer, time, entry.Opened! with { WasOpen = entry.Opened!.WasOpen || entry.Time < range.Start });
+                    break;
+                case RecordingEntryKind.Metadata:
+                    writer.SetMetadata(time, entry.Key!, entry.Text!);
+                    break;
+                case RecordingEntryKind.Bytes:
+                    writer.WriteBytes(time, entry.Connection, entry.Bytes, entry.Sender);
+                    Pieces++;
+                    break;
+                case RecordingEntryKind.BytesLost:
+                    writer.WriteLoss(time, entry.Connection, entry.LostPieces, entry.LostBytes);
+                    break;
+                default:
+                    if (_open.ContainsKey(entry.Connection))
+                        CopyState(writer, time, entry);
+                    break;
+            }
+        }
+    }
+
+    /// <summary>Copies the bytes alone.</summary>
+    /// <exception cref="NeuronException">They are of several senders over UDP, whose datagrams would be mixed.</exception>
+    public void WriteTo(Stream output)
+    {
+        var datagramSenders = new HashSet<(int Connection, int Sender)>();
+        var isUdp = new HashSet<int>();
+        while (TryRead(out RecordingEntry entry))
+        {
+            if (entry.Opened is { Transport: TransportKind.Udp })
+                isUdp.Add(entry.Connection);
+            if (entry.Kind != RecordingEntryKind.Bytes)
+                continue;
+            if (isUdp.Contains(entry.Connection) && datagramSenders.Add((entry.Connection, entry.Sender)) && datagramSenders.Count > 1)
+                throw new NeuronException("The recording has datagrams of several senders, and raw bytes do not tell whose they are; .nmrec does.");
+
+            output.Write(entry.Bytes);
+            Pieces++;
+        }
+    }
+
+    private void Open(RecordingWriter writer, TimeSpan time, RecordedConnection connection)
+    {
+        if (_open.TryGetValue(connection.Number, out RecordedConnection? open))
+        {
+            if (open with { WasOpen = connection.WasOpen } == connection)
+                return;
+
+            Close(writer, time, connection.Number, "The end is in a damaged place.");
+        }
+
+        _open.Add(connection.Number, connection);
+        writer.OpenConnection(time, connection);
+    }
+
+    private void Close(RecordingWriter writer, TimeSpan time, int connection, string reason)
+    {
+        _open.Remove(connection);
+        _senders.RemoveWhere(sender => sender.Connection == connection);
+        writer.CloseConnection(time, connection, reason);
+    }
+
+    // Of a connection that is open.
+    private void CopyState(RecordingWriter writer, TimeSpan time, in RecordingEntry entry)
+    {
+        var sender = (entry.Connection, entry.Sender);
+        switch (entry.Kind)
+        {
+            case RecordingEntryKind.SenderAdded when _senders.Add(sender):
+                writer.AddSender(time, entry.Connection, entry.Sender, entry.Text!);
+                break;
+            case RecordingEntryKind.SenderRemoved when _senders.Remove(sender):
+                writer.RemoveSender(time, entry.Connection, entry.Sender);
+                break;
+            case RecordingEntryKind.ConnectionClosed:
+                Close(writer, time, entry.Connection, entry.Text!);
+                break;
+            default:
+                break;
+        }
+    }
+
+    // What is open and known where the range begins counts as well.
+    private bool TryRead(out RecordingEntry entry)
+    {
+        while (reader.TryRead(out entry))
+        {
+            cancelled.ThrowIfCancellationRequested();
+            progress.Report(reader.Duration > TimeSpan.Zero ? entry.Time / reader.Duration : 0);
+            bool isTraffic = entry.Kind is RecordingEntryKind.Bytes or RecordingEntryKind.BytesLost;
+            if (range.Contains(entry.Time) || (!isTraffic && entry.Time < range.Start))
+                return true;
+        }
+
+        return false;
+    }
+}

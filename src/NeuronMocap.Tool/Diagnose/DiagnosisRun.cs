@@ -1,0 +1,68 @@
+using NeuronMocap.Diagnostics;
+using NeuronMocap.Server;
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Output;
+using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.Watch;
+
+namespace NeuronMocap.Tool.Diagnose;
+
+/// <summary>--diagnose: one look at the stream instead of watching it.</summary>
+internal sealed class DiagnosisRun(MonitorOptions options, StandardStreams streams)
+{
+    public async Task<int> RunAsync(CancellationToken cancelled)
+    {
+        try
+        {
+            using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder ?? RotationOrder.YXZ) : null;
+            return await RunAsync(demo?.Address ?? options.Server, cancelled);
+        }
+        catch (BroadcasterException exception)
+        {
+            return await FailAsync(OptionNames.Translate(exception.Message));
+        }
+        catch (OperationCanceledException)
+        {
+            return CommandLine.Interrupted;
+        }
+        catch (IOException exception)
+        {
+            // Whoever reads the output may leave when he has seen enough.
+            return MonitorOutput.IsBrokenPipe(exception)
+                ? CommandLine.Interrupted
+                : await FailAsync(FileFault.OfStandardOutput(exception));
+        }
+    }
+
+    private async Task<int> RunAsync(ServerAddress? server, CancellationToken cancelled)
+    {
+        NeuronReaderOptions reader = options.ToReaderOptions(server);
+        var how = new DiagnosisOptions();
+        if (options.Duration is { } duration)
+            how.Timeout = duration;
+
+        DiagnosisOutput output = CreateOutput(reader);
+        StreamDiagnosis diagnosis = await NeuronDiagnostics.DiagnoseAsync(reader, how, output, cancelled);
+        output.Finish(diagnosis);
+        return diagnosis.FramesArrive ? CommandLine.Done : CommandLine.NothingReceived;
+    }
+
+    private DiagnosisOutput CreateOutput(NeuronReaderOptions reader)
+    {
+        if (options.Output != OutputKind.Person)
+            return new JsonDiagnosis(streams.Output, quiet: options.Output == OutputKind.Quiet);
+
+        var output = new PersonDiagnosis(streams);
+        output.Begin(reader.Transport == TransportKind.Udp
+            ? $"UDP port {reader.Port} of this computer"
+            : $"{new ServerAddress(reader.Host, reader.Port)} over TCP");
+        return output;
+    }
+
+    private async Task<int> FailAsync(string message)
+    {
+        await streams.Error.WriteLineAsync($"neuron-mocap: {TerminalText.Clean(message)}");
+        return CommandLine.NothingReceived;
+    }
+}

@@ -1,0 +1,90 @@
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Files;
+
+/// <summary>Why a file cannot be read or written, in a sentence that begins with its name, instead of the runtime's words.</summary>
+internal static class FileFault
+{
+    // Numbers of the system: Linux and macOS have them in common where there is one.
+    private const int NotThere = 2;
+    private const int DeviceMissing = 6;
+    private const int NotAllowed = 13;
+    private const int IsThere = 17;
+    private const int NotAFolder = 20;
+    private const int IsFolder = 21;
+    private const int Invalid = 22;
+    private const int DiskFull = 28;
+    private const int ReadOnly = 30;
+    private const int NameTooLongLinux = 36;
+    private const int NameTooLongMac = 63;
+    private const int NotOfSystem = unchecked((int)0x80131620);
+    private const int WindowsSharing = unchecked((int)0x80070020);
+    private const int WindowsIsThere = unchecked((int)0x80070050);
+    private const int WindowsDiskFull = unchecked((int)0x80070070);
+
+    /// <summary>Says why a file could not be opened to read.</summary>
+    public static string OfReading(Exception exception, string path) => exception switch
+    {
+        FileNotFoundException or DirectoryNotFoundException when Directory.Exists(path) => IsAFolder(path),
+        FileNotFoundException or DirectoryNotFoundException => $"{Quote(path)} is not there.",
+        UnauthorizedAccessException when Directory.Exists(path) => IsAFolder(path),
+        UnauthorizedAccessException => $"{Quote(path)} may not be read by this user.",
+        _ => OfSystem(exception, path) ?? $"{Quote(path)} cannot be read.",
+    };
+
+    /// <summary>Says why a file could not be made or opened to write.</summary>
+    public static string OfWriting(Exception exception, string path) => exception switch
+    {
+        DirectoryNotFoundException when !Directory.Exists(FolderOf(path)) => $"{Quote(FolderOf(path))}, the folder for {Quote(Path.GetFileName(path))}, is not there.",
+        UnauthorizedAccessException or IOException when Directory.Exists(path) => IsAFolder(path),
+        FileNotFoundException or DirectoryNotFoundException => $"{Quote(FolderOf(path))} takes no new files.",
+        UnauthorizedAccessException => $"{Quote(path)} may not be written by this user.",
+        IOException { HResult: WindowsSharing } => $"{Quote(path)} is being written already, by this program or another one. Choose another name, or end the other one first.",
+        _ => OfSystem(exception, path) ?? $"{Quote(path)} cannot be written.",
+    };
+
+    /// <summary>Says why standard output could not be written.</summary>
+    public static string OfStandardOutput(IOException exception) =>
+        $"standard output cannot be written{(IsDiskFull(exception) ? ": the disk is full." : ".")}";
+
+    /// <summary>Whether there was no room for what was to be written.</summary>
+    public static bool IsDiskFull(Exception exception) => exception.HResult is DiskFull or WindowsDiskFull;
+
+    /// <summary>Whether a file is there that was to be made.</summary>
+    public static bool IsExisting(Exception exception) => exception.HResult is IsThere or WindowsIsThere;
+
+    private static string? OfSystem(Exception exception, string path) => exception switch
+    {
+        NeuronException => OptionNames.Translate(exception.Message),
+
+        // A sentence that this program or the library made.
+        IOException { HResult: NotOfSystem } when exception.GetType() == typeof(IOException) => exception.Message,
+        PathTooLongException => TooLong(),
+        ArgumentException when string.IsNullOrWhiteSpace(path) => "The name of the file is empty.",
+        ArgumentException fault => path.Contains('\0', StringComparison.Ordinal) ? "The name has a character that no file name may have." : OptionNames.Translate(fault),
+        NotSupportedException => $"{Quote(path)} is no ordinary file.",
+        _ => exception.HResult switch
+        {
+            NameTooLongLinux or NameTooLongMac => TooLong(),
+            IsThere or WindowsIsThere => $"{Quote(path)} is there already.",
+            IsFolder => IsAFolder(path),
+            NotAFolder => $"{Quote(path)} is not there: a part of it is a file and no folder.",
+            NotThere => $"{Quote(path)} is not there.",
+            NotAllowed => $"{Quote(path)} may not be used by this user.",
+            DiskFull or WindowsDiskFull => $"{Quote(path)}: the disk is full.",
+            ReadOnly => $"{Quote(path)} is on a disk that cannot be written.",
+            DeviceMissing or Invalid => $"{Quote(path)} is no ordinary file.",
+            WindowsSharing => $"{Quote(path)} is in use by another program.",
+            _ => null,
+        },
+    };
+
+    private static string IsAFolder(string path) => $"{Quote(path)} is a folder; give the name of a file.";
+
+    private static string TooLong() => "The name is longer than this file system allows.";
+
+    private static string FolderOf(string path) => Path.GetDirectoryName(Path.GetFullPath(path)) ?? path;
+
+    private static string Quote(string path) => $"'{TerminalText.Clean(path)}'";
+}

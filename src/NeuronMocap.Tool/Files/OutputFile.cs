@@ -1,0 +1,87 @@
+
+namespace NeuronMocap.Tool.Files;
+
+/// <summary>
+/// A file that is written beside its place and comes there when it is whole: what was there before stays until then, and a run that ends early
+/// leaves nothing. Thread-safe, so that a run can be given up while a thread still writes.
+/// </summary>
+/// <param name="path">Its place.</param>
+/// <param name="overwrite">Whether a file that is there is replaced.</param>
+internal sealed class OutputFile(string path, bool overwrite) : IDisposable
+{
+    private readonly Lock _lock = new();
+    private readonly string _temporaryPath = $"{path}.{Environment.ProcessId}.part{Path.GetExtension(path)}";
+    private bool _isGivenUp;
+    private bool _isBegun;
+
+    /// <summary>Writes the file and puts it into its place.</summary>
+    /// <param name="write">Writes a file at the path that it is given, and closes it.</param>
+    /// <exception cref="IOException">The file is there already and must not be replaced, or cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">The run was given up.</exception>
+    public void Write(Action<string> write)
+    {
+        Check();
+        try
+        {
+            lock (_lock)
+            {
+                Begin();
+            }
+
+            write(_temporaryPath);
+            Keep();
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException && exception.Message.Contains(TemporaryName, StringComparison.Ordinal))
+        {
+            // A name that nobody gave would only puzzle.
+            throw new IOException(FileFault.OfWriting(exception, path), exception);
+        }
+        finally
+        {
+            Dispose();
+        }
+    }
+
+    /// <summary>Gives up what is not in its place.</summary>
+    public void Dispose()
+    {
+        lock (_lock)
+        {
+            _isGivenUp = true;
+            if (_isBegun && File.Exists(_temporaryPath))
+                File.Delete(_temporaryPath);
+
+            _isBegun = false;
+        }
+    }
+
+    private string TemporaryName => Path.GetFileName(_temporaryPath);
+
+    private void Check()
+    {
+        if (InputFile.FindOddKind(path) is { } kind)
+            throw new IOException($"'{path}' is {kind}; only regular files are written.");
+        if (!overwrite && File.Exists(path))
+            throw new IOException($"'{path}' is there already; --overwrite replaces it.");
+    }
+
+    private void Begin()
+    {
+        if (_isGivenUp)
+            throw new OperationCanceledException();
+
+        _isBegun = true;
+    }
+
+    private void Keep()
+    {
+        lock (_lock)
+        {
+            if (_isGivenUp)
+                throw new OperationCanceledException();
+
+            File.Move(_temporaryPath, path, overwrite);
+            _isBegun = false;
+        }
+    }
+}

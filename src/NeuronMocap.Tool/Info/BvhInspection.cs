@@ -1,0 +1,175 @@
+using System.Numerics;
+using System.Text.Json.Nodes;
+using NeuronMocap.Bvh;
+using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Plot;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Info;
+
+/// <summary>--info of a BVH file.</summary>
+internal sealed class BvhInspection(string path, IProgress<double> progress)
+{
+    private const int MostNamed = 6;
+
+    public InfoReport Run(CancellationToken cancelled)
+    {
+        BvhDocument document = BvhFile.Load(path, progress, cancelled);
+        bool isNeuron = BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out string? reason);
+        long size = new FileInfo(path).Length;
+        var report = new InfoReport(
+            Path.GetFileName(path), "bvh", $"BVH file{(isNeuron ? " of Neuron's 59 bones" : string.Empty)}, {Quantity.Bytes(size)}");
+        AddTake(report, document, size);
+        AddSkeleton(report, document, map, reason);
+        AddOddities(report, document, map, cancelled);
+        if (map is not null && document.FrameCount > 0)
+        {
+            var source = new BvhSource(document);
+            BodySection.Add(report, source);
+            AddMotion(report, new BodyMotion(source), cancelled);
+        }
+        else if (document.FrameCount > 0)
+        {
+            AddMotion(report, new JointMotion(document), cancelled);
+        }
+
+        return report;
+    }
+
+    private void AddMotion(InfoReport report, PointMotion motion, CancellationToken cancelled) =>
+        MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancelled));
+
+    private static void AddTake(InfoReport report, BvhDocument document, long size)
+    {
+        InfoSection section = report.Section("take", "Take");
+        double duration = document.FrameCount / document.FrameRate;
+        section.Add("bytes", string.Empty, null, size);
+        section.Add("seconds", "duration", Quantity.Format($"{duration:0.000} s"), duration);
+        section.Add("frames", "frames", Quantity.Count(document.FrameCount), document.FrameCount);
+        section.Add("frameRate", "frame rate", Rate(document), document.FrameRate);
+        section.Add("declaredFrameTime", string.Empty, null, document.DeclaredFrameTime);
+    }
+
+    private static string Rate(BvhDocument document)
+    {
+        string rate = Quantity.Format($"{document.FrameRate:0.###} Hz");
+        if (document.DeclaredFrameTime == 0)
+            return rate + ", assumed: the file does not say";
+
+        double declared = 1 / document.DeclaredFrameTime;
+        return Math.Abs(declared - document.FrameRate) < document.FrameRate * 1e-6
+            ? rate + Quantity.Format($": the file says {document.DeclaredFrameTime:0.#########} s")
+            : rate + Quantity.Format($": the file says {document.DeclaredFrameTime:0.#########} s, which is {document.FrameTime.Numerator}/{document.FrameTime.Denominator} s rounded ({declared:0.##} Hz at its word)");
+    }
+
+    private static void AddSkeleton(InfoReport report, BvhDocument document, BvhSkeletonMap? map, string? reason)
+    {
+        InfoSection section = report.Section("skeleton", "Skeleton");
+        int ends = document.Joints.Count(static joint => joint.EndSite is not null);
+        int roots = document.Joints.Count(static joint => joint.Parent is null);
+        section.Add(
+            "joints",
+            "joints",
+            Quantity.Format($"{document.Joints.Count}, {ends} End Sites, {Depth(document)} deep, from {string.Join(" and ", document.Joints.Where(static joint => joint.Parent is null).Take(3).Select(static joint => joint.Name))}"),
+            document.Joints.Count);
+        section.Add("endSites", string.Empty, null, ends).Add("depth", string.Empty, null, Depth(document)).Add("roots", string.Empty, null, roots);
+        section.Add("channels", "channels", Quantity.Format($"{document.ChannelCount} values a frame"), document.ChannelCount);
+        if (map is null)
+        {
+            section.Add("notNeuron", "not Neuron's", reason!);
+            section.Add("rotationOrders", "rotation order", Orders(document), new JsonArray([.. OrdersOf(document).Select(static order => (JsonNode)order.Order)]));
+            section.Add(
+                "jointNames",
+                "first joints",
+                string.Join(", ", document.Joints.Take(MostNamed).Select(static joint => joint.Name)) + (document.Joints.Count > MostNamed ? ", …" : string.Empty),
+                new JsonArray([.. document.Joints.Select(static joint => (JsonNode)joint.Name)]));
+            return;
+        }
+
+        bool isOld = map.Format.Variant == SkeletonVariant.Spine3;
+        section.Add(
+            "variant",
+            "bone names",
+            isOld ? "Spine3: Spine2, Spine3, Neck, Head, as before June 2018" : "Neck1: Spine2, Neck, Neck1, Head, as since June 2018",
+            map.Format.Variant.ToString());
+        section.Add("rotationOrder", "rotation order", map.Format.RotationOrder.ToString());
+        section.Add("displacement", "displacement", map.Layout.HasDisplacement ? "on: a position for every bone" : "off: a position for the hips alone", map.Layout.HasDisplacement);
+        section.Add("reference", "reference", map.Layout.HasReference ? "on: the hips hang from a Reference node" : "off", map.Layout.HasReference);
+    }
+
+    private static int Depth(BvhDocument document)
+    {
+        int[] depths = new int[document.Joints.Count];
+        foreach (BvhJoint joint in document.Joints)
+            depths[joint.Index] = joint.Parent is { } parent ? depths[parent.Index] + 1 : 1;
+
+        return depths.Max();
+    }
+
+    private static IEnumerable<(string Order, int Joints)> OrdersOf(BvhDocument document) => document.Joints
+        .Select(static joint => string.Concat(joint.Channels
+            .Where(static channel => channel >= BvhChannel.Xrotation)
+            .Select(static channel => (char)('X' + (channel - BvhChannel.Xrotation)))))
+        .Where(static order => order.Length > 0)
+        .GroupBy(static order => order, StringComparer.Ordinal)
+        .Select(static group => (group.Key, group.Count()))
+        .OrderByDescending(static order => order.Item2);
+
+    private static string Orders(BvhDocument document)
+    {
+        (string Order, int Joints)[] orders = [.. OrdersOf(document)];
+        return orders.Length switch
+        {
+            0 => "none: no joint rotates",
+            1 => orders[0].Order,
+            _ => string.Join(", ", orders.Select(static order => $"{order.Order} ({order.Joints} joints)")),
+        };
+    }
+
+    private static void AddOddities(InfoReport report, BvhDocument document, BvhSkeletonMap? map, CancellationToken cancelled)
+    {
+        InfoSection section = report.Section("oddities", "Oddities");
+        foreach (BvhRepair repair in document.Repairs)
+            section.Remark("repair", repair.Description, repair.Line, repair.Column);
+        if (document.RepairCount > document.Repairs.Count)
+            section.Remark("repairs", $"{document.RepairCount - document.Repairs.Count} more repairs");
+        if (document.FrameCount == 0)
+        {
+            section.Remark("noFrames", "a skeleton without frames");
+            return;
+        }
+
+        RowScan scan = RowScan.Run(document.Joints, document.ChannelCount, document.FrameCount, document.GetFrame, cancelled);
+        RowRemarks.Add(section, scan, document.FrameRate, document.ChannelCount);
+        if (map is { Layout.HasDisplacement: true })
+            AddDisplacement(section, map);
+        if (section.IsEmpty)
+            section.Remark("none", "none");
+    }
+
+    private static void AddDisplacement(InfoSection section, BvhSkeletonMap map)
+    {
+        const float Least = 0.001f;
+        var pose = new BoneTransform[BoneHierarchy.BoneCount];
+        (float largest, Bone where, int frame) = (0, Bone.Hips, 0);
+        for (int i = 0; i < map.Document.FrameCount; i++)
+        {
+            map.CopyLocalTransforms(i, pose);
+            for (Bone bone = Bone.Hips + 1; (int)bone < BoneHierarchy.BoneCount; bone++)
+            {
+                float distance = Vector3.Distance(pose[(int)bone].Position, map[bone].Offset);
+                if (distance > largest)
+                    (largest, where, frame) = (distance, bone, i);
+            }
+        }
+
+        if (largest >= Least)
+        {
+            section.Remark(
+                "displacement",
+                Quantity.Format($"positions differ from the OFFSETs, by {largest:0.00} cm at most ({map[where].Name} at {frame / map.Document.FrameRate:0.00} s): the skeleton changes its size"));
+        }
+    }
+}

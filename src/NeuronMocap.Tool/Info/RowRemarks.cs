@@ -1,0 +1,41 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Info;
+
+/// <summary>What a <see cref="RowScan"/> found, in words.</summary>
+internal static class RowRemarks
+{
+    private const float RemarkableStep = 45;
+    private const int MostNamed = 4;
+
+    public static void Add(InfoSection section, RowScan scan, double frameRate, int columns)
+    {
+        if (scan.NotNumbers > 0)
+            section.Remark("notNumbers", Quantity.Format($"{scan.NotNumbers:#,0} values are no finite numbers, the first in frame {scan.FirstNotNumber}"));
+        if (scan.StartsAtRest)
+            section.Remark("restPose", "the first frame is the rest pose, a T, and the take jumps away from it: leave it out when the motion counts");
+        if (scan.Flips > 0)
+        {
+            (BvhJoint Joint, int Count)[] joints = [.. scan.FlippingJoints];
+            string named = string.Join(", ", joints.Take(MostNamed).Select(static pair => Quantity.Format($"{pair.Joint.Name} {pair.Count}")));
+            section.Remark(
+                "flips",
+                (scan.Flips == 1 ? "once" : Quantity.Format($"{scan.Flips:#,0} times"))
+                    + Quantity.Format($" the angles of a joint jump while it hardly turns ({named}{(joints.Length > MostNamed ? ", …" : string.Empty)}), ")
+                    + Quantity.Format($"first at {scan.FirstFlip / frameRate:0.00} s: compare and interpolate them as quaternions"));
+        }
+
+        if (scan.LargestStep is { Degrees: > RemarkableStep, Joint: { } joint } && !(scan.StartsAtRest && scan.LargestStep.Frame == 1))
+        {
+            section.Remark(
+                "jump",
+                Quantity.Format($"{joint.Name} turns by {scan.LargestStep.Degrees:0} degrees in one frame, at {scan.LargestStep.Frame / frameRate:0.00} s"));
+        }
+
+        if (scan.ConstantColumns > 0 && scan.ConstantColumns < columns)
+            section.Remark("constantColumns", $"{scan.ConstantColumns} of the {columns} values never change");
+        else if (scan.ConstantColumns == columns)
+            section.Remark("constantColumns", "nothing moves: no value changes from one frame to the next");
+    }
+}

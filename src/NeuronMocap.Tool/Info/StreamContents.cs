@@ -1,0 +1,168 @@
+using System.Text.Json.Nodes;
+using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Info;
+
+/// <summary>The frames of a stream by avatar, and what is no frame.</summary>
+internal sealed class StreamContents
+{
+    private readonly Dictionary<(PacketKind Kind, int Source, int Avatar), Frames> _frames = [];
+    private readonly SortedSet<string> _formats = new(StringComparer.Ordinal);
+    private IReadOnlyList<AvatarStatistics> _avatars = [];
+    private ReaderStatistics _statistics;
+    private TimeSpan _duration;
+    private (SkipReason Reason, long Bytes)[] _skipped = [];
+
+    public static StreamContents Read(string path, PlaybackOptions options, IProgress<double> progress, CancellationToken cancelled)
+    {
+        var contents = new StreamContents();
+        using RecordedFrameReader reader = RecordedFrameReader.Open(path, options);
+        while (reader.Read())
+        {
+            cancelled.ThrowIfCancellationRequested();
+            progress.Report(reader.Duration > TimeSpan.Zero ? reader.Time / reader.Duration : 0);
+            contents.Take(reader.Frame, reader.Time);
+        }
+
+        contents._duration = reader.Duration;
+        contents._statistics = reader.Statistics;
+        contents._avatars = reader.GetAvatarStatistics();
+        contents._skipped = [.. Enum.GetValues<SkipReason>().Select(reason => (reason, reader.GetSkipped(reason))).Where(static skipped => skipped.Item2 > 0)];
+        return contents;
+    }
+
+    /// <summary>Whether an avatar, or any, has motion frames of the 59 bones.</summary>
+    public bool HasPoses(int? avatar) => _frames.Any(pair => pair.Value.HasSkeleton && pair.Key.Avatar == (avatar ?? pair.Key.Avatar));
+
+    /// <summary>Whether an avatar, or any, has calculation frames of Axis Neuron.</summary>
+    public bool HasCalculation(int? avatar) => _frames.Keys.Any(key => key.Kind == PacketKind.Calculation && key.Avatar == (avatar ?? key.Avatar));
+
+    public void AddTo(InfoReport report, bool hasTimes)
+    {
+        InfoSection stream = report.Section("stream", "Stream");
+        if (!hasTimes)
+            stream.Add("seconds", "duration", Quantity.Format($"{_duration.TotalSeconds:0.000} s at the rate of its frames, for the bytes have no times"), _duration.TotalSeconds);
+
+        stream.Add("formats", "formats", string.Join(", ", _formats), new JsonArray([.. _formats.Select(static format => (JsonNode)format)]));
+        stream.Add(
+            "motionFrames",
+            "frames",
+            Quantity.Format($"{_statistics.MotionFrames:#,0} motion, {_statistics.CalculationFrames + _statistics.StudioCalculationFrames:#,0} calculation"),
+            _statistics.MotionFrames);
+        stream.Add("calculationFrames", string.Empty, null, _statistics.CalculationFrames + _statistics.StudioCalculationFrames);
+        stream.Add("lostFrames", "lost", Quantity.Format($"{_statistics.Lost:#,0} frames, as the frame index tells"), _statistics.Lost);
+        stream.Add("skippedBytes", "skipped", Skipped(), SkippedJson());
+
+        InfoSection avatars = report.Section("avatars", "Avatars");
+        foreach (AvatarStatistics avatar in _avatars)
+            AddAvatar(avatars, avatar, hasTimes);
+    }
+
+    private void Take(AvatarFrame frame, TimeSpan time)
+    {
+        (PacketKind kind, string format) = frame switch
+        {
+            MotionFrame motion => (PacketKind.Motion, DescribeMotion(motion)),
+            CalculationFrame calculation => (PacketKind.Calculation, Quantity.Format($"calculation data of {calculation.BoneCount} bones")),
+            _ => (PacketKind.StudioCalculation, "calculation data of Axis Studio"),
+        };
+        _formats.Add(format);
+        var key = (kind, frame.Sender, frame.AvatarIndex);
+        if (!_frames.TryGetValue(key, out Frames? frames))
+            _frames.Add(key, frames = new Frames());
+
+        frames.Take(frame, time);
+    }
+
+    private static string DescribeMotion(MotionFrame frame)
+    {
+        DataVersion version = frame.Header.Version;
+        string header = version == DataVersion.None ? "text" : version == DataVersion.Studio ? "Axis Studio's packets" : $"packets of version {version}";
+        return Quantity.Format($"motion as {header}, {frame.Values.Length} values");
+    }
+
+    private string Skipped() => _skipped.Length == 0
+        ? "no bytes"
+        : string.Join(", ", _skipped.Select(static skipped => Quantity.Format($"{skipped.Bytes:#,0} bytes {Describe(skipped.Reason)}")));
+
+    private JsonObject SkippedJson()
+    {
+        var json = new JsonObject();
+        foreach ((SkipReason reason, long bytes) in _skipped)
+            json[char.ToLowerInvariant(reason.ToString()[0]) + reason.ToString()[1..]] = bytes;
+
+        return json;
+    }
+
+    private static string Describe(SkipReason reason) => reason switch
+    {
+        SkipReason.NoTokens => "that are no packets",
+        SkipReason.UnknownVersion => "of an unknown version",
+        SkipReason.TooLarge => "of packets that are too large",
+        SkipReason.Incomplete => "of packets whose rest never came",
+        SkipReason.MalformedLine => "of lines that are no frames",
+        SkipReason.MissingAvatar => "of lines without the avatar's number and name",
+        SkipReason.TooManySenders => "of more senders than 64 at a time",
+        SkipReason.NotCalculation => "of motion on the port of calculation data",
+        _ => "of lines with ambiguous names",
+    };
+
+    private void AddAvatar(InfoSection section, AvatarStatistics avatar, bool hasTimes)
+    {
+        Frames? frames = _frames.GetValueOrDefault((avatar.Kind, avatar.Sender, avatar.AvatarIndex));
+        string kind = avatar.Kind == PacketKind.Motion ? "motion" : "calculation";
+        string text = Quantity.Format($"{avatar.AvatarIndex} {avatar.AvatarName}: {avatar.Frames:#,0} {kind} frame{(avatar.Frames == 1 ? string.Empty : "s")}");
+        if (hasTimes && frames?.Rate is { } rate)
+            text += Quantity.Format($", {rate:0.0} Hz, at most {frames.LongestInterval.TotalMilliseconds:0} ms between two");
+        if (avatar.FrequencyReduction > 1)
+            text += $", 1 of {avatar.FrequencyReduction} frames sent";
+        text += Quantity.Format($", {(avatar.Lost == 0 ? "none" : Quantity.Count(avatar.Lost))} lost");
+        if (avatar.Gaps > 0)
+            text += Quantity.Format($" in {avatar.Gaps:#,0} gap{(avatar.Gaps == 1 ? string.Empty : "s")}");
+        if (avatar.Restarts > 0)
+            text += Quantity.Format($", count restarted {(avatar.Restarts == 1 ? "once" : Quantity.Format($"{avatar.Restarts:#,0} times"))}");
+
+        section.Item(text, new JsonObject
+        {
+            ["avatar"] = avatar.AvatarIndex,
+            ["name"] = avatar.AvatarName,
+            ["source"] = avatar.Sender,
+            ["kind"] = avatar.Kind.ToString(),
+            ["frames"] = avatar.Frames,
+            ["rate"] = hasTimes && frames?.Rate is { } known ? Math.Round(known, 4) : null,
+            ["longestIntervalSeconds"] = hasTimes && frames is not null ? Math.Round(frames.LongestInterval.TotalSeconds, 7) : null,
+            ["lost"] = avatar.Lost,
+            ["gaps"] = avatar.Gaps,
+            ["disordered"] = avatar.Disordered,
+            ["restarts"] = avatar.Restarts,
+            ["frequencyReduction"] = avatar.FrequencyReduction,
+        });
+    }
+
+    // Those of one avatar and kind.
+    private sealed class Frames
+    {
+        private TimeSpan _first;
+        private TimeSpan _last;
+        private long _count;
+
+        public bool HasSkeleton { get; private set; }
+
+        public TimeSpan LongestInterval { get; private set; }
+
+        public double? Rate => _last > _first ? (_count - 1) / (_last - _first).TotalSeconds : null;
+
+        public void Take(AvatarFrame frame, TimeSpan time)
+        {
+            HasSkeleton |= frame is MotionFrame { HasSkeleton: true };
+            if (_count++ == 0)
+                _first = time;
+            else if (time - _last > LongestInterval)
+                LongestInterval = time - _last;
+
+            _last = time;
+        }
+    }
+}

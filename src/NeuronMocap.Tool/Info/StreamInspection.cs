@@ -1,0 +1,93 @@
+using System.Text.Json.Nodes;
+using NeuronMocap.Bvh;
+using NeuronMocap.Server;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Plot;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Info;
+
+/// <summary>--info of a recording, and of the raw bytes of a stream.</summary>
+internal sealed class StreamInspection(FileSettings settings, bool isRecording, IProgress<double> progress)
+{
+    public InfoReport Run(CancellationToken cancelled)
+    {
+        long size = new FileInfo(settings.Input).Length;
+        var report = new InfoReport(
+            Path.GetFileName(settings.Input),
+            isRecording ? "recording" : "raw",
+            $"{(isRecording ? "Recording of a stream" : "Bytes of a stream, without times")}, {Quantity.Bytes(size)}");
+        if (isRecording)
+            RecordingSections.Add(report, settings.Input, size, progress, cancelled);
+
+        StreamContents contents = StreamContents.Read(settings.Input, settings.Playback, progress, cancelled);
+        contents.AddTo(report, isRecording);
+        if (contents.HasPoses(settings.Avatar))
+            AddTake(report, cancelled);
+        else if (contents.HasCalculation(settings.Avatar))
+            AddMotion(report, InputTake.Load(settings, FileKind.Recording, progress, cancelled).Motion, hasBody: true, cancelled);
+
+        return report;
+    }
+
+    private void AddTake(InfoReport report, CancellationToken cancelled)
+    {
+        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Playback, progress, cancelled);
+        double duration = source.FrameCount!.Value / source.FrameRate;
+        InfoSection take = report.Section("take", $"Take of avatar {source.AvatarIndex}, {source.AvatarName}");
+        take.Add("avatar", string.Empty, null, source.AvatarIndex).Add("avatarName", string.Empty, null, JsonValue.Create(source.AvatarName));
+        take.Add("seconds", "duration", Quantity.Format($"{duration:0.000} s"), duration);
+        take.Add("frames", "frames", Frames(source), source.FrameCount.Value);
+        take.Add("receivedFrames", string.Empty, null, source.ReceivedFrames).Add("interpolatedFrames", string.Empty, null, source.InterpolatedFrames);
+        take.Add("frameRate", "frame rate", Rate(source), source.FrameRate);
+        take.Add("measuredRate", string.Empty, null, source.MeasuredRate ?? double.NaN);
+        take.Add("variant", "bone names", source.Variant.ToString());
+        take.Add("rotationOrder", "rotation order", source.Format.RotationOrder.ToString());
+        take.Add("displacement", "displacement", source.Layout.HasDisplacement ? "on" : "off", source.Layout.HasDisplacement);
+        take.Add("reference", "reference", source.Layout.HasReference ? "on" : "off", source.Layout.HasReference);
+
+        InfoSection oddities = report.Section("oddities", "Oddities");
+        foreach (RecordedGap gap in source.Gaps)
+            AddGap(oddities, gap);
+
+        BvhHierarchy hierarchy = BvhBoneHierarchy.Create(source.Format, source.Layout);
+        RowScan scan = RowScan.Run(
+            hierarchy.Joints, hierarchy.ChannelCount, checked((int)source.FrameCount.Value), frame => source.GetValues(frame), cancelled);
+        RowRemarks.Add(oddities, scan, source.FrameRate, hierarchy.ChannelCount);
+        if (oddities.IsEmpty)
+            oddities.Remark("none", "none");
+        AddMotion(report, source, source.HasOwnBody, cancelled);
+    }
+
+    private void AddMotion(InfoReport report, MotionSource source, bool hasBody, CancellationToken cancelled)
+    {
+        if (hasBody)
+            BodySection.Add(report, source);
+
+        var motion = new BodyMotion(source);
+        MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancelled));
+    }
+
+    private static void AddGap(InfoSection section, RecordedGap gap)
+    {
+        string missing = gap.Missing is { } count ? Quantity.Format($"{count:#,0} frames are missing") : "frames are missing, nobody knows how many";
+        section.Remark(
+            gap.IsFilled ? "gap" : "cut",
+            Quantity.Format($"{missing} before {gap.Time.TotalSeconds:0.000} s: {(gap.IsFilled ? "interpolated" : "the take goes on behind the gap at once")}"));
+    }
+
+    private static string Frames(RecordingSource source) => source.InterpolatedFrames == 0
+        ? Quantity.Count(source.ReceivedFrames)
+        : Quantity.Format($"{source.FrameCount:#,0}: {source.ReceivedFrames:#,0} received and {source.InterpolatedFrames:#,0} interpolated");
+
+    private string Rate(RecordingSource source)
+    {
+        string rate = Quantity.Format($"{source.FrameRate:0.###} Hz");
+        if (!isRecording)
+            return rate + (settings.InputRate is null ? ": of the timecodes, or assumed; --rate gives another one" : ": as --rate says");
+
+        return source.MeasuredRate is { } measured
+            ? rate + Quantity.Format($": {measured:0.00} by the times of arrival")
+            : rate + ", assumed: there are no times";
+    }
+}

@@ -1,0 +1,34 @@
+using System.Diagnostics;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Output;
+
+/// <summary>A file that cannot be written any more, while the stream goes on.</summary>
+/// <param name="Kind">"recording" or "export".</param>
+/// <param name="File">The file, as the command line names it.</param>
+/// <param name="Reason">Why, for people.</param>
+/// <param name="Lost">Pieces of a recording, or frames of an export, that arrived and are in no file.</param>
+/// <param name="Timestamp">When it was told, in ticks of <see cref="Stopwatch"/>.</param>
+internal sealed record FileFailure(string Kind, string File, string Reason, long Lost, long Timestamp)
+{
+    private const string Export = "export";
+
+    /// <summary>Whether <see cref="Lost"/> counts frames, and not pieces.</summary>
+    public bool IsExport => string.Equals(Kind, Export, StringComparison.Ordinal);
+
+    /// <summary>"Recording failed: ...", the reason first: a terminal may be narrow.</summary>
+    public string Text => $"{char.ToUpperInvariant(Kind[0])}{Kind[1..]} failed: {TerminalText.Clean(Reason)}";
+
+    /// <summary>What an event says; null when it says something else.</summary>
+    public static FileFailure? Of(ReaderEvent news) => news.Id switch
+    {
+        ReaderEventId.RecordingFailed => new FileFailure("recording", news.Subject!, ReasonOf(news), news.Count, Stopwatch.GetTimestamp()),
+        ReaderEventId.ExportFailed => new FileFailure(Export, news.Subject!, ReasonOf(news), news.Count, Stopwatch.GetTimestamp()),
+        _ => null,
+    };
+
+    // The file's name would push what matters out of a narrow window.
+    private static string ReasonOf(ReaderEvent news) =>
+        FileFault.IsDiskFull(news.Exception!) ? "the disk is full." : FileFault.OfWriting(news.Exception!, news.Subject!);
+}

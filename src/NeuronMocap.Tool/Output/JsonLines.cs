@@ -1,0 +1,352 @@
+using System.Buffers;
+using System.Buffers.Text;
+using System.Diagnostics;
+using System.Diagnostics.CodeAnalysis;
+using System.Net;
+using System.Numerics;
+using System.Text.Json;
+using NeuronMocap.Diagnostics;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Tool.Output;
+
+/// <summary>
+/// Makes the lines of --json, which docs/json.md describes, each in the same buffer: what a method returns is valid until the next call. A frame's
+/// line allocates nothing once the buffer has grown to its size. One thread at a time.
+/// </summary>
+[SuppressMessage("Design", "CA1001", Justification = "The writer holds nothing but the buffer.")]
+internal sealed class JsonLines
+{
+    private static readonly JsonEncodedText NotANumber = JsonEncodedText.Encode("NaN");
+    private static readonly JsonEncodedText PositiveInfinity = JsonEncodedText.Encode("Infinity");
+    private static readonly JsonEncodedText NegativeInfinity = JsonEncodedText.Encode("-Infinity");
+
+    private static readonly JsonEncodedText[] Orders = [.. Enum.GetNames<RotationOrder>().Select(static name => JsonEncodedText.Encode(name))];
+
+    private readonly ArrayBufferWriter<byte> _buffer = new(16 * 1024);
+    private readonly Utf8JsonWriter _json;
+    private readonly JsonClock _clock;
+    private readonly BoneTransform[] _world = new BoneTransform[BoneHierarchy.BoneCount];
+
+    public JsonLines()
+        : this(new JsonClock())
+    {
+    }
+
+    public JsonLines(JsonClock clock) => (_clock, _json) = (clock, new Utf8JsonWriter(_buffer));
+
+    /// <summary>The first line: which program this is, and what it receives from.</summary>
+    public ReadOnlySpan<byte> Start(string source)
+    {
+        Begin("start"u8);
+        _json.WriteString("program"u8, "neuron-mocap"u8);
+        _json.WriteString("version"u8, typeof(JsonLines).Assembly.GetName().Version?.ToString(3));
+        _json.WriteString("source"u8, source);
+        WriteTime(_clock.Start);
+        return End();
+    }
+
+    /// <summary>What the frames of an avatar hold from here on.</summary>
+    public ReadOnlySpan<byte> Skeleton(MotionFrame frame)
+    {
+        Begin("skeleton"u8);
+        WriteAvatar(frame);
+        WriteOrigin(frame);
+        _json.WriteString("rotationOrder"u8, Orders[(int)frame.Format.RotationOrder]);
+        _json.WriteString("variant"u8, frame.Format.Variant.ToString());
+        _json.WriteNumber("valueCount"u8, frame.Values.Length);
+        _json.WriteStartArray("bones"u8);
+        foreach (Bone bone in frame.HasSkeleton ? BoneHierarchy.Bones : [])
+            _json.WriteStringValue(BoneHierarchy.GetName(bone, frame.Format.Variant));
+
+        _json.WriteEndArray();
+        _json.WriteStartArray("parents"u8);
+        foreach (Bone bone in frame.HasSkeleton ? BoneHierarchy.Bones : [])
+            _json.WriteNumberValue((int?)BoneHierarchy.GetParent(bone, frame.Format.Variant) ?? -1);
+
+        _json.WriteEndArray();
+        return End();
+    }
+
+    public ReadOnlySpan<byte> Frame(MotionFrame frame)
+    {
+        Begin("frame"u8);
+        WriteAvatar(frame);
+        _json.WriteBoolean("displacement"u8, frame.Header.HasDisplacement);
+        _json.WriteBoolean("reference"u8, frame.Header.HasReference);
+        WriteOrigin(frame);
+        _json.WriteString("rotationOrder"u8, Orders[(int)frame.Format.RotationOrder]);
+        WriteTimecode(frame.Timecode);
+        WritePositions(frame);
+        WriteValues(frame.Values);
+        return End();
+    }
+
+    public ReadOnlySpan<byte> Calculation(CalculationFrame frame)
+    {
+        Begin("calculation"u8);
+        WriteAvatar(frame);
+        WriteOrigin(frame);
+        WriteValues(frame.Values);
+        return End();
+    }
+
+    /// <summary>Of the 59 bones the 20 numbers of each, and which of them have lost their sensor; of another layout all there is, as numbers.</summary>
+    public ReadOnlySpan<byte> StudioCalculation(StudioCalculationFrame frame)
+    {
+        Begin("studioCalculation"u8);
+        WriteAvatar(frame);
+        WriteOrigin(frame);
+        _json.WriteNumber("category"u8, frame.Header.Category);
+        _json.WriteNumber("dataMask"u8, frame.Header.DataMask);
+        _json.WriteNumber("bones"u8, frame.HasSkeleton ? BoneHierarchy.BoneCount : 0);
+        if (frame.HasSkeleton)
+            WriteBones(frame);
+        else
+            WriteValues(frame.Values);
+
+        return End();
+    }
+
+    public ReadOnlySpan<byte> Status(ConnectionStatus status)
+    {
+        Begin("status"u8);
+        _json.WriteString("state"u8, status.State.ToString());
+        _json.WriteString("message"u8, OptionNames.Translate(status.Message));
+        _json.WriteString("format"u8, status.Format.ToString());
+        _json.WriteString("reason"u8, ReasonCode.Of(status.Reason));
+        _json.WriteNumber("attempt"u8, status.Attempt);
+        WriteNumber("retryIn"u8, status.RetryIn?.TotalSeconds);
+        WriteEndPoint("local"u8, status.LocalEndPoint);
+        WriteEndPoint("remote"u8, status.RemoteEndPoint);
+        WriteNumber("receiveBuffer"u8, status.ReceiveBufferSize);
+        WriteTime(status.Timestamp);
+        return End();
+    }
+
+    public ReadOnlySpan<byte> FileFailed(FileFailure failure)
+    {
+        Begin("fileFailed"u8);
+        _json.WriteString("kind"u8, failure.Kind);
+        _json.WriteString("file"u8, failure.File);
+        _json.WriteString("message"u8, failure.Reason);
+        WriteNumber("lostFrames"u8, failure.IsExport ? failure.Lost : null);
+        WriteNumber("lostPieces"u8, failure.IsExport ? null : failure.Lost);
+        WriteTime(failure.Timestamp);
+        return End();
+    }
+
+    public ReadOnlySpan<byte> Summary(ReaderStatistics statistics)
+    {
+        Begin("summary"u8);
+        _json.WriteNumber("frames"u8, statistics.MotionFrames);
+        _json.WriteNumber("calculationFrames"u8, statistics.CalculationFrames);
+        _json.WriteNumber("lost"u8, statistics.Lost);
+        _json.WriteNumber("dropped"u8, statistics.Dropped);
+        _json.WriteNumber("skippedBytes"u8, statistics.SkippedBytes);
+        _json.WriteNumber("seconds"u8, statistics.Duration.TotalSeconds);
+        _json.WriteNumber("gaps"u8, statistics.Gaps);
+        _json.WriteNumber("restarts"u8, statistics.Restarts);
+        _json.WriteNumber("reconnects"u8, statistics.Reconnects);
+        _json.WriteNumber("studioCalculationFrames"u8, statistics.StudioCalculationFrames);
+        _json.WriteNumber("refusedDatagrams"u8, statistics.RefusedDatagrams);
+        _json.WriteNumber("calculationReconnects"u8, statistics.CalculationReconnects);
+        WriteTime(Stopwatch.GetTimestamp());
+        return End();
+    }
+
+    public ReadOnlySpan<byte> Step(DiagnosisStep step)
+    {
+        Begin("step"u8);
+        _json.WriteString("name"u8, step.Name);
+        _json.WriteString("outcome"u8, step.Outcome.ToString());
+        _json.WriteString("detail"u8, OptionNames.Translate(step.Detail));
+        _json.WriteNumber("seconds"u8, step.Elapsed.TotalSeconds);
+        WriteTime(Stopwatch.GetTimestamp());
+        return End();
+    }
+
+    public ReadOnlySpan<byte> Diagnosis(StreamDiagnosis diagnosis)
+    {
+        Begin("diagnosis"u8);
+        _json.WriteString("verdict"u8, diagnosis.Verdict.ToString());
+        _json.WriteBoolean("framesArrive"u8, diagnosis.FramesArrive);
+        _json.WriteStartArray("findings"u8);
+        foreach (DiagnosisVerdict verdict in diagnosis.Verdicts)
+            _json.WriteStringValue(verdict.ToString());
+
+        _json.WriteEndArray();
+        _json.WriteString("summary"u8, OptionNames.Translate(diagnosis.Summary));
+        _json.WriteString("advice"u8, diagnosis.Advice is { } advice ? OptionNames.Translate(advice) : null);
+        _json.WriteString("code"u8, diagnosis.Code);
+        _json.WriteStartArray("avatars"u8);
+        foreach (DiagnosedAvatar avatar in diagnosis.Avatars)
+            WriteAvatar(avatar);
+
+        _json.WriteEndArray();
+        _json.WriteNumber("seconds"u8, diagnosis.Elapsed.TotalSeconds);
+        WriteTime(Stopwatch.GetTimestamp());
+        return End();
+    }
+
+    private void Begin(ReadOnlySpan<byte> type)
+    {
+        _buffer.ResetWrittenCount();
+        _json.Reset();
+        _json.WriteStartObject();
+        _json.WriteString("type"u8, type);
+    }
+
+    private void WriteAvatar(AvatarFrame frame)
+    {
+        _json.WriteNumber("avatar"u8, (uint)frame.AvatarIndex);
+        _json.WriteString("name"u8, frame.AvatarName);
+        if (frame.FrameIndex is { } counter)
+            _json.WriteNumber("index"u8, counter);
+        else
+            _json.WriteNull("index"u8);
+    }
+
+    // Behind what was there first: the beginning of a line stays as scripts know it.
+    private void WriteOrigin(AvatarFrame frame)
+    {
+        _json.WriteNumber("sender"u8, frame.Sender);
+        WriteTime(frame.Timestamp);
+    }
+
+    private void WriteAvatar(DiagnosedAvatar avatar)
+    {
+        _json.WriteStartObject();
+        _json.WriteNumber("avatar"u8, (uint)avatar.Index);
+        _json.WriteString("name"u8, avatar.Name);
+        _json.WriteString("kind"u8, avatar.Kind.ToString());
+        _json.WriteString("version"u8, avatar.Version.ToString());
+        _json.WriteNumber("values"u8, avatar.ValueCount);
+        _json.WriteBoolean("displacement"u8, avatar.HasDisplacement);
+        _json.WriteBoolean("reference"u8, avatar.HasReference);
+        _json.WriteNumber("frames"u8, avatar.Frames);
+        _json.WriteNumber("lost"u8, avatar.Lost);
+        _json.WriteNumber("rate"u8, avatar.Rate);
+        _json.WriteEndObject();
+    }
+
+    private void WriteTime(long timestamp)
+    {
+        _json.WriteNumber("time"u8, _clock.SecondsTo(timestamp));
+        _json.WriteString("utc"u8, _clock.UtcOf(timestamp));
+    }
+
+    private void WriteTimecode(Timecode? timecode)
+    {
+        Span<byte> text = stackalloc byte[32];
+        if (timecode is { } time)
+            _json.WriteString("timecode"u8, text[..FormatTimecode(time, text)]);
+        else
+            _json.WriteNull("timecode"u8);
+    }
+
+    // As Timecode.ToString, without its string.
+    private static int FormatTimecode(Timecode time, Span<byte> text)
+    {
+        int length = 0;
+        foreach (int part in (ReadOnlySpan<int>)[time.Hours, time.Minutes, time.Seconds, time.Frames])
+        {
+            if (length > 0)
+                text[length++] = (byte)':';
+
+            Utf8Formatter.TryFormat(part, text[length..], out int written, new StandardFormat('D', 2));
+            length += written;
+        }
+
+        return length;
+    }
+
+    private void WriteNumber(ReadOnlySpan<byte> name, double? number)
+    {
+        if (number is { } value)
+            _json.WriteNumber(name, value);
+        else
+            _json.WriteNull(name);
+    }
+
+    private void WriteEndPoint(ReadOnlySpan<byte> name, EndPoint? endPoint)
+    {
+        if (endPoint is null)
+            _json.WriteNull(name);
+        else
+            _json.WriteString(name, endPoint.ToString());
+    }
+
+    private void WritePositions(MotionFrame frame)
+    {
+        if (!frame.HasSkeleton)
+        {
+            _json.WriteNull("positions"u8);
+            return;
+        }
+
+        frame.CopyWorldTransforms(_world);
+        _json.WriteStartArray("positions"u8);
+        foreach (BoneTransform bone in _world)
+        {
+            Vector3 position = bone.Position;
+            WriteValue(position.X);
+            WriteValue(position.Y);
+            WriteValue(position.Z);
+        }
+
+        _json.WriteEndArray();
+    }
+
+    private void WriteValues(ReadOnlySpan<float> values)
+    {
+        _json.WriteStartArray("values"u8);
+        foreach (float value in values)
+            WriteValue(value);
+
+        _json.WriteEndArray();
+    }
+
+    private void WriteValue(float value)
+    {
+        if (value == 0 && float.IsNegative(value))
+            _json.WriteRawValue("-0.0"u8, skipInputValidation: true); // many a reader takes -0 for the integer 0
+        else if (float.IsFinite(value))
+            _json.WriteNumberValue(value);
+        else
+            _json.WriteStringValue(float.IsNaN(value) ? NotANumber : value > 0 ? PositiveInfinity : NegativeInfinity);
+    }
+
+    // The last of a bone's 21 values is the flag.
+    private void WriteBones(StudioCalculationFrame frame)
+    {
+        int perBone = frame.Values.Length / BoneHierarchy.BoneCount;
+        _json.WriteStartArray("values"u8);
+        for (int i = 0; i < frame.Values.Length; i++)
+        {
+            if (i % perBone < perBone - 1)
+                WriteValue(frame.Values[i]);
+        }
+
+        _json.WriteEndArray();
+        _json.WriteStartArray("sensorsLost"u8);
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            if (frame.IsSensorLost(bone))
+                _json.WriteNumberValue((int)bone);
+        }
+
+        _json.WriteEndArray();
+    }
+
+    private ReadOnlySpan<byte> End()
+    {
+        _json.WriteEndObject();
+        _json.Flush();
+        _buffer.GetSpan(1)[0] = (byte)'\n';
+        _buffer.Advance(1);
+        return _buffer.WrittenSpan;
+    }
+}

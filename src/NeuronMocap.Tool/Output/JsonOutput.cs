@@ -1,0 +1,100 @@
+namespace NeuronMocap.Tool.Output;
+
+/// <summary>
+/// --json: every frame, written on the receive thread. While the output takes no more, nothing is received, and over TCP the server waits:
+/// no frame is left out.
+/// </summary>
+internal sealed class JsonOutput : MonitorOutput
+{
+    // The reader has waited already for a line that nobody takes.
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(0.5);
+
+    private readonly Lock _lock = new();
+    private readonly JsonLines _lines = new();
+    private readonly ToldSkeletons _skeletons = new();
+    private readonly Stream _output;
+    private readonly TaskCompletionSource _broken = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private bool _closed;
+
+    /// <summary>Begins with the first line; times count from here.</summary>
+    /// <param name="output">Takes the lines.</param>
+    /// <param name="source">What is received from, as the command line names it.</param>
+    public JsonOutput(Stream output, string source)
+    {
+        _output = output;
+        Write(_lines.Start(source));
+    }
+
+    public override void OnMotion(MotionFrame frame)
+    {
+        lock (_lock)
+        {
+            if (_skeletons.IsNew(frame))
+                Write(_lines.Skeleton(frame));
+
+            Write(_lines.Frame(frame));
+        }
+    }
+
+    public override void OnCalculation(CalculationFrame frame)
+    {
+        lock (_lock)
+            Write(_lines.Calculation(frame));
+    }
+
+    public override void OnStudioCalculation(StudioCalculationFrame frame)
+    {
+        lock (_lock)
+            Write(_lines.StudioCalculation(frame));
+    }
+
+    public override void OnStatus(ConnectionStatus status)
+    {
+        lock (_lock)
+            Write(_lines.Status(status));
+    }
+
+    public override bool OnFileFailed(FileFailure failure)
+    {
+        lock (_lock)
+            Write(_lines.FileFailed(failure));
+
+        return true;
+    }
+
+    public override Task RunAsync(CancellationToken stop) => Task.WhenAny(_broken.Task, Until(stop));
+
+    public override void Finish(ReaderStatistics statistics)
+    {
+        if (!_lock.TryEnter(Patience))
+            return;
+
+        try
+        {
+            Write(_lines.Summary(statistics));
+            _closed = true;
+        }
+        finally
+        {
+            _lock.Exit();
+        }
+    }
+
+    private void Write(ReadOnlySpan<byte> line)
+    {
+        if (_closed)
+            return;
+
+        try
+        {
+            _output.Write(line);
+            _output.Flush();
+        }
+        catch (IOException exception)
+        {
+            OnWriteFailed(exception);
+            _closed = true;
+            _broken.TrySetResult();
+        }
+    }
+}

@@ -1,0 +1,39 @@
+using NeuronMocap.Recording;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Play;
+
+/// <summary>A file to show instead of a server's stream.</summary>
+/// <param name="File">A recording, or bytes without times.</param>
+/// <param name="Speed">How many times as fast as it was recorded.</param>
+/// <param name="Rate">Frames per second of bytes without times; null where the file shall tell.</param>
+/// <param name="Loop">Whether it starts again at its end.</param>
+internal sealed record PlaySettings(string File, double Speed, double? Rate, bool Loop)
+{
+    /// <summary>Opens the file.</summary>
+    /// <param name="order">What the command line says about the rotation order.</param>
+    /// <exception cref="PlayException">It cannot be played.</exception>
+    public RecordingPlayer Open(RotationOrder? order)
+    {
+        try
+        {
+            InputFile.Require(File);
+            RecordingPlayer player = RecordingPlayer.Open(File, new PlaybackOptions { FrameRate = Rate, RotationOrder = order });
+            player.Speed = Speed;
+            player.Passes = Loop ? RecordingPlayer.Endless : 1;
+            return player;
+        }
+        catch (ArgumentException) when (Rate is not null)
+        {
+            throw new PlayException($"--rate: {TerminalText.Clean(File)} has times of its own; --speed makes it faster or slower.");
+        }
+        catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException or ArgumentException)
+        {
+            throw new PlayException($"--play: {FileFault.OfReading(exception, File)}");
+        }
+    }
+}
+
+/// <summary>The file that --play names cannot be shown; the message says why.</summary>
+internal sealed class PlayException(string message) : Exception(message);

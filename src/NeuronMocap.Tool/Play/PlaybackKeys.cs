@@ -1,0 +1,80 @@
+using NeuronMocap.Recording;
+
+namespace NeuronMocap.Tool.Play;
+
+/// <summary>The keys of the live view that move a playback.</summary>
+internal static class PlaybackKeys
+{
+    private const double Slowest = 0.01;
+    private const double Fastest = 100;
+
+    private static readonly TimeSpan Jump = TimeSpan.FromSeconds(5);
+
+    /// <summary>The keys, and what they do.</summary>
+    public static (string Name, string Meaning)[] Entries { get; } =
+    [
+        ("space", "pause and resume the playback"),
+        (". ,", "pause, and go a frame forward or back"),
+        ("← →", "5 s back or forward"),
+        ("+ -", "twice or half as fast; 0 as it was recorded"),
+    ];
+
+    /// <summary>Does what a key asks for.</summary>
+    /// <param name="player">The playback.</param>
+    /// <param name="key">The key.</param>
+    /// <returns>Whether the key is one of a playback.</returns>
+    public static bool Obey(RecordingPlayer player, ConsoleKeyInfo key)
+    {
+        switch (key)
+        {
+            case { KeyChar: ' ' } when player.IsPaused:
+                player.Resume();
+                return true;
+            case { KeyChar: ' ' }:
+                player.Pause();
+                return true;
+            case { KeyChar: '.' }:
+                player.Step();
+                return true;
+            case { KeyChar: ',' }:
+                player.StepBack();
+                return true;
+            case { Key: ConsoleKey.LeftArrow }:
+                player.Seek(player.Position - Jump);
+                return true;
+            case { Key: ConsoleKey.RightArrow }:
+                player.Seek(player.Position + Jump);
+                return true;
+            case { KeyChar: '+' or '=' }:
+                player.Speed = Math.Clamp(player.Speed * 2, Slowest, Fastest);
+                return true;
+            case { KeyChar: '-' }:
+                player.Speed = Math.Clamp(player.Speed / 2, Slowest, Fastest);
+                return true;
+            case { KeyChar: '0' }:
+                player.Speed = 1;
+                return true;
+            default:
+                return false;
+        }
+    }
+
+    /// <summary>The keys in a few words, for the line below the view.</summary>
+    public static (string Name, string Meaning)[] Hints { get; } = [("space", "pause"), (", .", "frame"), ("← →", "5 s"), ("+ - 0", "speed")];
+
+    /// <summary>"0:12.3 of 1:03.2, 2x"; "0:12.345 of 1:03.2, paused", where a frame more or less shall show.</summary>
+    /// <param name="player">The playback.</param>
+    public static string Describe(RecordingPlayer player)
+    {
+        double speed = player.Speed;
+        string pace = double.IsPositiveInfinity(speed) ? ", max" : speed == 1 ? string.Empty : FormattableString.Invariant($", {speed:0.###}x");
+        string pass = player.Pass > 1 ? FormattableString.Invariant($", pass {player.Pass}") : string.Empty;
+        bool isPaused = player.IsPaused;
+        string position = isPaused ? FormatExactly(player.Position) : Format(player.Position);
+        return $"{position} of {Format(player.Duration)}{pace}{pass}{(isPaused ? ", paused" : string.Empty)}";
+    }
+
+    private static string Format(TimeSpan time) => FormattableString.Invariant($"{(int)time.TotalMinutes}:{time.Seconds:00}.{time.Milliseconds / 100}");
+
+    private static string FormatExactly(TimeSpan time) => FormattableString.Invariant($"{(int)time.TotalMinutes}:{time.Seconds:00}.{time.Milliseconds:000}");
+}

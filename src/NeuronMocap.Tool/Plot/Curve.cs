@@ -1,0 +1,57 @@
+namespace NeuronMocap.Tool.Plot;
+
+/// <summary>
+/// A value over time, for a chart: of each of some hundred stretches of time the lowest and the highest value are kept, in their order, so that no
+/// peak is lost and a take of hours costs no more than one of minutes.
+/// </summary>
+internal sealed class Curve
+{
+    private readonly Extremes[] _stretches;
+    private readonly long _frameCount;
+
+    public Curve(long frameCount, int stretches)
+    {
+        _frameCount = frameCount;
+        _stretches = new Extremes[(int)Math.Min(frameCount, stretches)];
+        Array.Fill(_stretches, new Extremes(-1, float.NaN, -1, float.NaN));
+    }
+
+    public float Lowest { get; private set; } = float.NaN;
+
+    public float Highest { get; private set; } = float.NaN;
+
+    /// <summary>Takes the value of a frame; one that is not a number leaves a hole.</summary>
+    public void Add(long frame, float value)
+    {
+        if (!float.IsFinite(value))
+            return;
+
+        Lowest = Lowest <= value ? Lowest : value;
+        Highest = Highest >= value ? Highest : value;
+        ref Extremes stretch = ref _stretches[(int)(frame * (Int128)_stretches.Length / _frameCount)];
+        if (!(stretch.Low <= value))
+            (stretch.LowFrame, stretch.Low) = (frame, value);
+        if (!(stretch.High >= value))
+            (stretch.HighFrame, stretch.High) = (frame, value);
+    }
+
+    /// <summary>What is left of the values, in the order of their frames; null where there is a hole.</summary>
+    public IEnumerable<(long Frame, float Value)?> Points()
+    {
+        foreach (Extremes stretch in _stretches)
+        {
+            if (stretch.LowFrame < 0)
+            {
+                yield return null;
+                continue;
+            }
+
+            bool lowFirst = stretch.LowFrame <= stretch.HighFrame;
+            yield return lowFirst ? (stretch.LowFrame, stretch.Low) : (stretch.HighFrame, stretch.High);
+            if (stretch.LowFrame != stretch.HighFrame)
+                yield return lowFirst ? (stretch.HighFrame, stretch.High) : (stretch.LowFrame, stretch.Low);
+        }
+    }
+
+    private record struct Extremes(long LowFrame, float Low, long HighFrame, float High);
+}

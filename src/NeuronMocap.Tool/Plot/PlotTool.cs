@@ -1,0 +1,59 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Tool.Convert;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Plot;
+
+/// <summary>--plot: draws a file.</summary>
+internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
+{
+    public void Run(OutputFile output, CancellationToken cancelled)
+    {
+        FileKind kind = settings.RecognizeInput();
+        output.Write(path => Draw(kind, path, cancelled));
+    }
+
+    private void Draw(FileKind kind, string path, CancellationToken cancelled)
+    {
+        string name = Path.GetFileName(settings.Input);
+        using var progress = new ProgressLine(streams, $"drawing {name}");
+        (PointMotion motion, string subtitle) = Load(kind, progress, cancelled);
+        using FileStream file = File.Create(path);
+        new TakePlot(motion, name, subtitle).Write(file, progress, cancelled);
+    }
+
+    private (PointMotion Motion, string Subtitle) Load(FileKind kind, IProgress<double> progress, CancellationToken cancelled)
+    {
+        var range = new TimeRange(settings.From, settings.To);
+        if (kind == FileKind.Bvh)
+        {
+            BvhDocument document = BvhFile.Load(settings.Input, progress, cancelled);
+            if (document.FrameCount == 0)
+                throw new NeuronException("The file holds a skeleton and no frames.");
+            if (!range.IsAll)
+            {
+                (long first, long count) = range.FramesOf(document.FrameCount, document.FrameRate);
+                document = document.Trim((int)first, (int)count);
+            }
+
+            PointMotion motion = BvhSkeletonMap.TryCreate(document, out _, out _)
+                ? new BodyMotion(InputTake.Of(document).Motion)
+                : new JointMotion(document);
+            return (motion, Describe("BVH", motion));
+        }
+
+        InputTake take = InputTake.Load(settings, kind, progress, cancelled);
+        var body = new BodyMotion(range.IsAll ? take.Motion : new TakePart(take.Motion, range, rate: null));
+        string what = kind switch
+        {
+            FileKind.Calculation => "calculation export",
+            FileKind.Recording => $"recording of {take.AvatarName}",
+            _ => $"stream of {take.AvatarName}",
+        };
+        return (body, Describe(what, body));
+    }
+
+    private static string Describe(string what, PointMotion motion) =>
+        what + Quantity.Format($"  ·  {motion.Duration:0.00} s  ·  {motion.FrameCount:#,0} frames at {motion.FrameRate:0.##} Hz");
+}

@@ -1,0 +1,21 @@
+using System.Runtime.InteropServices;
+using NeuronMocap.Tool;
+using NeuronMocap.Tool.Simulate;
+using NeuronMocap.Tool.Terminal;
+
+if (args is ["simulate", ..])
+    return new SimulateProgram().Run(args[1..]);
+
+using var cancellation = new CancellationTokenSource();
+using PosixSignalRegistration interrupt = CancelOn(PosixSignal.SIGINT);
+using PosixSignalRegistration terminate = CancelOn(PosixSignal.SIGTERM);
+using PosixSignalRegistration hangUp = CancelOn(PosixSignal.SIGHUP);
+using StandardStreams streams = StandardStreams.Open();
+
+return await CommandLine.RunAsync(args, streams, cancellation.Token);
+
+PosixSignalRegistration CancelOn(PosixSignal signal) => PosixSignalRegistration.Create(signal, context =>
+{
+    context.Cancel = true;
+    cancellation.Cancel();
+});

@@ -1,0 +1,100 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
+using NeuronMocap.Recording;
+
+namespace NeuronMocap.Tool.Simulate;
+
+/// <summary>The options of a recording as the source.</summary>
+internal sealed class SimulatedPlayArguments
+{
+    private readonly Option<FileInfo?> _play = new("--play")
+    {
+        HelpName = "FILE",
+        Description = "Play a recording (neuron-mocap --record), or the bytes of a stream that somebody wrote to a file: byte for byte as it was received, at its own "
+            + "times. Bytes without times are sent at --rate, or as their timecodes say, or at 120 frames per second.",
+    };
+
+    private readonly Option<double?> _speed = new("--speed")
+    {
+        HelpName = "N",
+        Description = "With --play: how many times as fast as it was recorded, 0.01 to 100. Default: 1. As fast as clients read: --rate max.",
+        CustomParser = ParseSpeed,
+    };
+
+    public void AddTo(RootCommand root)
+    {
+        root.Add(_play);
+        root.Add(_speed);
+    }
+
+    /// <summary>Adds an error for every option that has no meaning beside another.</summary>
+    /// <param name="result">The command line.</param>
+    /// <param name="ofSources">Options that say what packets are made of.</param>
+    public void RejectContradictions(CommandResult result, Option[] ofSources)
+    {
+        if (result.GetResult(_play) is null)
+        {
+            if (result.GetResult(_speed) is not null)
+                result.AddError("--speed needs --play: the speed of other sources is their --rate.");
+
+            return;
+        }
+
+        foreach (Option option in ofSources.Where(option => result.GetResult(option) is { Implicit: false }))
+            result.AddError($"--play and {option.Name} exclude each other: a recording is sent as it is.");
+    }
+
+    /// <summary>What to play; null where it is no recording.</summary>
+    /// <param name="result">The command line.</param>
+    /// <param name="rate">Frames per second.</param>
+    /// <param name="loop">Whether it starts again at its end.</param>
+    /// <exception cref="SimulatorException">The file cannot be played.</exception>
+    /// <exception cref="UsageException">An option has no meaning for this file.</exception>
+    public SimulatedPlaySettings? Read(ParseResult result, double? rate, bool loop)
+    {
+        if (result.GetValue(_play) is not { } file)
+            return null;
+
+        double? speed = result.GetValue(_speed);
+        bool isMax = rate is { } hertz && double.IsPositiveInfinity(hertz);
+        if (isMax && speed is not null)
+            throw new UsageException("--speed and --rate max exclude each other: as fast as clients read is no speed.");
+
+        return SourceFile.Read(_play.Name, file, () => Open(file, rate, speed, isMax, loop));
+    }
+
+    private static SimulatedPlaySettings Open(FileInfo file, double? rate, double? speed, bool isMax, bool loop)
+    {
+        try
+        {
+            var options = new PlaybackOptions { FrameRate = isMax ? null : rate };
+            using RecordedFrameReader reader = RecordedFrameReader.Open(file.FullName, options);
+            string pace = isMax ? "as fast as clients read" : string.Create(CultureInfo.InvariantCulture, $"speed {speed ?? 1:0.##}");
+            string description = string.Create(
+                CultureInfo.InvariantCulture, $"Playing {file.Name}: {reader.Duration.TotalSeconds:0.0} s, {pace}{(loop ? ", again and again" : "")}");
+            return new SimulatedPlaySettings(file.FullName, speed ?? 1, loop, description);
+        }
+        catch (ArgumentException)
+        {
+            throw new UsageException($"--rate: {file.Name} has times of its own; --speed makes it faster or slower, --rate max as fast as clients read.");
+        }
+    }
+
+    private static double? ParseSpeed(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double speed) && speed is >= 0.01 and <= 100)
+            return speed;
+
+        result.AddError($"--speed {text} is not a number from 0.01 to 100.");
+        return null;
+    }
+}
+
+/// <summary>A recording as the source.</summary>
+/// <param name="Path">The file.</param>
+/// <param name="Speed">How many times as fast as it was recorded.</param>
+/// <param name="Loop">Whether it starts again at its end.</param>
+/// <param name="Description">The line that the program begins with.</param>
+internal sealed record SimulatedPlaySettings(string Path, double Speed, bool Loop, string Description);

@@ -1,0 +1,261 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
+using System.Net;
+using System.Numerics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Server;
+
+namespace NeuronMocap.Tool.Simulate;
+
+/// <summary>A switch that is written out. Not a bool, which the parser takes for an option without a value.</summary>
+internal enum OnOff
+{
+    On,
+    Off,
+}
+
+/// <summary>The options of the program: names, ranges and help. Other programs rely on them.</summary>
+internal sealed class SimulatorCommand : RootCommand
+{
+    public SimulatorCommand()
+        : base("Broadcasts motion capture data as Axis Neuron does, without a suit: to TCP clients and UDP receivers.")
+    {
+        Rate.CustomParser = ParseRate;
+        Order.CustomParser = ParseWord<RotationOrder>(Enum.GetNames<RotationOrder>());
+        Bind.CustomParser = ParseAddress;
+        Port.CustomParser = ParseNumber(0, 65_535);
+        Avatars.CustomParser = ParseNumber(1, 256);
+        Frames.CustomParser = ParseNumber(1L, long.MaxValue);
+        Fragment.CustomParser = ParseNumber(1, 1_048_576);
+        Displacement.CustomParser = ParseWord<OnOff>("on", "off");
+        Reference.CustomParser = ParseWord<OnOff>("on", "off");
+        Format.CustomParser = ParseWord<BroadcastFormat>("binary", "text", "studio");
+        Header.CustomParser = ParseWord<HeaderLayout>("new", "old");
+        Decimals.CustomParser = ParseNumber(0, TextEncoder.MaxDecimals);
+        Motion.CustomParser = ParseWord<OnOff>("on", "off");
+        CalculationPort.CustomParser = ParsePort(ProtocolConstants.DefaultCalculationPort);
+        Commands.CustomParser = ParsePort(ProtocolConstants.DefaultCommandPort);
+        DataCommands.CustomParser = ParseWord<OnOff>("on", "off");
+        foreach (Option option in (Option[])
+            [
+                Bvh, Calc, Synthetic, Bind, Port, Udp, Avatars, Rate, Frames, Loop, WaitForClient,
+                Displacement, Reference, Order, Format, Header, Decimals, Calculation, CalculationPort, Motion,
+                Fragment, DataCommands, Commands,
+            ])
+        {
+            Add(option);
+        }
+
+        Play.AddTo(this);
+        Validators.Add(CheckTogether);
+    }
+
+    public Option<FileInfo?> Bvh { get; } = new("--bvh")
+    {
+        HelpName = "FILE",
+        Description = "Play a BVH file of the Perception Neuron skeleton.",
+    };
+
+    public Option<FileInfo?> Calc { get; } = new("--calc")
+    {
+        HelpName = "FILE",
+        Description = "Play a calculation export of Axis Neuron; with --calculation its own values go out with the poses.",
+    };
+
+    public Option<bool> Synthetic { get; } = new("--synthetic")
+    {
+        Description = "Play a synthetic actor, without end. This is the default.",
+    };
+
+    public Option<IPAddress> Bind { get; } = new("--bind")
+    {
+        HelpName = "ADDRESS",
+        Description = "Address of this machine to listen on; 0.0.0.0 for all. Default: 127.0.0.1.",
+    };
+
+    public Option<int?> Port { get; } = new("--port")
+    {
+        HelpName = "PORT",
+        Description = "TCP port to listen on, 0 to 65535; 0 takes any free one. Default: 7001, or none with --udp.",
+    };
+
+    public Option<string[]> Udp { get; } = new("--udp")
+    {
+        HelpName = "HOST:PORT",
+        Description = "Send UDP datagrams there; may be repeated. Listens on TCP as well only if --port is given.",
+    };
+
+    public Option<int?> Avatars { get; } = new("--avatars") { HelpName = "N", Description = "Number of avatars, 1 to 256. Default: 1." };
+
+    public Option<double?> Rate { get; } = new("--rate")
+    {
+        HelpName = "HZ|max",
+        Description = "Frames per second, 0.01 to 100000, or max: as fast as each client reads, each from frame 0, losing nothing; "
+            + "ends when clients came and all have left. A file is sent row by row, so that another rate than its own changes its speed. "
+            + "Default: the source's own.",
+    };
+
+    public Option<long?> Frames { get; } = new("--frames")
+    {
+        HelpName = "N",
+        Description = "Frames of each avatar to send, at least 1. Default: all.",
+    };
+
+    public Option<bool> Loop { get; } = new("--loop") { Description = "Start a finite take again at its end." };
+
+    public Option<bool> WaitForClient { get; } = new("--wait-for-client")
+    {
+        Description = "Send nothing before the first TCP client, which then gets frame 0; with --calculation-port, before the first of each port.",
+    };
+
+    public Option<OnOff?> Displacement { get; } = new("--displacement")
+    {
+        HelpName = "on|off",
+        Description = "Positions of all bones (cm), not only the hips. Default: on, or as the BVH file has it.",
+    };
+
+    public Option<OnOff?> Reference { get; } = new("--reference")
+    {
+        HelpName = "on|off",
+        Description = "Six values of the Reference node first. Default: off.",
+    };
+
+    public Option<RotationOrder?> Order { get; } = new("--order")
+    {
+        HelpName = "YXZ",
+        Description = "Rotation order: XYZ, XZY, YXZ, YZX, ZXY or ZYX. Default: YXZ, or the BVH file's.",
+    };
+
+    public Option<BroadcastFormat?> Format { get; } = new("--format")
+    {
+        HelpName = "binary|text|studio",
+        Description = "Packets of Axis Neuron, lines of text (its block type String), or packets of Axis Studio, version 1.1.0.1, "
+            + "with rotation order, timecode and its own calculation packets: programs with the vendor's b12 library crash on these by a fault of their own. "
+            + "Default: binary.",
+    };
+
+    public Option<HeaderLayout?> Header { get; } = new("--header")
+    {
+        HelpName = "new|old",
+        Description = "Header layout: version 1.1.0.0 or 1.0.0.2, also what Axis Studio's old header is. Format binary only. Default: new.",
+    };
+
+    public Option<int?> Decimals { get; } = new("--decimals")
+    {
+        HelpName = "N",
+        Description = "Digits after the point, 0 to 6. Format text only. Default: 2.",
+    };
+
+    public Option<bool> Calculation { get; } = new("--calculation")
+    {
+        Description = "Send a calculation packet, or line, after each motion packet.",
+    };
+
+    public Option<int?> CalculationPort { get; } = new("--calculation-port")
+    {
+        HelpName = "PORT",
+        Description = "Send calculation packets, or lines, on this port, 0 to 65535, and motion alone on the other: TCP clients connect to both, UDP receivers get "
+            + $"both from two sockets. Default without PORT: {ProtocolConstants.DefaultCalculationPort}.",
+        Arity = ArgumentArity.ZeroOrOne,
+    };
+
+    public Option<OnOff?> Motion { get; } = new("--motion")
+    {
+        HelpName = "on|off",
+        Description = "off: send calculation packets, or lines, alone, to --port and --udp. Default: on.",
+    };
+
+    public Option<int?> Fragment { get; } = new("--fragment")
+    {
+        HelpName = "BYTES",
+        Description = "Write TCP in pieces of exactly, and UDP in datagrams of at most, 1 to 1048576 bytes. Default: whole packets.",
+    };
+
+    public Option<OnOff?> DataCommands { get; } = new("--data-commands")
+    {
+        HelpName = "on|off",
+        Description = "Answer commands of the b11 and b12 libraries on the data connection; newer servers do not. Default: on.",
+    };
+
+    public Option<int?> Commands { get; } = new("--commands")
+    {
+        HelpName = "PORT",
+        Description = "Open a command channel, too, on this TCP port, 0 to 65535: rotation order, bone sizes, BVH headers and zero-out. "
+            + $"Default without PORT: {ProtocolConstants.DefaultCommandPort}.",
+        Arity = ArgumentArity.ZeroOrOne,
+    };
+
+    public SimulatedPlayArguments Play { get; } = new();
+
+    private static Func<ArgumentResult, int?> ParsePort(int whenLeftOut) =>
+        result => result.Tokens.Count == 0 ? whenLeftOut : ParseNumber(0, 65_535)(result);
+
+    private static Func<ArgumentResult, T?> ParseNumber<T>(T from, T to)
+        where T : struct, INumber<T> => result =>
+    {
+        string text = result.Tokens[0].Value;
+        if (T.TryParse(text, NumberStyles.Integer, CultureInfo.InvariantCulture, out T number) && number >= from && number <= to)
+            return number;
+
+        result.AddError($"{NameOf(result)} {text} is not a whole number from {from} to {to}.");
+        return null;
+    };
+
+    // The words are the names of the enumeration, in any case.
+    private static Func<ArgumentResult, T?> ParseWord<T>(params string[] words)
+        where T : struct, Enum => result =>
+    {
+        string text = result.Tokens[0].Value;
+        if (words.Contains(text, StringComparer.OrdinalIgnoreCase))
+            return Enum.Parse<T>(text, ignoreCase: true);
+
+        result.AddError($"{NameOf(result)} {text} is none of {string.Join(", ", words)}.");
+        return null;
+    };
+
+    private static string? NameOf(ArgumentResult result) => (result.Parent as OptionResult)?.Option.Name;
+
+    private static double? ParseRate(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (string.Equals(text, "max", StringComparison.OrdinalIgnoreCase))
+            return BroadcasterOptions.MaxRate;
+        if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double rate) && rate is >= 0.01 and <= 100_000)
+            return rate;
+
+        result.AddError($"--rate {text} is neither a number from 0.01 to 100000 nor max.");
+        return null;
+    }
+
+    private static IPAddress? ParseAddress(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (IPAddress.TryParse(text, out IPAddress? address))
+            return address;
+
+        result.AddError($"--bind {text} is not an IP address.");
+        return null;
+    }
+
+    private void CheckTogether(CommandResult result)
+    {
+        if (result.GetResult(Bvh) is not null && result.GetResult(Synthetic) is not null)
+            result.AddError("--bvh and --synthetic exclude each other.");
+        if (result.GetResult(Calc) is not null && (result.GetResult(Bvh) ?? result.GetResult(Synthetic)) is not null)
+            result.AddError("--calc, --bvh and --synthetic exclude each other.");
+        Play.RejectContradictions(
+            result,
+            [
+                Bvh, Calc, Synthetic, Avatars, Frames, Displacement, Reference, Order, Format, Header, Decimals, Calculation, Motion, DataCommands, Commands,
+            ]);
+        if (result.GetResult(CalculationPort) is not null && result.GetResult(Motion)?.Tokens is [{ Value: var motion }]
+            && motion.Equals("off", StringComparison.OrdinalIgnoreCase))
+        {
+            result.AddError("--motion off sends calculation alone, to --port and --udp: leave out --calculation-port.");
+        }
+
+        if (result.GetResult(WaitForClient) is not null && result.GetResult(Udp) is not null && result.GetResult(Port) is null)
+            result.AddError("--wait-for-client waits for a TCP client: give --port as well as --udp.");
+    }
+}

@@ -1,0 +1,45 @@
+using NeuronMocap.Tool.Files;
+
+namespace NeuronMocap.Tool.Simulate;
+
+/// <summary>Says in words what is wrong with a file that an option names, before and while it is read.</summary>
+internal static class SourceFile
+{
+    /// <summary>Reads a file.</summary>
+    /// <param name="option">The option that names it.</param>
+    /// <param name="file">The file.</param>
+    /// <param name="read">Reads it.</param>
+    /// <exception cref="SimulatorException">It cannot be read, or is not what it should be; the message says why.</exception>
+    public static T Read<T>(string option, FileInfo file, Func<T> read)
+    {
+        try
+        {
+            Check(option, file);
+            return read();
+        }
+        catch (NeuronException exception)
+        {
+            throw new SimulatorException($"{option}: {exception.Message}");
+        }
+        catch (UnauthorizedAccessException)
+        {
+            throw new SimulatorException($"{option}: this user may not read {file.FullName}.");
+        }
+        catch (IOException exception)
+        {
+            throw new SimulatorException($"{option}: {file.FullName} cannot be read ({exception.Message})");
+        }
+    }
+
+    private static void Check(string option, FileInfo file)
+    {
+        if (InputFile.FindOddKind(file.FullName) is { } kind)
+            throw new SimulatorException($"{option}: {file.FullName} is {kind}; give a file with a take.");
+
+        FileSystemInfo? target = file.Exists ? file.ResolveLinkTarget(returnFinalTarget: true) ?? file : null;
+        if (target is not FileInfo { Exists: true } content)
+            throw new SimulatorException($"{option}: there is no file {file.FullName}.");
+        if (content.Length == 0)
+            throw new SimulatorException($"{option}: {file.FullName} is empty; give a file with a take.");
+    }
+}

@@ -1,0 +1,37 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Server;
+
+namespace NeuronMocap.Tool.Simulate;
+
+/// <summary>Why a port or a destination cannot be had, in the words of the program: its options, not the library's members.</summary>
+internal static class StartFailure
+{
+    /// <summary>Describes what kept the broadcast from starting.</summary>
+    /// <param name="exception">What was thrown.</param>
+    /// <param name="options">What was to be started.</param>
+    public static string Describe(BroadcasterException exception, BroadcasterOptions options) => exception.Setting switch
+    {
+        nameof(BroadcasterOptions.Port) => DescribePort("--port", options.Port, options.BindAddress, exception),
+        nameof(BroadcasterOptions.CalculationPort) => DescribePort("--calculation-port", options.CalculationPort, options.BindAddress, exception),
+        nameof(BroadcasterOptions.BindAddress) => DescribeAddress(options.BindAddress, exception),
+        _ => $"--udp: there is no way from this machine to {string.Join(" or ", options.UdpDestinations)} ({CodeOf(exception)}).",
+    };
+
+    /// <summary>Describes what kept the command channel from starting.</summary>
+    /// <param name="exception">What was thrown.</param>
+    /// <param name="port">The port that it should have.</param>
+    /// <param name="address">The address to listen on.</param>
+    public static string DescribeCommands(BroadcasterException exception, int port, IPAddress address) =>
+        exception.Setting is nameof(CommandServerOptions.Port) ? DescribePort("--commands", port, address, exception) : DescribeAddress(address, exception);
+
+    private static string DescribePort(string option, int? port, IPAddress address, BroadcasterException exception) =>
+        CodeOf(exception) == SocketError.AccessDenied
+            ? $"{option}: this user may not listen on port {port}; choose one from 1024 up (0 takes any free one)."
+            : $"{option}: port {port} on {address} is used by another program; end that one, or choose another port (0 takes any free one).";
+
+    private static string DescribeAddress(IPAddress address, BroadcasterException exception) =>
+        $"--bind: this machine cannot listen on {address} ({CodeOf(exception)}); give one of its own addresses, or 0.0.0.0 for all.";
+
+    private static SocketError? CodeOf(BroadcasterException exception) => (exception.InnerException as SocketException)?.SocketErrorCode;
+}

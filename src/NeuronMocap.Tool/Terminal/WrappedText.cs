@@ -1,0 +1,59 @@
+using Spectre.Console.Rendering;
+
+namespace NeuronMocap.Tool.Terminal;
+
+/// <summary>Text in lines of a width, for views that have to know how many they are.</summary>
+internal static class WrappedText
+{
+    /// <summary>
+    /// Breaks text between its words. Where there is no room for all lines the first ones are left out: the setting to change stands at the end.
+    /// </summary>
+    /// <param name="text">One line, fit for a terminal.</param>
+    /// <param name="width">Cells of a line, at least 1.</param>
+    /// <param name="most">Most lines.</param>
+    public static IReadOnlyList<string> Break(string text, int width, int most)
+    {
+        var lines = new List<string>();
+        string line = string.Empty;
+        foreach (string word in text.Split(' ', StringSplitOptions.RemoveEmptyEntries).SelectMany(word => Cut(word, width)))
+        {
+            string longer = line.Length == 0 ? word : $"{line} {word}";
+            if (line.Length > 0 && CellsOf(longer) > width)
+            {
+                lines.Add(line);
+                line = word;
+            }
+            else
+            {
+                line = longer;
+            }
+        }
+
+        if (line.Length > 0)
+            lines.Add(line);
+        if (lines.Count <= most)
+            return lines;
+
+        string[] end = [.. lines.TakeLast(Math.Max(most, 0))];
+        if (end.Length > 0)
+            end[0] = CellsOf(end[0]) < width ? $"…{end[0]}" : $"…{end[0][1..]}";
+
+        return end;
+    }
+
+    // A word that is longer than a line, such as the name of a host.
+    private static IEnumerable<string> Cut(string word, int width)
+    {
+        int start = 0;
+        for (int i = 1; i <= word.Length; i++)
+        {
+            if (i == word.Length || CellsOf(word[start..(i + 1)]) > width)
+            {
+                yield return word[start..i];
+                start = i;
+            }
+        }
+    }
+
+    private static int CellsOf(string text) => new Segment(text).CellCount();
+}

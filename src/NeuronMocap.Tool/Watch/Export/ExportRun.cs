@@ -1,0 +1,86 @@
+using System.Globalization;
+using NeuronMocap.Bvh;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Watch.Export;
+
+/// <summary>A file that is written while the stream is shown; none where none was asked for.</summary>
+internal sealed class ExportRun : IDisposable
+{
+    private readonly BvhExport? _export;
+    private readonly string _path;
+
+    private ExportRun(BvhExport? export, string path) => (_export, _path) = (export, path);
+
+    /// <summary>Ends when the file cannot be written any more; null where none was asked for.</summary>
+    public Task? Broken => _export is null ? null : WaitForFailureAsync(_export.Completion, () => _export.Failure);
+
+    /// <summary>Begins before the reader is started, so that no frame is missing.</summary>
+    /// <exception cref="ExportException">The file is there already, or cannot be written.</exception>
+    public static ExportRun Begin(NeuronReader reader, ExportSettings? settings, long? frames)
+    {
+        try
+        {
+            return new ExportRun(settings is null ? null : reader.ExportBvh(settings.Path, settings.ToOptions(frames)), settings?.Path ?? string.Empty);
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or ArgumentException)
+        {
+            string hint = File.Exists(settings!.Path) && !settings.Overwrite ? " --overwrite replaces it." : "";
+            throw new ExportException($"--export: {FileFault.OfWriting(exception, settings.Path)}{hint}", exception);
+        }
+    }
+
+    /// <summary>Completes the files and says what is in them.</summary>
+    /// <returns>False when something is not.</returns>
+    public bool TryFinish(TextWriter messages)
+    {
+        if (_export is null)
+            return true;
+
+        _export.Dispose();
+        foreach (BvhExportFile file in _export.Files)
+            messages.WriteLine($"neuron-mocap: {Describe(file)}");
+
+        if (_export.Files.Count == 0 && _export.Failure is null)
+            messages.WriteLine("neuron-mocap: no motion frame came, and no file was written.");
+        if (_export.FramesDropped is > 0 and var missing)
+        {
+            string frames = missing == 1 ? "1 frame" : string.Create(CultureInfo.InvariantCulture, $"{missing} frames");
+            messages.WriteLine(_export.Failure is null
+                ? $"neuron-mocap: the export lacks {frames}: the disk was too slow."
+                : $"neuron-mocap: {frames} could not be written; later frames were not exported.");
+        }
+
+        if (_export.Failure is { } failure)
+            messages.WriteLine($"neuron-mocap: the export ended early: {FileFault.OfWriting(failure, _export.Files is [.., var last] ? last.Path : _path)}");
+
+        return _export.Failure is null;
+    }
+
+    public void Dispose() => _export?.Dispose();
+
+    /// <summary>Ends when something has failed; never when it ended well.</summary>
+    public static async Task WaitForFailureAsync(Task completion, Func<Exception?> getFailure)
+    {
+        await completion;
+        if (getFailure() is null)
+            await Task.Delay(Timeout.Infinite);
+    }
+
+    private static string Describe(BvhExportFile file)
+    {
+        string body = file.BodySource switch
+        {
+            BvhBodySource.Stream => "lengths of the bones from the stream",
+            BvhBodySource.Header => "lengths of the bones from the command channel",
+            BvhBodySource.Dimensions => "lengths of the bones from the sizes that the command channel told",
+            _ => "lengths of the bones of the default body",
+        };
+        string repeated = file.RepeatedFrames == 0 ? "" : $" {file.RepeatedFrames} of them stand in for lost ones;";
+        string late = file.LateFrames == 0 ? "" : $" {file.LateFrames} more came too late;";
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"{file.FrameCount} frames of {TerminalText.Clean(file.AvatarName)} at {file.FrameRate:0.##} Hz in {TerminalText.Clean(file.Path)};{repeated}{late} {body}.");
+    }
+}

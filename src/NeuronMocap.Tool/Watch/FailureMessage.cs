@@ -1,0 +1,58 @@
+using NeuronMocap.Tool.Output;
+
+namespace NeuronMocap.Tool.Watch;
+
+/// <summary>Finds the one line on standard error for a run that ends without a frame, or with frames that something is wrong with.</summary>
+internal sealed class FailureMessage
+{
+    private readonly Lock _lock = new();
+    private ConnectionStatus _problem;
+    private ConnectionStatus _receiving;
+
+    /// <summary>Remembers what went wrong last: the run may end in the middle of the next attempt. Any thread.</summary>
+    public void OnStatus(ConnectionStatus status)
+    {
+        if (status.State == ConnectionState.Receiving)
+        {
+            lock (_lock)
+                _receiving = status;
+        }
+
+        if (status.Reason is ConnectionReason.None or ConnectionReason.Requested)
+            return;
+
+        lock (_lock)
+            _problem = status;
+    }
+
+    /// <summary>Says what was wrong when frames last arrived: the calculation port for example. Null when nothing was.</summary>
+    public string? DescribeReceiving()
+    {
+        lock (_lock)
+            return _receiving.Reason == ConnectionReason.None ? null : _receiving.Describe();
+    }
+
+    /// <summary>Says what to look at.</summary>
+    /// <param name="status">The state at the end of the run.</param>
+    /// <param name="statistics">The reader's figures.</param>
+    public string Describe(ConnectionStatus status, ReaderStatistics statistics)
+    {
+        ConnectionStatus problem;
+        lock (_lock)
+            problem = _problem;
+
+        if (problem.Reason == ConnectionReason.EndOfRecording)
+            return $"{problem.Describe()} No frame is in it.";
+
+        // The run ended before the silence check of the reader could say what the bytes were.
+        if (statistics.SkippedBytes > 0 && problem.Reason == ConnectionReason.None)
+        {
+            return $"{statistics.SkippedBytes} bytes arrived, but no packet of this protocol. Check the port, and that the server's "
+                + "broadcasting format (block type) is Binary.";
+        }
+
+        return problem.Reason == ConnectionReason.None
+            ? $"No frame has arrived. {status.Describe()} Check the server's address and port, and that its broadcasting is on."
+            : problem.Describe();
+    }
+}

@@ -1,0 +1,89 @@
+using System.Numerics;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tool.Terminal;
+using Spectre.Console;
+
+namespace NeuronMocap.Tool.Watch.Live;
+
+/// <summary>Numbers of a page of bones: where they are in the world, and their rotation as the stream has it.</summary>
+internal sealed class BoneTable
+{
+    public const int HeadHeight = 1;
+
+    private const int Gap = 1;
+
+    private static readonly Padding AfterColumn = new(0, 0, Gap, 0);
+
+    private readonly Pose _pose;
+    private readonly IReadOnlyList<Bone> _bones;
+    private readonly bool _isWide;
+    private readonly int _nameWidth;
+
+    /// <summary>Lays the table out.</summary>
+    /// <param name="pose">The numbers.</param>
+    /// <param name="bones">A row for each.</param>
+    /// <param name="isWide">Whether there is room for whole names and decimals of the angles.</param>
+    public BoneTable(Pose pose, IReadOnlyList<Bone> bones, bool isWide)
+    {
+        (_pose, _bones, _isWide) = (pose, bones, isWide);
+        _nameWidth = bones.Max(bone => NameOf(bone).Length);
+    }
+
+    /// <summary>Columns that it takes. It depends on the bones only, not on the numbers: the skeleton beside it stands still.</summary>
+    public int Width => _nameWidth + Gap + (3 * (PositionWidth + Gap)) + (3 * (AngleWidth + Gap));
+
+    private int PositionWidth => _isWide ? 8 : 6;
+
+    private int AngleWidth => _isWide ? 7 : 4;
+
+    public Table Create()
+    {
+        Table table = new Table().Border(TableBorder.None);
+        table.AddColumn(new TableColumn(new Text("bone", Palette.DimStyle)) { NoWrap = true, Width = _nameWidth, Padding = AfterColumn });
+        foreach (string axis in (string[])["X", "Y", "Z"])
+            table.AddColumn(NumberColumn($"{axis} cm", PositionWidth));
+        foreach (char axis in _pose.Format.RotationOrder.ToString())
+            table.AddColumn(NumberColumn(_isWide ? $"{axis} deg" : $"{axis}°", AngleWidth));
+
+        foreach (Bone bone in _bones)
+            table.AddRow(MakeRow(bone));
+
+        return table;
+    }
+
+    private static TableColumn NumberColumn(string title, int width) => new(new Text(title, Palette.DimStyle))
+    {
+        NoWrap = true,
+        Width = width,
+        Alignment = Justify.Right,
+        Padding = AfterColumn,
+    };
+
+    private Text[] MakeRow(Bone bone)
+    {
+        Vector3 position = _pose.GetPosition(bone);
+        Vector3 angles = _pose.GetAngles(bone);
+        int decimals = _isWide ? 1 : 0;
+        return
+        [
+            new Text(NameOf(bone), new Style(Palette.Of(Wireframe.PartOf(bone)))),
+            Number(position.X, 1), Number(position.Y, 1), Number(position.Z, 1),
+            Number(angles.X, decimals), Number(angles.Y, decimals), Number(angles.Z, decimals),
+        ];
+    }
+
+    // Colours tell left from right, so that little is lost.
+    private string NameOf(Bone bone)
+    {
+        string name = BoneHierarchy.GetName(bone, _pose.Format.Variant);
+        return _isWide ? name : Wireframe.PartOf(bone) switch
+        {
+            BodyPart.Left => $"L.{name["Left".Length..]}",
+            BodyPart.Right => $"R.{name["Right".Length..]}",
+            _ => name,
+        };
+    }
+
+    // Ten metres and more are shown without decimals: the column stays as narrow as it is.
+    private static Text Number(float value, int decimals) => new(Quantity.Fixed(value, Math.Abs(value) < 999.9f ? decimals : 0));
+}

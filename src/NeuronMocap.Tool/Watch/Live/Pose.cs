@@ -1,0 +1,51 @@
+using System.Numerics;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tool.Watch.Live;
+
+/// <summary>What the view shows of one motion frame, copied out of it.</summary>
+internal sealed class Pose
+{
+    private readonly BoneTransform[] _world = new BoneTransform[BoneHierarchy.BoneCount];
+    private readonly Vector3[] _angles = new Vector3[BoneHierarchy.BoneCount];
+    private readonly Vector3[] _points = new Vector3[JointPositions.Count];
+
+    public Pose(MotionFrame frame) => Take(frame);
+
+    public MotionHeader Header { get; private set; }
+
+    public SkeletonFormat Format { get; private set; }
+
+    /// <summary>Whether the frame's values were those of the 59 bones; if not, there is nothing but the header.</summary>
+    public bool HasSkeleton { get; private set; }
+
+    /// <summary>Gives what the stream does not carry: where bones end, and without displacement where they begin.</summary>
+    public SkeletonBody Body { get; private set; } = SkeletonBody.Default();
+
+    /// <summary>Where the 59 bones are in the world.</summary>
+    public ReadOnlySpan<BoneTransform> World => _world;
+
+    /// <summary>Where the points of the <see cref="Wireframe"/> are in the world, in the order of <see cref="JointPositions"/>; centimetres.</summary>
+    public ReadOnlySpan<Vector3> Points => _points;
+
+    public void Take(MotionFrame frame)
+    {
+        Header = frame.Header;
+        Format = frame.Format;
+        HasSkeleton = frame.HasSkeleton;
+        if (!HasSkeleton)
+            return;
+
+        Body = SkeletonBody.Default(Format.Variant);
+        frame.CopyWorldTransforms(_world, Body);
+        JointPositions.Copy(_world, Body, _points);
+        foreach (Bone bone in BoneHierarchy.Bones)
+            _angles[(int)bone] = frame.GetEulerAngles(bone);
+    }
+
+    /// <summary>In the world, in centimetres.</summary>
+    public Vector3 GetPosition(Bone bone) => _world[(int)bone].Position;
+
+    /// <summary>The three values of the stream, in its order, in degrees.</summary>
+    public Vector3 GetAngles(Bone bone) => _angles[(int)bone];
+}

@@ -1,0 +1,23 @@
+namespace NeuronMocap.Tool.Watch.Live;
+
+/// <summary>What receiving allocates, by the thread that receives: the library's share alone, without what drawing costs.</summary>
+internal sealed class ReceiveAllocations
+{
+    private int _thread;
+    private long _last;
+    private long _total;
+
+    /// <summary>Bytes from the first frame on. Any thread.</summary>
+    public long Total => Volatile.Read(ref _total);
+
+    /// <summary>Receive thread, with every frame. The first one of another thread only says where to count from.</summary>
+    public void OnFrame()
+    {
+        long now = GC.GetAllocatedBytesForCurrentThread();
+        int thread = Environment.CurrentManagedThreadId;
+        if (thread == _thread)
+            Volatile.Write(ref _total, _total + now - _last);
+
+        (_thread, _last) = (thread, now);
+    }
+}

@@ -1,0 +1,46 @@
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tool.Watch.Live;
+
+/// <summary>Which part of the body a line belongs to.</summary>
+internal enum BodyPart
+{
+    Middle,
+    Left,
+    Right,
+}
+
+/// <summary>A line of the drawn skeleton, between two of its <see cref="JointPositions"/>.</summary>
+internal readonly record struct WireframeLine(int From, int To, BodyPart Part);
+
+/// <summary>The lines that make a person: between the points of the 59 bones and where the outermost ones end.</summary>
+internal static class Wireframe
+{
+    private static readonly WireframeLine[] Neck1 = [.. MakeLines(SkeletonVariant.Neck1)];
+    private static readonly WireframeLine[] Spine3 = [.. MakeLines(SkeletonVariant.Spine3)];
+
+    /// <summary>The point at the top of the head.</summary>
+    public static int HeadTop { get; } = JointPositions.EndSiteIndex(Bone.Head);
+
+    public static ReadOnlySpan<WireframeLine> Lines(SkeletonVariant variant) => variant == SkeletonVariant.Spine3 ? Spine3 : Neck1;
+
+    private static IEnumerable<WireframeLine> MakeLines(SkeletonVariant variant)
+    {
+        foreach (Bone bone in BoneHierarchy.Bones.ToArray())
+        {
+            if (BoneHierarchy.GetParent(bone, variant) is { } parent)
+                yield return new WireframeLine((int)parent, (int)bone, PartOf(bone));
+        }
+
+        foreach (Bone bone in JointPositions.EndSiteBones.ToArray())
+            yield return new WireframeLine((int)bone, JointPositions.EndSiteIndex(bone), PartOf(bone));
+    }
+
+    public static BodyPart PartOf(Bone bone)
+    {
+        string name = bone.ToString();
+        return name.StartsWith("Left", StringComparison.Ordinal) ? BodyPart.Left
+            : name.StartsWith("Right", StringComparison.Ordinal) ? BodyPart.Right
+            : BodyPart.Middle;
+    }
+}

@@ -1,0 +1,153 @@
+using NeuronMocap.Recording;
+using NeuronMocap.Server;
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Output;
+using NeuronMocap.Tool.Play;
+using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.Watch.Export;
+using NeuronMocap.Tool.Watch.Live;
+using NeuronMocap.Tool.Watch.Recordings;
+
+namespace NeuronMocap.Tool.Watch;
+
+/// <summary>One run of the program: a reader, an output, and whatever ends first.</summary>
+internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams)
+{
+    private readonly TaskCompletionSource<ReaderStatistics> _enough = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly FailureMessage _failure = new();
+    private long _frames;
+
+    public async Task<int> RunAsync(CancellationToken cancelled)
+    {
+        try
+        {
+            using RecordingPlayer? player = await OpenAsync(options.Play, cancelled);
+            using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder ?? RotationOrder.YXZ) : null;
+            return await RunAsync(demo?.Address ?? options.Server, player, cancelled);
+        }
+        catch (Exception exception) when (exception is BroadcasterException or ExportException or PlayException)
+        {
+            return await FailAsync(OptionNames.Translate(exception.Message));
+        }
+        catch (OperationCanceledException) when (cancelled.IsCancellationRequested)
+        {
+            return CommandLine.Done;
+        }
+    }
+
+    // A large file of bytes without times is read once when it is opened.
+    private async Task<RecordingPlayer?> OpenAsync(PlaySettings? play, CancellationToken cancelled) => play is null
+        ? null
+        : await Task.Run(() => play.Open(options.RotationOrder), CancellationToken.None).WaitAsync(cancelled);
+
+    private async Task<int> RunAsync(ServerAddress? server, RecordingPlayer? player, CancellationToken cancelled)
+    {
+        string? error = null;
+        NeuronReaderOptions readerOptions = options.ToReaderOptions(server);
+        await using NeuronReader reader = player is null ? new NeuronReader(readerOptions) : new NeuronReader(player, readerOptions);
+        using ExportRun export = ExportRun.Begin(reader, options.Export, options.Frames);
+        StreamRecorder? recorder = options.Recording?.TryStart(reader, out error);
+        if (error is not null)
+            return await FailAsync(error);
+
+        MonitorOutput output = CreateOutput(reader, player, recorder);
+        Connect(reader, output);
+
+        using var duration = new CancellationTokenSource(options.Duration ?? Timeout.InfiniteTimeSpan);
+        using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancelled, duration.Token);
+        reader.Start();
+        Task showing = output.RunAsync(stop.Token);
+        await Task.WhenAny(showing, reader.Completion, _enough.Task, NothingToDoAsync(export, recorder));
+        bool asked = !duration.IsCancellationRequested && !reader.Completion.IsCompleted;
+        ConnectionStatus status = reader.Status;
+
+        await reader.DisposeAsync();
+        await stop.CancelAsync();
+        await showing;
+
+        // At the last frame that was asked for, the receive thread took the figures; what came before it stopped does not count.
+        ReaderStatistics statistics = _enough.Task.IsCompleted ? await _enough.Task : reader.GetStatistics();
+        output.Finish(statistics);
+        bool isExported = export.TryFinish(streams.Error);
+        if (recorder is not null)
+            await streams.Error.WriteLineAsync($"neuron-mocap: {RecordingSummary.Describe(recorder)}");
+        if (output.Failure is { } failure)
+            return await FailAsync(FileFault.OfStandardOutput(failure));
+        if (!isExported || recorder is { Failure: not null } or { Completion.IsCompleted: false })
+            return CommandLine.NothingReceived;
+
+        // The lines of --json say it themselves.
+        if (options.Output != OutputKind.Json && _failure.DescribeReceiving() is { } doubt)
+            await streams.Error.WriteLineAsync($"neuron-mocap: {TerminalText.Clean(doubt)}");
+        if (asked || statistics.MotionFrames + statistics.CalculationFrames + statistics.StudioCalculationFrames > 0)
+            return CommandLine.Done;
+
+        return await FailAsync(_failure.Describe(status, statistics));
+    }
+
+    private async Task<int> FailAsync(string message)
+    {
+        await streams.Error.WriteLineAsync($"neuron-mocap: {TerminalText.Clean(message)}");
+        return CommandLine.NothingReceived;
+    }
+
+    private MonitorOutput CreateOutput(NeuronReader reader, RecordingPlayer? player, StreamRecorder? recorder) => options.Output switch
+    {
+        OutputKind.Json => new JsonOutput(streams.Output, options.Source),
+        OutputKind.Quiet => new QuietOutput(streams.Output),
+        _ when streams.IsTerminal && Screen.IsSupported => new LiveOutput(reader, player, recorder, options, streams.Output),
+        _ => new LineOutput(reader, streams.Output),
+    };
+
+    // Who shows nothing, and has no file left to write. What else is shown goes on when a file fails.
+    private Task NothingToDoAsync(ExportRun export, StreamRecorder? recorder)
+    {
+        Task?[] files = [export.Broken, recorder is null ? null : ExportRun.WaitForFailureAsync(recorder.Completion, () => recorder.Failure)];
+        return options.Output == OutputKind.Quiet && files.OfType<Task>().ToArray() is { Length: > 0 } asked
+            ? Task.WhenAll(asked)
+            : Task.Delay(Timeout.Infinite);
+    }
+
+    private void Connect(NeuronReader reader, MonitorOutput output)
+    {
+        reader.EventReported += news =>
+        {
+            if (FileFailure.Of(news) is { } failed && !output.OnFileFailed(failed))
+                streams.Error.WriteLine($"neuron-mocap: {failed.Text}");
+        };
+        reader.StatusChanged += _failure.OnStatus;
+        reader.StatusChanged += output.OnStatus;
+        reader.MotionReceived += frame =>
+        {
+            if (_enough.Task.IsCompleted)
+                return;
+
+            output.OnMotion(frame);
+            Count(reader);
+        };
+        reader.CalculationReceived += frame =>
+        {
+            if (_enough.Task.IsCompleted)
+                return;
+
+            output.OnCalculation(frame);
+            Count(reader);
+        };
+        reader.StudioCalculationReceived += frame =>
+        {
+            if (_enough.Task.IsCompleted)
+                return;
+
+            output.OnStudioCalculation(frame);
+            Count(reader);
+        };
+    }
+
+    // Receive thread: its figures stand still while it is here.
+    private void Count(NeuronReader reader)
+    {
+        if (++_frames == options.Frames)
+            _enough.TrySetResult(reader.GetStatistics());
+    }
+}

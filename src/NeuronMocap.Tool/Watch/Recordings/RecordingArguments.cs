@@ -1,0 +1,108 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using NeuronMocap.Recording;
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Files;
+
+namespace NeuronMocap.Tool.Watch.Recordings;
+
+/// <summary>The options of a recording.</summary>
+internal sealed class RecordingArguments
+{
+    private const long BytesPerMegabyte = 1_000_000;
+    private const int SmallestFile = 2;
+    private const int LargestFile = 1_000_000;
+    private const int LongestFile = 1_000_000;
+
+    private readonly Option<string?> _record = new("--record")
+    {
+        HelpName = "FILE",
+        Description = "Record every byte that arrives, with its time, to this file, usually named .nmrec, while the stream is shown. The file can be read "
+            + "after any end of this program.",
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    private readonly Option<bool> _compress = new("--record-compress")
+    {
+        Description = "With --record: compress the file.",
+        Arity = ArgumentArity.Zero,
+    };
+
+    private readonly Option<int?> _size = new("--record-size")
+    {
+        HelpName = "MB",
+        Description = $"With --record: begin another file before one grows past so many megabytes, {SmallestFile} to {LargestFile}. The files have numbers: "
+            + "take.0001.nmrec and so on.",
+        CustomParser = result => Parse(result, SmallestFile, LargestFile, "megabytes"),
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    private readonly Option<int?> _time = new("--record-time")
+    {
+        HelpName = "SECONDS",
+        Description = $"With --record: begin another file after so many seconds, 1 to {LongestFile}.",
+        CustomParser = result => Parse(result, 1, LongestFile, "seconds"),
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    private readonly Option<int?> _files = new("--record-files")
+    {
+        HelpName = "N",
+        Description = "With --record-size or --record-time: keep the last N files and delete older ones of this recording.",
+        CustomParser = result => Parse(result, 1, int.MaxValue, "files"),
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    public Option Record => _record;
+
+    public Option[] Own => [_record, _compress, _size, _time, _files];
+
+    public void AddTo(RootCommand root)
+    {
+        foreach (Option option in (Option[])[_record, _compress, _size, _time, _files])
+            root.Options.Add(option);
+    }
+
+    /// <summary>Adds an error for every option that has no meaning beside another.</summary>
+    /// <param name="result">The command line.</param>
+    /// <param name="others">Options that show no stream.</param>
+    /// <param name="play">The option that shows a file.</param>
+    public void RejectContradictions(CommandResult result, Option[] others, Option play)
+    {
+        if (!CommandLine.IsGiven(result, _record))
+        {
+            foreach (Option option in ((Option[])[_compress, _size, _time, _files]).Where(option => CommandLine.IsGiven(result, option)))
+                result.AddError($"{option.Name} needs --record: it says how to record.");
+
+            return;
+        }
+
+        FileNames.Reject(result, _record, "a recording", ".nmrec");
+        foreach (Option option in others.Where(option => CommandLine.IsGiven(result, option)))
+            result.AddError($"{option.Name} and --record exclude each other: there is no stream to record.");
+        if (CommandLine.IsGiven(result, play))
+            result.AddError($"{play.Name} and {_record.Name} exclude each other: what is played is a file already. --convert copies it, or a part of it.");
+        if (CommandLine.IsGiven(result, _files) && !CommandLine.IsGiven(result, _size) && !CommandLine.IsGiven(result, _time))
+            result.AddError("--record-files needs --record-size or --record-time: there is only one file without.");
+        if (result.GetResult(_record)!.Tokens is [var path] && string.IsNullOrWhiteSpace(path.Value))
+            result.AddError("--record: the name of the file is empty.");
+    }
+
+    public RecordingSettings? Read(ParseResult result, bool overwrite)
+    {
+        if (result.GetValue(_record) is not { } path)
+            return null;
+
+        return new RecordingSettings(path, new RecordingOptions
+        {
+            Overwrite = overwrite,
+            Compress = result.GetValue(_compress),
+            MaxFileSize = result.GetValue(_size) * BytesPerMegabyte,
+            MaxFileDuration = result.GetValue(_time) is { } seconds ? TimeSpan.FromSeconds(seconds) : null,
+            MaxFiles = result.GetValue(_files),
+        });
+    }
+
+    private static int? Parse(ArgumentResult result, int least, int most, string unit) =>
+        NumberArgument.ParseWhole(result, least, most, $"a whole number of {unit} from {least} to {most}");
+}

@@ -1,0 +1,124 @@
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using System.Text.Json;
+using NeuronMocap.Bvh;
+using NeuronMocap.Server;
+using NeuronMocap.Tool.Tests.Infrastructure;
+
+namespace NeuronMocap.Tool.Tests.Commands;
+
+public sealed class CommandRunTests : IDisposable
+{
+    private readonly Broadcaster _broadcaster = new(new BroadcasterOptions
+    {
+        Sources = [new SyntheticActor(), new SyntheticActor(avatar: 1)],
+        RotationOrder = RotationOrder.ZXY,
+        Port = 0,
+    });
+
+    [Fact]
+    public async Task The_report_has_sizes_order_and_what_the_header_says()
+    {
+        using CommandServer server = Start();
+        ToolResult result = await ToolRunner.RunAsync("--commands", AddressOf(server), "--avatar", "1");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Empty(result.Error);
+        Assert.Equal($"Command channel of {AddressOf(server)}", result.Output[0]);
+        Assert.Equal("Rotation order     ZXY", result.Output[1]);
+        Assert.Equal("Bone sizes of avatar 1, in metres", result.Output[2]);
+        Assert.Equal("  head              0.170    palm          0.084", result.Output[3]);
+        Assert.Equal("  forearm           0.250    foot length   0.158", result.Output[8]);
+        Assert.StartsWith("BVH header of avatar 1, ", result.Output[9], StringComparison.Ordinal);
+        Assert.Equal(
+            ["  59 joints from Hips, 354 values a frame", "  displacement on, reference off, bone names Neck1", "  rotation order ZXY", "  hips 84.1 cm above the ground"],
+            result.Output[10..]);
+    }
+
+    [Fact]
+    public async Task Json_has_everything_in_one_object()
+    {
+        using CommandServer server = Start();
+        ToolResult result = await ToolRunner.RunAsync("--commands", AddressOf(server), "--json");
+
+        Assert.Equal(0, result.ExitCode);
+        JsonElement answer = JsonDocument.Parse(Assert.Single(result.OfType("commands"))).RootElement;
+        Assert.Equal("ZXY", answer.GetProperty("rotationOrder").GetString());
+        Assert.Equal(0, answer.GetProperty("avatar").GetInt32());
+        Assert.Equal(0.28, answer.GetProperty("boneSizes").GetProperty("shoulderWidth").GetDouble(), 1e-6);
+        Assert.Equal(12, answer.GetProperty("boneSizes").EnumerateObject().Count());
+        BvhDocument header = BvhDocument.Parse(Encoding.UTF8.GetBytes(answer.GetProperty("bvhHeader").GetString()!));
+        Assert.Equal(59, header.Joints.Count);
+    }
+
+    [Fact]
+    public async Task The_header_can_be_had_as_a_file()
+    {
+        using CommandServer server = Start();
+        using var output = new MemoryStream();
+        await ToolRunner.RunAsync(output, ["--commands", AddressOf(server), "--bvh-header"]);
+
+        Assert.Equal(59, BvhDocument.Parse(output.ToArray()).Joints.Count);
+        Assert.StartsWith("HIERARCHY\r\nROOT Hips\r\n", Encoding.UTF8.GetString(output.ToArray()), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("1", "Avatar 1 of ")]
+    [InlineData("all", "All avatars of ")]
+    public async Task A_zero_out_turns_and_says_so(string target, string told)
+    {
+        using CommandServer server = Start();
+        ToolResult result = await ToolRunner.RunAsync("--commands", AddressOf(server), "--zero-out", target);
+        Assert.Equal(0, result.ExitCode);
+        Assert.StartsWith(told, Assert.Single(result.Output), StringComparison.Ordinal);
+
+        ToolResult json = await ToolRunner.RunAsync("--commands", AddressOf(server), "--zero-out", target, "--json");
+        Assert.Contains($"\"avatar\":{(target == "all" ? "\"all\"" : target)}", Assert.Single(json.OfType("zeroOut")), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("avatar 9", "--avatar", "9")]
+    [InlineData("avatar 9", "--zero-out", "9")]
+    public async Task What_the_server_does_not_have_ends_with_1_and_one_line(string told, params string[] args)
+    {
+        using CommandServer server = Start();
+        ToolResult result = await ToolRunner.RunAsync(["--commands", AddressOf(server), .. args]);
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains(told, Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_port_where_nothing_listens_ends_with_1_and_one_line()
+    {
+        int port;
+        using (var listener = new TcpListener(IPAddress.Loopback, 0))
+        {
+            listener.Start();
+            port = ((IPEndPoint)listener.LocalEndpoint).Port;
+        }
+
+        ToolResult result = await ToolRunner.RunAsync("--commands", $"127.0.0.1:{port}");
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("refused the connection", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task The_demo_has_a_command_channel_too()
+    {
+        ToolResult result = await ToolRunner.RunAsync("--commands", "--demo");
+        Assert.Equal(0, result.ExitCode);
+        Assert.Contains("Rotation order     YXZ", result.Output);
+    }
+
+    public void Dispose() => _broadcaster.Dispose();
+
+    private static string AddressOf(CommandServer server) => $"127.0.0.1:{server.LocalEndPoint!.Port}";
+
+    private CommandServer Start()
+    {
+        var server = new CommandServer(_broadcaster, new CommandServerOptions { Port = 0 });
+        server.Start();
+        return server;
+    }
+}

@@ -1,0 +1,113 @@
+using System.Net;
+using System.Net.Sockets;
+using NeuronMocap.Protocol;
+
+namespace NeuronMocap.Tool.Tests.Infrastructure;
+
+/// <summary>A server of raw bytes on a free loopback port, for one client after the other.</summary>
+internal sealed class FrameServer : IDisposable
+{
+    private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
+    private readonly CancellationTokenSource _stop = new();
+
+    private FrameServer() => _listener.Start();
+
+    public string Address => _listener.LocalEndpoint.ToString()!;
+
+    /// <summary>Sends the bytes to each client and closes its connection.</summary>
+    public static FrameServer Sending(params byte[][] packets) => Start(async (stream, stop) =>
+    {
+        foreach (byte[] packet in packets)
+            await stream.WriteAsync(packet, stop);
+    });
+
+    /// <summary>Sends a packet again and again until the client is gone.</summary>
+    public static FrameServer Repeating(byte[] packet) => Start(async (stream, stop) =>
+    {
+        while (true)
+            await stream.WriteAsync(packet, stop);
+    });
+
+    /// <summary>Sends packets to each client, a few every millisecond, until it is gone.</summary>
+    /// <param name="packets">The packet with a number; called in order, from 0.</param>
+    public static FrameServer Pacing(Func<int, byte[]> packets) => Start(async (stream, stop) =>
+    {
+        for (int number = 0; ; number++)
+        {
+            await stream.WriteAsync(packets(number), stop);
+            if (number % 16 == 15)
+                await Task.Delay(1, stop);
+        }
+    });
+
+    /// <summary>Accepts and sends nothing.</summary>
+    public static FrameServer Silent() => Start(static (_, stop) => Task.Delay(Timeout.Infinite, stop));
+
+    /// <summary>An address where nothing listens.</summary>
+    public static string RefusingAddress()
+    {
+        using var server = new FrameServer();
+        return server.Address;
+    }
+
+    public static byte[] Motion(uint index, params float[] values) =>
+        Motion(new MotionHeader { AvatarName = new AvatarName("Char00"), FrameIndex = index, HasDisplacement = true }, values);
+
+    public static byte[] Motion(MotionHeader header, params float[] values)
+    {
+        byte[] packet = new byte[(header with { ValueCount = values.Length }).PacketSize];
+        PacketEncoder.WriteMotion(packet, header, values);
+        return packet;
+    }
+
+    public static byte[] Calculation(uint index, params float[] values)
+    {
+        var header = new CalculationHeader { AvatarName = new AvatarName("Char00"), FrameIndex = index };
+        byte[] packet = new byte[(header with { ValueCount = values.Length }).PacketSize];
+        PacketEncoder.WriteCalculation(packet, header, values);
+        return packet;
+    }
+
+    public void Dispose()
+    {
+        _stop.Cancel();
+        _listener.Dispose();
+        _stop.Dispose();
+    }
+
+    private static FrameServer Start(Func<NetworkStream, CancellationToken, Task> serve)
+    {
+        var server = new FrameServer();
+        _ = server.AcceptAsync(serve, server._stop.Token);
+        return server;
+    }
+
+    private async Task AcceptAsync(Func<NetworkStream, CancellationToken, Task> serve, CancellationToken stop)
+    {
+        try
+        {
+            while (true)
+            {
+                using Socket client = await _listener.AcceptSocketAsync(stop);
+                using var stream = new NetworkStream(client);
+                await ServeAsync(serve, stream, stop);
+            }
+        }
+        catch (Exception exception) when (exception is OperationCanceledException or SocketException or ObjectDisposedException)
+        {
+            // The test is over.
+        }
+    }
+
+    private static async Task ServeAsync(Func<NetworkStream, CancellationToken, Task> serve, NetworkStream stream, CancellationToken stop)
+    {
+        try
+        {
+            await serve(stream, stop);
+        }
+        catch (IOException)
+        {
+            // The client left.
+        }
+    }
+}

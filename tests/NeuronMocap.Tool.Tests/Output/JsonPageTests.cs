@@ -1,0 +1,146 @@
+using System.Net;
+using System.Reflection;
+using System.Text;
+using System.Text.Json;
+using System.Text.RegularExpressions;
+using NeuronMocap.Diagnostics;
+using NeuronMocap.Tests.Infrastructure;
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Commands;
+using NeuronMocap.Tool.Output;
+using NeuronMocap.Tool.Tests.Infrastructure;
+
+namespace NeuronMocap.Tool.Tests.Output;
+
+/// <summary>docs/json.md against the lines that are written.</summary>
+public sealed partial class JsonPageTests
+{
+    private static readonly string[] Page = File.ReadAllLines(Repository.PathOf("docs/json.md"));
+
+    private readonly JsonLines _lines = new();
+
+    [Fact]
+    public async Task Every_field_of_every_line_is_on_the_page_and_no_other()
+    {
+        ToolResult diagnosis = await ToolRunner.RunAsync("--diagnose", "--demo", "--quiet", "--duration", "15");
+        Dictionary<string, SortedSet<string>> written = [];
+        foreach (string line in AllLines().Append(diagnosis.Output[^1]))
+        {
+            using var document = JsonDocument.Parse(line);
+            string type = document.RootElement.GetProperty("type").GetString()!;
+            if (!written.TryGetValue(type, out SortedSet<string>? fields))
+                written[type] = fields = new SortedSet<string>(StringComparer.Ordinal);
+
+            Collect(document.RootElement, string.Empty, fields);
+        }
+
+        // One line of every kind that the class can write: a new kind cannot be forgotten here.
+        Assert.Superset(
+            typeof(JsonLines).GetMethods(BindingFlags.Public | BindingFlags.Instance)
+                .Where(static method => method.ReturnType == typeof(ReadOnlySpan<byte>))
+                .Select(static method => char.ToLowerInvariant(method.Name[0]) + method.Name[1..])
+                .ToHashSet(StringComparer.Ordinal),
+            written.Keys.ToHashSet(StringComparer.Ordinal));
+        Dictionary<string, SortedSet<string>> described = ReadPage();
+        Assert.Equal(described.Keys.Order(StringComparer.Ordinal), written.Keys.Order(StringComparer.Ordinal));
+        Assert.All(described, entry => Assert.Equal(entry.Value, written[entry.Key]));
+    }
+
+    [Fact]
+    public void Every_reason_has_a_code_of_its_own_that_is_on_the_page()
+    {
+        ConnectionReason[] reasons = Enum.GetValues<ConnectionReason>();
+        string[] codes = [.. reasons.Select(ReasonCode.Of)];
+
+        Assert.Equal(reasons.Select(reason => Humps().Replace(reason.ToString(), "-$0").ToLowerInvariant()), codes);
+        Assert.Equal(codes, Page.Select(line => Code().Match(line)).Where(static match => match.Success).Select(static match => match.Groups["code"].Value).Where(codes.Contains));
+    }
+
+    [Theory]
+    [InlineData("--demo")]
+    [InlineData("--diagnose", "--demo", "--duration", "15")]
+    [InlineData("--commands", "--demo")]
+    [InlineData("--commands", "--demo", "--zero-out", "all")]
+    public async Task Every_line_of_a_run_parses_and_has_a_type_of_the_page(params string[] args)
+    {
+        ToolResult result = await ToolRunner.RunAsync([.. args, "--json", .. (string[])(args.Length == 1 ? ["--frames", "5"] : [])]);
+
+        Assert.Equal(0, result.ExitCode);
+        Dictionary<string, SortedSet<string>> described = ReadPage();
+        Assert.NotEmpty(result.Output);
+        Assert.All(result.Output, line =>
+        {
+            using var document = JsonDocument.Parse(line);
+            var fields = new SortedSet<string>(StringComparer.Ordinal);
+            Collect(document.RootElement, string.Empty, fields);
+            Assert.Subset(described[document.RootElement.GetProperty("type").GetString()!], fields);
+        });
+    }
+
+    private static void Collect(JsonElement element, string path, SortedSet<string> fields)
+    {
+        if (element.ValueKind == JsonValueKind.Array)
+        {
+            foreach (JsonElement item in element.EnumerateArray().Where(static item => item.ValueKind == JsonValueKind.Object))
+                Collect(item, $"{path}[]", fields);
+        }
+
+        foreach (JsonProperty property in element.ValueKind == JsonValueKind.Object ? [.. element.EnumerateObject()] : Array.Empty<JsonProperty>())
+        {
+            string name = path.Length == 0 ? property.Name : $"{path}.{property.Name}";
+            fields.Add(name);
+            Collect(property.Value, name, fields);
+        }
+    }
+
+    private static Dictionary<string, SortedSet<string>> ReadPage()
+    {
+        Dictionary<string, SortedSet<string>> described = [];
+        SortedSet<string>? fields = null;
+        foreach (string line in Page)
+        {
+            if (line.StartsWith("## ", StringComparison.Ordinal))
+                described[line[3..]] = fields = new SortedSet<string>(StringComparer.Ordinal);
+            else if (line.StartsWith("Codes of", StringComparison.Ordinal))
+                fields = null;
+            else if (Code().Match(line) is { Success: true } match)
+                fields?.Add(match.Groups["code"].Value);
+        }
+
+        return described;
+    }
+
+    private IEnumerable<string> AllLines()
+    {
+        var header = new MotionHeader { Version = DataVersion.Studio, AvatarName = new AvatarName("A"), Reserved1 = 0x0A0B0C, Reserved2 = 7 };
+        var studio = new StudioCalculationHeader { AvatarName = new AvatarName("A") };
+        yield return Text(_lines.Start("demo"));
+        yield return Text(_lines.Skeleton(Poses.Upright()));
+        yield return Text(_lines.Frame(Poses.Upright()));
+        yield return Text(_lines.Frame(new MotionFrame(header, [1])));
+        yield return Text(_lines.Calculation(new CalculationFrame(new CalculationHeader(), [1])));
+        yield return Text(_lines.StudioCalculation(new StudioCalculationFrame(studio, new byte[StudioCalculationFrame.FullByteCount])));
+        yield return Text(_lines.StudioCalculation(new StudioCalculationFrame(studio, new byte[8])));
+        yield return Text(_lines.Status(new ConnectionStatus(ConnectionState.Waiting, ConnectionReason.Refused, "No.")
+        {
+            RetryIn = TimeSpan.FromSeconds(1),
+            LocalEndPoint = new IPEndPoint(IPAddress.Loopback, 1),
+            ReceiveBufferSize = 1,
+        }));
+        yield return Text(_lines.FileFailed(new FileFailure("export", "take.bvh", "the disk is full.", 7, 0)));
+        yield return Text(_lines.FileFailed(new FileFailure("recording", "take.nmrec", "the disk is full.", 7, 0)));
+        yield return Text(_lines.Summary(default(ReaderStatistics)));
+        yield return Text(_lines.Step(new DiagnosisStep("port", StepOutcome.Ok, "open", TimeSpan.Zero)));
+        var server = new ServerAddress("studio", 8013);
+        yield return CommandJson.ZeroOut(server, new ZeroOutTarget(0));
+        yield return CommandJson.Report(server, 0, RotationOrder.YXZ, default, "HIERARCHY");
+    }
+
+    private static string Text(ReadOnlySpan<byte> line) => Encoding.UTF8.GetString(line);
+
+    [GeneratedRegex("^\\| `(?<code>[^`]+)` \\|", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
+    private static partial Regex Code();
+
+    [GeneratedRegex("(?<!^)[A-Z]", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
+    private static partial Regex Humps();
+}

@@ -1,0 +1,352 @@
+using System.Diagnostics;
+using System.Globalization;
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using NeuronMocap.Commands;
+using NeuronMocap.Protocol;
+using NeuronMocap.Server;
+using NeuronMocap.Tool.Tests.Infrastructure;
+
+namespace NeuronMocap.Tool.Tests.Simulate;
+
+public sealed class SimulatorProcessTests
+{
+    private const string Program = "neuron-mocap simulate";
+    private const string Listening = "Listening on ";
+
+    [Theory]
+    [InlineData("--rate", "fast")]
+    [InlineData("--avatars", "0")]
+    [InlineData("--order", "YYX")]
+    [InlineData("--fragment", "0")]
+    [InlineData("--bvh", "take.bvh", "--synthetic")]
+    [InlineData("--calc", "take.calc", "--bvh", "take.bvh")]
+    [InlineData("--format", "csv")]
+    [InlineData("--format", "text", "--header", "old")]
+    [InlineData("--format", "text", "--header", "new")]
+    [InlineData("--format", "studio", "--header", "old")]
+    [InlineData("--decimals", "3")]
+    [InlineData("--format", "text", "--decimals", "7")]
+    [InlineData("--data-commands", "perhaps")]
+    [InlineData("--commands", "65536")]
+    [InlineData("--commands", "7001")]
+    [InlineData("--commands", "--port", "8013")]
+    [InlineData("--calculation-port", "65536")]
+    [InlineData("--calculation-port", "--port", "7003")]
+    [InlineData("--calculation-port", "--commands", "7003")]
+    [InlineData("--calculation-port", "--motion", "off")]
+    [InlineData("--calculation-port", "0", "--udp", "127.0.0.1:7002")]
+    [InlineData("--motion", "perhaps")]
+    [InlineData("--unknown")]
+    public async Task Bad_usage_is_one_line_that_says_where_help_is_and_ends_with_2(params string[] args)
+    {
+        using var simulator = new ToolProcess(Program, args);
+        Assert.Equal(2, await simulator.WaitForExitAsync());
+        string line = Assert.Single((await simulator.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
+        Assert.StartsWith("neuron-mocap: ", line, StringComparison.Ordinal);
+        Assert.EndsWith(" neuron-mocap simulate --help lists the options.", line.TrimEnd(), StringComparison.Ordinal);
+    }
+
+    // Every option that --help lists, so that a new one is looked at, too.
+    [Fact]
+    public async Task Every_option_with_a_wrong_or_a_second_value_is_one_line_and_ends_with_2()
+    {
+        using var helper = new ToolProcess(Program, "--help");
+        string help = await helper.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+        string[] options = [.. help.Split('\n').Where(static line => line.StartsWith("  --", StringComparison.Ordinal) && line.Contains('<', StringComparison.Ordinal)).Select(static line => line.Split(' ')[2])];
+        Assert.True(options.Length > 15, "The options are not found in the help.");
+        foreach (string option in options)
+        {
+            // A file may have any name, and a destination may be given again.
+            bool isFile = option is "--bvh" or "--calc" or "--play";
+            string[][] commands = isFile ? [[option, "x", option, "x"]] : option is "--udp" ? [[option, "x"]] : [[option, "x"], [option, "x", option, "x"]];
+            foreach (string[] args in commands)
+            {
+                using var simulator = new ToolProcess(Program, args);
+                Assert.True(await simulator.WaitForExitAsync() == 2, string.Join(' ', args));
+                string line = Assert.Single((await simulator.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
+                Assert.Contains(option, line, StringComparison.Ordinal);
+            }
+        }
+    }
+
+    [Fact]
+    public async Task An_option_that_is_not_there_is_told_with_the_one_that_was_meant()
+    {
+        using var simulator = new ToolProcess(Program, "--avatar", "2");
+        Assert.Equal(2, await simulator.WaitForExitAsync());
+        Assert.Contains("unknown option --avatar: did you mean --avatars?", await simulator.ReadErrorAsync(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Over_udp_alone_no_clients_are_counted()
+    {
+        using var simulator = new ToolProcess(Program, "--udp", "127.0.0.1:9", "--frames", "2");
+        string report = await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+        Assert.Equal(0, await simulator.WaitForExitAsync());
+        Assert.Contains("\n2 frames sent, ", report, StringComparison.Ordinal);
+        Assert.DoesNotContain("client", report, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_port_in_use_ends_with_1_and_one_line_that_names_the_option()
+    {
+        using var other = new TcpListener(IPAddress.Loopback, 0);
+        other.Start();
+        int port = ((IPEndPoint)other.LocalEndpoint).Port;
+        await AssertFailsAsync("--port", "--port", $"{port}");
+    }
+
+    [Fact]
+    public async Task A_command_port_in_use_ends_with_1_and_one_line_that_names_the_option()
+    {
+        using var other = new TcpListener(IPAddress.Loopback, 0);
+        other.Start();
+        await AssertFailsAsync("--commands", "--port", "0", "--commands", $"{((IPEndPoint)other.LocalEndpoint).Port}");
+    }
+
+    [Fact]
+    public async Task The_command_channel_says_where_it_is_and_answers_the_monitor()
+    {
+        using var simulator = new ToolProcess(Program, "--port", "0", "--commands", "0", "--order", "XZY");
+        await ReadAddressAsync(simulator);
+        string? line = await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken);
+        Assert.StartsWith("Commands on ", line, StringComparison.Ordinal);
+        using var monitor = new ToolProcess("neuron-mocap", "--commands", line!["Commands on ".Length..], "--json");
+        string answer = await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.Contains("\"rotationOrder\":\"XZY\"", answer, StringComparison.Ordinal);
+        Assert.Equal(0, await monitor.WaitForExitAsync());
+    }
+
+    [Fact]
+    public async Task A_file_that_is_not_there_ends_with_1_and_one_line_that_names_the_option() =>
+        await AssertFailsAsync("--bvh", "--bvh", Path.Combine(Path.GetTempPath(), Path.GetRandomFileName()));
+
+    [Fact]
+    public async Task A_file_that_is_no_take_ends_with_1_and_one_line_that_names_the_option() =>
+        await AssertFailsAsync("--bvh", "--bvh", typeof(SimulatorProcessTests).Assembly.Location);
+
+    [Theory]
+    [InlineData("--bvh")]
+    [InlineData("--calc")]
+    [InlineData("--play")]
+    public async Task What_is_no_file_is_told_in_words_of_the_program(string option)
+    {
+        string folder = Path.GetTempPath();
+        Assert.Contains("is a folder", await FailAsync(option, folder), StringComparison.Ordinal);
+        Assert.Contains("there is no file", await FailAsync(option, Path.Combine(folder, Path.GetRandomFileName())), StringComparison.Ordinal);
+        string empty = Path.GetTempFileName();
+        Assert.Contains("is empty", await FailAsync(option, empty), StringComparison.Ordinal);
+        File.Delete(empty);
+        if (OperatingSystem.IsWindows())
+            return;
+
+        Assert.Contains("device", await FailAsync(option, "/dev/zero"), StringComparison.Ordinal);
+        string pipe = Path.Combine(folder, Path.GetRandomFileName());
+        using (Process make = Process.Start("mkfifo", [pipe]))
+            await make.WaitForExitAsync(TestContext.Current.CancellationToken);
+
+        string link = pipe + ".bvh";
+        File.CreateSymbolicLink(link, pipe);
+        Assert.Contains("a pipe", await FailAsync(option, pipe), StringComparison.Ordinal);
+        Assert.Contains("a pipe", await FailAsync(option, link), StringComparison.Ordinal);
+        File.Delete(link);
+        File.Delete(pipe);
+    }
+
+    [Fact]
+    public async Task An_address_of_another_machine_is_told_in_words_of_the_program() =>
+        await AssertFailsAsync("--bind", "--bind", "192.0.2.1", "--port", "0");
+
+    [Fact]
+    public async Task The_version_is_that_of_the_other_programs()
+    {
+        using var simulator = new ToolProcess(Program, "--version");
+        using var monitor = new ToolProcess("neuron-mocap", "--version");
+        Assert.Equal(
+            await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken),
+            await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken));
+    }
+
+    [Fact]
+    public async Task Help_names_the_ports_and_says_which_clients_a_format_is_not_for()
+    {
+        using var simulator = new ToolProcess(Program, "--help");
+        string help = string.Join(' ', (await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken)).Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
+        Assert.Contains("--calculation-port", help, StringComparison.Ordinal);
+        Assert.Contains("Default without PORT: 7003.", help, StringComparison.Ordinal);
+        Assert.Contains("b12 library crash on these", help, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Frames_of_all_avatars_reach_the_monitor_and_both_programs_end()
+    {
+        using var simulator = new ToolProcess(
+            Program, "--port", "0", "--rate", "max", "--wait-for-client", "--frames", "300", "--avatars", "2", "--calculation", "--header", "old");
+        string address = await ReadAddressAsync(simulator);
+        using var monitor = new ToolProcess("neuron-mocap", "--connect", address, "--once", "--quiet");
+        string summary = await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.StartsWith(
+            "{\"type\":\"summary\",\"frames\":600,\"calculationFrames\":600,\"lost\":0,\"dropped\":0,\"skippedBytes\":0,",
+            summary,
+            StringComparison.Ordinal);
+        Assert.Equal(0, await monitor.WaitForExitAsync());
+        Assert.Equal(0, await simulator.WaitForExitAsync());
+    }
+
+    [Theory]
+    [InlineData("binary", "header 1.1.0.0, calculation packets")]
+    [InlineData("text", "text with 2 decimals, calculation lines")]
+    [InlineData("studio", "as Axis Studio, header 1.1.0.1, its calculation packets")]
+    public async Task Every_format_reaches_the_monitor_and_the_first_line_names_it(string format, string description)
+    {
+        using var simulator = new ToolProcess(
+            Program, "--port", "0", "--rate", "max", "--wait-for-client", "--frames", "100", "--avatars", "2", "--calculation", "--format", format);
+        Assert.EndsWith(description, await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken), StringComparison.Ordinal);
+        string address = await ReadAddressAsync(simulator);
+        using var monitor = new ToolProcess("neuron-mocap", "--connect", address, "--once", "--quiet");
+        string summary = await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.StartsWith("{\"type\":\"summary\",\"frames\":200,", summary, StringComparison.Ordinal);
+        Assert.Contains("\"lost\":0,\"dropped\":0,\"skippedBytes\":0,", summary, StringComparison.Ordinal);
+        Assert.Equal(0, await monitor.WaitForExitAsync());
+        Assert.Equal(0, await simulator.WaitForExitAsync());
+    }
+
+    [Theory]
+    [InlineData("binary", "header 1.1.0.0, calculation packets on a port of their own")]
+    [InlineData("text", "text with 2 decimals, calculation lines on a port of their own")]
+    [InlineData("studio", "as Axis Studio, header 1.1.0.1, its calculation packets on a port of their own")]
+    public async Task Calculation_has_a_port_of_its_own_that_the_program_names(string format, string description)
+    {
+        using var simulator = new ToolProcess(
+            Program, "--port", "0", "--calculation-port", "0", "--rate", "max", "--frames", "100", "--avatars", "2", "--format", format);
+        Assert.EndsWith(description, await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken), StringComparison.Ordinal);
+        string motion = await ReadAddressAsync(simulator);
+        string? line = await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken);
+        Assert.StartsWith("Calculation on ", line, StringComparison.Ordinal);
+        long motionBytes = await CountBytesAsync(motion);
+        long calculationBytes = await CountBytesAsync(line!["Calculation on ".Length..]);
+        string report = await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.StartsWith("2 clients served in all, 200 frames and 200 calculation frames sent, 0 packets dropped", report, StringComparison.Ordinal);
+        if (format != "text")
+            Assert.Equal((200L * 1480, format == "studio" ? 200L * 5020 : 200L * 3848), (motionBytes, calculationBytes));
+        Assert.True(calculationBytes > motionBytes);
+        Assert.Equal(0, await simulator.WaitForExitAsync());
+    }
+
+    [Fact]
+    public async Task Calculation_is_sent_alone_when_motion_is_off()
+    {
+        using var simulator = new ToolProcess(Program, "--port", "0", "--motion", "off", "--rate", "max", "--frames", "100");
+        long bytes = await CountBytesAsync(await ReadAddressAsync(simulator));
+        string report = await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+
+        Assert.Equal(100L * 3848, bytes);
+        Assert.StartsWith("1 client served in all, 0 frames and 100 calculation frames sent", report, StringComparison.Ordinal);
+        Assert.Equal(0, await simulator.WaitForExitAsync());
+    }
+
+    [Fact]
+    public async Task A_calculation_port_in_use_ends_with_1_and_one_line_that_names_the_option()
+    {
+        using var other = new TcpListener(IPAddress.Loopback, 0);
+        other.Start();
+        await AssertFailsAsync("--calculation-port", "--port", "0", "--calculation-port", $"{((IPEndPoint)other.LocalEndpoint).Port}");
+    }
+
+    [Theory]
+    [InlineData("on")]
+    [InlineData("off")]
+    public async Task Commands_are_answered_between_lines_unless_told_not_to(string answers)
+    {
+        if (OperatingSystem.IsWindows())
+            Assert.Skip("There are no signals to send.");
+
+        using var simulator = new ToolProcess(
+            Program, "--port", "0", "--rate", "100", "--wait-for-client", "--format", "text", "--decimals", "1", "--data-commands", answers);
+        string[] address = (await ReadAddressAsync(simulator)).Split(':');
+        using var client = new TcpClient(address[0], int.Parse(address[1], CultureInfo.InvariantCulture));
+        byte[] requests = new byte[128];
+        new DataCommandHeader { CommandId = DataCommandId.FaceDirection }.Write(requests);
+        new DataCommandHeader { CommandId = DataCommandId.AvatarCount }.Write(requests.AsSpan(64));
+        await client.GetStream().WriteAsync(requests, TestContext.Current.CancellationToken);
+        using var reader = new StreamReader(client.GetStream(), Encoding.Latin1);
+        var lines = new List<string>();
+        while (lines.Count < 100 && !lines.Any(IsReply))
+            lines.Add((await reader.ReadLineAsync(TestContext.Current.CancellationToken))!);
+
+        Assert.Equal(answers == "on", lines.Any(IsReply));
+        Assert.All(lines, line => Assert.Contains("0 Char00 -", line, StringComparison.Ordinal));
+        using Process kill = Process.Start("kill", ["-TERM", $"{simulator.Id}"]);
+        string output = await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+        Assert.Equal(answers == "on", output.Contains(", commands: 1 reply, 1 unanswered", StringComparison.Ordinal));
+        Assert.Equal(0, await simulator.WaitForExitAsync());
+
+        static bool IsReply(string line) => line.StartsWith('\u00FF');
+    }
+
+    [Fact]
+    public async Task A_signal_ends_it_with_0()
+    {
+        if (OperatingSystem.IsWindows())
+            Assert.Skip("There are no signals to send.");
+
+        using var simulator = new ToolProcess(Program, "--port", "0");
+        await ReadAddressAsync(simulator);
+        using Process kill = Process.Start("kill", ["-TERM", $"{simulator.Id}"]);
+        Assert.Equal(0, await simulator.WaitForExitAsync());
+    }
+
+    private static async Task AssertFailsAsync(string option, params string[] args)
+    {
+        using var simulator = new ToolProcess(Program, args);
+        Assert.Equal(1, await simulator.WaitForExitAsync());
+        string line = Assert.Single((await simulator.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
+        Assert.StartsWith($"neuron-mocap: {option}: ", line, StringComparison.Ordinal);
+        AssertNamesNoMember(line);
+    }
+
+    private static async Task<string> FailAsync(string option, string path)
+    {
+        using var simulator = new ToolProcess(Program, "--port", "0", option, path);
+        Assert.Equal(1, await simulator.WaitForExitAsync());
+        string line = Assert.Single((await simulator.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
+        Assert.StartsWith($"neuron-mocap: {option}: ", line, StringComparison.Ordinal);
+        Assert.Contains(path, line, StringComparison.Ordinal);
+        return line;
+    }
+
+    // What a user of the program can change are options.
+    private static void AssertNamesNoMember(string line) => Assert.All(
+        typeof(BroadcasterOptions).GetProperties().Where(property => property.Name is not ("Port" or "Format" or "Motion" or "Rate" or "Sources" or "Recording")),
+        property => Assert.DoesNotContain(property.Name, line, StringComparison.Ordinal));
+
+    private static async Task<long> CountBytesAsync(string address)
+    {
+        using var client = new TcpClient();
+        await client.ConnectAsync(IPEndPoint.Parse(address), TestContext.Current.CancellationToken);
+        byte[] buffer = new byte[65_536];
+        long count = 0;
+        int read;
+        while ((read = await client.GetStream().ReadAsync(buffer, TestContext.Current.CancellationToken)) > 0)
+            count += read;
+
+        return count;
+    }
+
+    private static async Task<string> ReadAddressAsync(ToolProcess simulator)
+    {
+        while (true)
+        {
+            string? line = await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken);
+            Assert.NotNull(line);
+            if (line.StartsWith(Listening, StringComparison.Ordinal))
+                return line[Listening.Length..];
+        }
+    }
+}

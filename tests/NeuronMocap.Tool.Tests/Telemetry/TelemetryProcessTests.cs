@@ -1,0 +1,62 @@
+using System.Text;
+using NeuronMocap.Tool.Tests.Infrastructure;
+
+namespace NeuronMocap.Tool.Tests.Telemetry;
+
+public sealed class TelemetryProcessTests
+{
+    [Fact]
+    public async Task Frames_logs_and_connections_reach_the_collector()
+    {
+        await using OtlpReceiver collector = await OtlpReceiver.StartAsync();
+        using var program = new ToolProcess("Telemetry", $"--Collector={collector.Url}", "--OTEL_METRIC_EXPORT_INTERVAL=200", "--Seconds=3");
+        Task<string> error = program.ReadErrorAsync();
+        string output = await program.Output.ReadToEndAsync();
+        int exitCode = await program.WaitForExitAsync();
+        Assert.True(exitCode == 0, output + await error);
+
+        OtlpMetric[] frames = [.. collector.Metrics.Where(metric => metric.Name == "neuron.reader.frames" && metric.Tags.Contains("neuron.frame.kind=motion"))];
+        Assert.All(frames, metric => Assert.Equal("{frame}", metric.Unit));
+        Assert.All(frames, metric => Assert.Contains("neuron.reader.name=stage", metric.Tags));
+        Assert.Equal(frames.Select(metric => metric.Value).Order(), frames.Select(metric => metric.Value));
+
+        // 60 Hz for at most 3 s, and a little for the start of a process on a busy machine.
+        Assert.InRange(frames[^1].Value, 2, 400);
+        Assert.Equal(0, collector.Metrics.Last(metric => metric.Name == "neuron.reader.lost").Value);
+        Assert.InRange(collector.Metrics.Last(metric => metric.Name == "neuron.reader.frame.interval").Value, 1, 400);
+        string[] states = [.. collector.Metrics.Where(metric => metric is { Name: "neuron.reader.state", Value: 1 }).SelectMany(metric => metric.Tags)];
+        Assert.Contains("neuron.connection.state=receiving", states);
+
+        // The last export is of a reader that has stopped.
+        Assert.Contains("neuron.connection.state=stopped", states);
+        Assert.Contains("Receiving from", Text(collector.Logs), StringComparison.Ordinal);
+        Assert.Contains("Receiving from", Text(collector.Traces), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Without_a_collector_it_says_so()
+    {
+        using var program = new ToolProcess("Telemetry", "--Collector=http://" + FrameServer.RefusingAddress(), "--Seconds=1");
+        Task<string> output = program.Output.ReadToEndAsync();
+        string error = await program.ReadErrorAsync();
+        await output;
+        Assert.Equal(1, await program.WaitForExitAsync());
+        Assert.Contains("took nothing", error, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("Port is 0; it must be 1 to 65535.", "--NeuronReader:Host=studio", "--NeuronReader:Port=0")]
+    [InlineData("Port is 'x'; it must be a whole number.", "--NeuronReader:Port=x")]
+    [InlineData("Collector is 'studio'; it must be an address", "--Collector=studio")]
+    public async Task Wrong_settings_are_named(string expected, params string[] args)
+    {
+        using var program = new ToolProcess("Telemetry", args);
+        Task<string> output = program.Output.ReadToEndAsync();
+        string error = await program.ReadErrorAsync();
+        await output;
+        Assert.Equal(2, await program.WaitForExitAsync());
+        Assert.Contains(expected, error, StringComparison.Ordinal);
+    }
+
+    private static string Text(IEnumerable<byte[]> requests) => string.Concat(requests.Select(Encoding.UTF8.GetString));
+}

@@ -1,0 +1,58 @@
+using System.Text;
+using NeuronMocap.Tool.Terminal;
+using Spectre.Console;
+
+namespace NeuronMocap.Tool.Tests.Terminal;
+
+public sealed class ScreenTests
+{
+    private readonly MemoryStream _output = new();
+
+    [Fact]
+    public void The_terminal_is_given_back_as_it_was()
+    {
+        using (var screen = new Screen(_output))
+            screen.Show(new Text("one"), 20, 3);
+
+        string all = Sent();
+        Assert.StartsWith("\e[?1049h", all, StringComparison.Ordinal);
+        Assert.EndsWith("\e[?25h\e[?1049l", all, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Only_lines_that_changed_are_sent()
+    {
+        using var screen = new Screen(_output);
+        screen.Show(new Text("one\ntwo"), 20, 3);
+        Sent();
+
+        screen.Show(new Text("one\nTWO"), 20, 3);
+
+        string update = Sent();
+        Assert.Contains("\e[2;1H", update, StringComparison.Ordinal);
+        Assert.Contains("TWO", update, StringComparison.Ordinal);
+        Assert.DoesNotContain("one", update, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Another_size_or_a_return_from_suspension_draws_everything()
+    {
+        using var screen = new Screen(_output);
+        screen.Show(new Text("one"), 20, 3);
+        Sent();
+
+        screen.Show(new Text("one"), 30, 3);
+        Assert.Contains("one", Sent(), StringComparison.Ordinal);
+
+        screen.Invalidate();
+        screen.Show(new Text("one"), 30, 3);
+        Assert.Contains("one", Sent(), StringComparison.Ordinal);
+    }
+
+    private string Sent()
+    {
+        string text = Encoding.UTF8.GetString(_output.ToArray());
+        _output.SetLength(0);
+        return text;
+    }
+}

@@ -1,0 +1,188 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Tool.Tests.Infrastructure;
+
+namespace NeuronMocap.Tool.Tests.Watch;
+
+public sealed class ExportTests : IDisposable
+{
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("neuronmocap");
+
+    private string Target => Path.Combine(_folder.FullName, "take.bvh");
+
+    public void Dispose() => _folder.Delete(recursive: true);
+
+    [Theory]
+    [InlineData("--json")]
+    [InlineData("--quiet")]
+    [InlineData("--once")]
+    public async Task The_frames_that_are_shown_are_kept(string output)
+    {
+        using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)), FrameServer.Motion(2, Values(2)), FrameServer.Motion(4, Values(4)));
+
+        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", output, "--export", Target);
+
+        Assert.Equal(0, result.ExitCode);
+        string line = Assert.Single(result.Error);
+        Assert.StartsWith("neuron-mocap: 3 frames of Char00 at ", line, StringComparison.Ordinal);
+        Assert.EndsWith($"Hz in {Target}; lengths of the bones of the default body.", line, StringComparison.Ordinal);
+        BvhDocument take = BvhDocument.Load(Target);
+        Assert.Equal([1f, 2, 4], Enumerable.Range(0, 3).Select(frame => take.GetFrame(frame)[179]));
+    }
+
+    [Fact]
+    public async Task As_many_frames_are_kept_as_asked_for()
+    {
+        using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, Values(1)));
+        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--quiet", "--frames", "7", "--export", Target);
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Equal(7, BvhDocument.Load(Target).FrameCount);
+    }
+
+    [Fact]
+    public async Task The_demo_is_kept_too()
+    {
+        ToolResult result = await ToolRunner.RunAsync("--demo", "--quiet", "--frames", "5", "--export", Target);
+        Assert.Equal(0, result.ExitCode);
+        Assert.Contains("5 frames of Demo at", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_file_that_is_there_is_replaced_only_when_asked_for()
+    {
+        await File.WriteAllTextAsync(Target, "precious", TestContext.Current.CancellationToken);
+        using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)));
+
+        ToolResult refused = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--quiet", "--export", Target);
+        Assert.Equal(1, refused.ExitCode);
+        Assert.EndsWith("--overwrite replaces it.", Assert.Single(refused.Error), StringComparison.Ordinal);
+        Assert.Equal("precious", await File.ReadAllTextAsync(Target, TestContext.Current.CancellationToken));
+
+        ToolResult replaced = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--quiet", "--export", Target, "--overwrite");
+        Assert.Equal(0, replaced.ExitCode);
+        Assert.Equal(1, BvhDocument.Load(Target).FrameCount);
+    }
+
+    [Fact]
+    public async Task Every_avatar_gets_a_file_when_asked_for()
+    {
+        var header = new MotionHeader { AvatarName = new AvatarName("Two"), AvatarIndex = 2, FrameIndex = 1 };
+        using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)), FrameServer.Motion(header, Values(9)));
+
+        ToolResult result = await ToolRunner.RunAsync(
+            "--connect", server.Address, "--once", "--quiet", "--export", Target, "--export-avatar", "all");
+        Assert.Equal(2, result.Error.Length);
+        Assert.Equal(9, BvhDocument.Load(Path.Combine(_folder.FullName, "take-avatar2.bvh")).GetFrame(0)[0]);
+
+        await ToolRunner.RunAsync("--connect", server.Address, "--once", "--quiet", "--export", Target, "--export-avatar", "2");
+        Assert.Equal(9, BvhDocument.Load(Target).GetFrame(0)[0]);
+    }
+
+    [Fact]
+    public async Task Without_a_frame_no_file_is_left()
+    {
+        using FrameServer server = FrameServer.Sending(FrameServer.Calculation(1, 2));
+        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--quiet", "--export", Target);
+
+        Assert.Equal("neuron-mocap: no motion frame came, and no file was written.", Assert.Single(result.Error));
+        Assert.False(File.Exists(Target));
+    }
+
+    // The file is a device that is always full.
+    [Theory]
+    [InlineData("--json")]
+    [InlineData("--quiet")]
+    [InlineData("--once")]
+    public async Task A_full_disk_is_told_with_its_reason_and_ends_with_code_1(string output)
+    {
+        Assert.SkipUnless(File.Exists("/dev/full"), "There is no /dev/full.");
+        File.CreateSymbolicLink(Target, "/dev/full");
+        using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)), FrameServer.Motion(2, Values(2)));
+        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", output, "--overwrite", "--export", Target);
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains(result.Error, line => line.Contains($"the export ended early: '{Target}': the disk is full.", StringComparison.Ordinal));
+        Assert.Contains("neuron-mocap: 2 frames could not be written; later frames were not exported.", result.Error);
+        Assert.DoesNotContain(result.Error, line => line.Contains("no motion frame came", StringComparison.Ordinal));
+        string told = output switch
+        {
+            "--json" => Assert.Single(result.OfType("fileFailed")),
+            "--quiet" => result.Error[0],
+            _ => Assert.Single(result.Output, line => line.Contains("Export failed: the disk is full.", StringComparison.Ordinal)),
+        };
+        Assert.Contains("the disk is full.", told, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_file_that_is_being_written_already_is_left_alone()
+    {
+        string recorded = Path.Combine(_folder.FullName, "take.nmrec");
+        File.CreateSymbolicLink(Target, recorded);
+        ToolResult result = await ToolRunner.RunAsync("--demo", "--quiet", "--frames", "1", "--overwrite", "--export", Target, "--record", recorded);
+        Assert.Equal(1, result.ExitCode);
+        string line = Assert.Single(result.Error);
+        Assert.Contains($"'{recorded}' is being written already", line, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--diagnose and --export", "--export", "a.bvh", "--diagnose")]
+    [InlineData("--commands and --export", "--export", "a.bvh", "--commands")]
+    [InlineData("--overwrite needs --export, --record, --convert or --plot", "--overwrite")]
+    [InlineData("--export-avatar needs --export", "--export-avatar", "1")]
+    [InlineData("is not a number of an avatar", "--export", "a.bvh", "--export-avatar", "-1")]
+    public async Task Contradictions_are_refused(string reason, params string[] args)
+    {
+        ToolResult result = await ToolRunner.RunAsync(args);
+        Assert.Equal(2, result.ExitCode);
+        Assert.Contains(result.Error, line => line.Contains(reason, StringComparison.Ordinal));
+    }
+
+    // kill -9: nothing of the program runs any more, and what it had handed to the system is there.
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    public async Task A_process_that_is_killed_leaves_a_file_that_opens_with_all_rows_but_those_of_the_last_moment(int seed)
+    {
+        var random = new Random(seed);
+        BvhDocument before;
+        using (var monitor = new ToolProcess("neuron-mocap", "--demo", "--quiet", "--export", Target))
+        {
+            while (!File.Exists(Target) || ReadShared() is null)
+                await Task.Delay(10, TestContext.Current.CancellationToken);
+
+            await Task.Delay(random.Next(400), TestContext.Current.CancellationToken);
+            before = ReadShared()!;
+            monitor.Kill();
+        }
+
+        BvhDocument after = BvhDocument.Load(Target);
+        Assert.True(after.FrameCount >= before.FrameCount, $"{after.FrameCount} of {before.FrameCount} rows.");
+        Assert.Equal(before.ChannelCount, after.ChannelCount);
+        for (int frame = 0; frame < before.FrameCount; frame++)
+            Assert.True(before.GetFrame(frame).SequenceEqual(after.GetFrame(frame)), $"Row {frame} differs.");
+
+        // The number that other programs go by is never more than there are.
+        string declared = File.ReadLines(Target).First(static line => line.StartsWith("Frames:", StringComparison.Ordinal));
+        Assert.InRange(int.Parse(declared["Frames:".Length..].Trim(), System.Globalization.CultureInfo.InvariantCulture), 1, after.FrameCount);
+    }
+
+    private static float[] Values(float value)
+    {
+        float[] values = new float[180];
+        Array.Fill(values, value);
+        return values;
+    }
+
+    // Null before there is a row that counts.
+    private BvhDocument? ReadShared()
+    {
+        using var stream = new FileStream(Target, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
+        byte[] bytes = new byte[stream.Length];
+        stream.ReadExactly(bytes);
+        int frames = bytes.AsSpan().IndexOf("Frames: "u8);
+        bool hasRows = frames >= 0 && frames + 8 < bytes.Length && bytes[frames + 8] is > (byte)'0' and <= (byte)'9';
+        return hasRows ? BvhDocument.Parse(bytes) : null;
+    }
+}

@@ -1,0 +1,237 @@
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using System.Text.Json;
+using NeuronMocap.Tool.Tests.Infrastructure;
+
+namespace NeuronMocap.Tool.Tests.Watch;
+
+public sealed class MonitorRunTests
+{
+    [Fact]
+    public async Task Json_prints_every_frame_in_order_and_a_summary_last()
+    {
+        using FrameServer server = FrameServer.Sending(
+            FrameServer.Motion(7, 1.5f, -0f), FrameServer.Calculation(7, 2), "noise"u8.ToArray(), FrameServer.Motion(9, 3, 4));
+
+        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--json");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Empty(result.Error);
+        Assert.Equal(
+            [
+                """{"type":"start","program":"neuron-mocap",""",
+                """{"type":"skeleton","avatar":0,"name":"Char00","index":7,"sender":0,""",
+                """{"type":"frame","avatar":0,"name":"Char00","index":7,"displacement":true,"reference":false,"sender":0,""",
+                """{"type":"calculation","avatar":0,"name":"Char00","index":7,"sender":0,""",
+                """{"type":"frame","avatar":0,"name":"Char00","index":9,"displacement":true,"reference":false,"sender":0,""",
+            ],
+            result.Output
+                .Where(line => !line.Contains("\"status\"", StringComparison.Ordinal) && !line.Contains("\"summary\"", StringComparison.Ordinal))
+                .Select(line => line[..(line.IndexOf(line.Contains("\"sender\"", StringComparison.Ordinal) ? "\"time\"" : "\"version\"", StringComparison.Ordinal))]),
+            StringComparer.Ordinal);
+        Assert.Equal(
+            ["[1.5,-0.0]}", "[2]}", "[3,4]}"],
+            result.Output.Where(line => line.Contains("\"values\":", StringComparison.Ordinal)).Select(line => line.Split("\"values\":")[1]));
+        Assert.StartsWith(
+            """{"type":"summary","frames":2,"calculationFrames":1,"lost":1,"dropped":0,"skippedBytes":5,"seconds":""",
+            result.Output[^1],
+            StringComparison.Ordinal);
+        Assert.Contains(result.OfType("status"), line => line.Contains("\"state\":\"Receiving\"", StringComparison.Ordinal));
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(101)]
+    public async Task Exactly_as_many_frames_come_out_as_asked_for(int frames)
+    {
+        using FrameServer server = FrameServer.Repeating([.. FrameServer.Motion(1, 1), .. FrameServer.Calculation(1, 2)]);
+
+        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--json", "--frames", $"{frames}");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Equal((frames + 1) / 2, result.OfType("frame").Length);
+        Assert.Equal(frames / 2, result.OfType("calculation").Length);
+        Assert.StartsWith(
+            $$"""{"type":"summary","frames":{{(frames + 1) / 2}},"calculationFrames":{{frames / 2}},""", result.Output[^1], StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task No_frame_is_left_out_however_slow_the_output_is()
+    {
+        float[] values = new float[354];
+        using FrameServer server = FrameServer.Sending([.. Enumerable.Range(0, 3000).Select(index => FrameServer.Motion((uint)index, values))]);
+        using var output = new SlowStream();
+
+        ToolResult result = await ToolRunner.RunAsync(output, ["--connect", server.Address, "--once", "--json"]);
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Equal(Enumerable.Range(0, 3000), output.FrameIndices);
+    }
+
+    [Fact]
+    public async Task Quiet_prints_the_summary_alone()
+    {
+        using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, 1), FrameServer.Motion(2, 1));
+
+        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--quiet");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.StartsWith("""{"type":"summary","frames":2,"calculationFrames":0,"lost":0,"dropped":0,"skippedBytes":0,"seconds":""", Assert.Single(result.Output), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--quiet")]
+    [InlineData("--once")]
+    public async Task A_calculation_port_that_brings_nothing_is_told_while_motion_arrives(string output)
+    {
+        using FrameServer server = FrameServer.Pacing(static number => FrameServer.Motion((uint)number, 1));
+
+        // Bound and not listening: it refuses, and nobody else gets the port meanwhile.
+        using var refusing = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+        refusing.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+        int port = ((IPEndPoint)refusing.LocalEndPoint!).Port;
+        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--calculation-port", $"{port}", "--duration", "6", output);
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Contains("calculation", Assert.Single(result.Error), StringComparison.OrdinalIgnoreCase);
+        if (output != "--quiet")
+            Assert.Contains(result.Output, static line => line.Contains(" Receiving: ", StringComparison.Ordinal) && line.Contains("refused", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public async Task The_time_of_a_quiet_summary_is_that_of_the_run()
+    {
+        using FrameServer server = FrameServer.Pacing(static number => FrameServer.Motion((uint)number, 1));
+        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--duration", "2", "--quiet");
+        using var summary = JsonDocument.Parse(Assert.Single(result.Output));
+        double frames = summary.RootElement.GetProperty("seconds").GetDouble();
+        Assert.InRange(frames, 1e-6, summary.RootElement.GetProperty("time").GetDouble());
+    }
+
+    [Theory]
+    [InlineData("--json")]
+    [InlineData("--quiet")]
+    public async Task A_refused_connection_ends_a_single_attempt_with_1_and_one_line(string output)
+    {
+        ToolResult result = await ToolRunner.RunAsync("--connect", FrameServer.RefusingAddress(), "--once", output);
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("refused", Assert.Single(result.Error), StringComparison.Ordinal);
+        Assert.StartsWith("""{"type":"summary","frames":0,""", result.Output[^1], StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_refused_connection_is_tried_again_until_the_time_is_over()
+    {
+        ToolResult result = await ToolRunner.RunAsync("--connect", FrameServer.RefusingAddress(), "--duration", "3", "--json");
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("refused", Assert.Single(result.Error), StringComparison.Ordinal);
+        Assert.Contains(result.OfType("status"), line => line.Contains("\"Waiting\"", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public async Task A_server_that_sends_nothing_ends_with_1_and_the_setting_to_look_at()
+    {
+        using FrameServer server = FrameServer.Silent();
+
+        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--duration", "4", "--quiet");
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("broadcasting", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Bytes_that_are_no_packets_end_with_1_and_the_format_to_choose()
+    {
+        using FrameServer server = FrameServer.Sending(Encoding.ASCII.GetBytes("0 Char00 0.00 93.02 ||\r\n"));
+
+        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--quiet");
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("Binary", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_udp_port_that_another_program_has_is_named()
+    {
+        using var other = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        other.Bind(new IPEndPoint(IPAddress.Any, 0));
+        int port = ((IPEndPoint)other.LocalEndPoint!).Port;
+
+        ToolResult result = await ToolRunner.RunAsync("--udp", $"{port}", "--once", "--quiet");
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains($"UDP port {port} is used by another program", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("127.0.0.1", 0)]
+    [InlineData("192.0.2.1", 1)]
+    public async Task Over_udp_only_an_allowed_sender_is_received(string allowed, int exitCode)
+    {
+        using var sender = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        int port = FreeUdpPort();
+        string longest = exitCode == 0 ? "60" : "4";
+        Task<ToolResult> running = ToolRunner.RunAsync("--udp", $"{port}", "--allow-sender", allowed, "--allow-sender", "192.0.2.2", "--frames", "3", "--duration", longest, "--quiet");
+        for (int i = 0; !running.IsCompleted; i++)
+        {
+            sender.SendTo(FrameServer.Motion((uint)i, 1), new IPEndPoint(IPAddress.Loopback, port));
+            await Task.WhenAny(running, Task.Delay(5, TestContext.Current.CancellationToken));
+        }
+
+        ToolResult result = await running;
+        Assert.Equal(exitCode, result.ExitCode);
+        if (exitCode != 0)
+        {
+            Assert.Contains("127.0.0.1", Assert.Single(result.Error), StringComparison.Ordinal);
+            Assert.Contains("--allow-sender", Assert.Single(result.Error), StringComparison.Ordinal);
+        }
+    }
+
+    [Fact]
+    public async Task Redirected_output_is_plain_lines()
+    {
+        using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, 1));
+
+        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.StartsWith("1 motion and 0 calculation frames", result.Output[^1], StringComparison.Ordinal);
+        Assert.DoesNotContain('\e', string.Concat(result.Output));
+    }
+
+    [Fact]
+    public async Task The_demo_sends_what_the_simulator_sends_by_default()
+    {
+        ToolResult result = await ToolRunner.RunAsync("--frames", "4", "--json");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Equal(4, result.OfType("frame").Length);
+        Assert.Empty(result.OfType("calculation"));
+        Assert.Contains("\"index\":0,\"displacement\":true", result.OfType("frame")[0], StringComparison.Ordinal);
+    }
+
+    private static int FreeUdpPort()
+    {
+        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        socket.Bind(new IPEndPoint(IPAddress.Any, 0));
+        return ((IPEndPoint)socket.LocalEndPoint!).Port;
+    }
+
+    // Takes every line, one at a time and not fast.
+    private sealed class SlowStream : MemoryStream
+    {
+        public List<int> FrameIndices { get; } = [];
+
+        public override void Write(ReadOnlySpan<byte> buffer)
+        {
+            Thread.Yield();
+            string line = Encoding.UTF8.GetString(buffer);
+            if (line.StartsWith("{\"type\":\"frame\"", StringComparison.Ordinal))
+                FrameIndices.Add(int.Parse(line.Split("\"index\":")[1].Split(',')[0], provider: null));
+        }
+    }
+}

@@ -1,0 +1,120 @@
+using NeuronMocap.Recording;
+using NeuronMocap.Tool.Tests.Infrastructure;
+
+namespace NeuronMocap.Tool.Tests.Watch;
+
+public sealed class RecordingTests : IDisposable
+{
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("neuronmocap-");
+
+    private string Take => Path.Combine(_folder.FullName, "take.nmrec");
+
+    public void Dispose() => _folder.Delete(recursive: true);
+
+    [Theory]
+    [InlineData("--json")]
+    [InlineData("--quiet")]
+    [InlineData("--record-compress")]
+    public async Task What_was_sent_is_in_the_file_and_told_in_one_line(string option)
+    {
+        byte[] sent = [.. FrameServer.Motion(1, new float[354]), .. "noise"u8, .. FrameServer.Calculation(2, 1, 2)];
+        using FrameServer server = FrameServer.Sending(sent);
+        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--record", Take, option);
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Equal(sent, Read(Take));
+        string line = Assert.Single(result.Error);
+        Assert.StartsWith("neuron-mocap: recorded ", line, StringComparison.Ordinal);
+        Assert.Contains($" {sent.Length:#,0} bytes in ", line, StringComparison.Ordinal);
+        Assert.EndsWith($"to {Take}; lost 0 pieces.", line, StringComparison.Ordinal);
+    }
+
+    // The second file is a device that is always full.
+    [Theory]
+    [InlineData("--json")]
+    [InlineData("--quiet")]
+    [InlineData("--once")]
+    public async Task A_full_disk_is_told_with_its_reason_and_ends_with_code_1(string output)
+    {
+        Assert.SkipUnless(File.Exists("/dev/full"), "There is no /dev/full.");
+        File.CreateSymbolicLink(Path.Combine(_folder.FullName, "take.0002.nmrec"), "/dev/full");
+        byte[] frame = FrameServer.Motion(1, new float[354]);
+        using FrameServer server = FrameServer.Sending([.. Enumerable.Range(0, 2000).Select(_ => frame)]);
+        ToolResult result = await ToolRunner.RunAsync(
+            "--connect", server.Address, "--once", output, "--overwrite", "--record", Take, "--record-size", "2");
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains(result.Error, line => line.Contains("the recording ended early: ", StringComparison.Ordinal));
+        string told = output switch
+        {
+            "--json" => Assert.Single(result.OfType("fileFailed")),
+            "--quiet" => result.Error[0],
+            _ => Assert.Single(result.Output, line => line.Contains("Recording failed: the disk is full.", StringComparison.Ordinal)),
+        };
+        Assert.Contains("the disk is full.", told, StringComparison.Ordinal);
+
+        // What is told is what the file holds.
+        using RecordingReader reader = RecordingReader.Open(Path.Combine(_folder.FullName, "take.0001.nmrec"));
+        Assert.Contains(result.Error, line => line.Contains($"recorded ", StringComparison.Ordinal) && line.Contains($" {reader.Totals!.Value.Bytes:#,0} bytes in", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public async Task Nobody_waits_for_a_stream_that_is_neither_shown_nor_written_any_more()
+    {
+        Assert.SkipUnless(File.Exists("/dev/full"), "There is no /dev/full.");
+        File.CreateSymbolicLink(Path.Combine(_folder.FullName, "take.0002.nmrec"), "/dev/full");
+        using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, new float[354]));
+        ToolResult result = await ToolRunner.RunAsync(
+            "--connect", server.Address, "--quiet", "--overwrite", "--record", Take, "--record-size", "2");
+        Assert.Equal(1, result.ExitCode);
+    }
+
+    [Fact]
+    public async Task The_demo_is_recorded_and_its_metadata_with_it()
+    {
+        ToolResult result = await ToolRunner.RunAsync("--record", Take, "--frames", "5", "--order", "ZXY", "--quiet");
+        Assert.Equal(0, result.ExitCode);
+        using RecordingReader reader = RecordingReader.Open(Take);
+        Assert.True(reader.IsComplete);
+        Assert.Equal(RotationOrder.ZXY, reader.Metadata.RotationOrder);
+        Assert.Equal("Binary", reader.Metadata[RecordingMetadata.StreamFormatName]);
+        Assert.Equal("Tcp", reader.Metadata[RecordingMetadata.TransportName]);
+        Assert.Contains("NeuronMocap 0.", reader.Metadata[RecordingMetadata.Program], StringComparison.Ordinal);
+        Assert.Equal(10_224, reader.Metadata.MaxValues);
+        Assert.InRange(reader.Totals!.Value.Bytes, 5 * 1480, 500 * 1480);
+    }
+
+    [Fact]
+    public async Task A_file_that_is_there_is_an_error_unless_it_may_be_replaced()
+    {
+        await File.WriteAllTextAsync(Take, "precious", TestContext.Current.CancellationToken);
+        ToolResult refused = await ToolRunner.RunAsync("--record", Take, "--frames", "1", "--quiet");
+        Assert.Equal(1, refused.ExitCode);
+        Assert.Contains("--overwrite replaces", Assert.Single(refused.Error), StringComparison.Ordinal);
+        Assert.Equal("precious", await File.ReadAllTextAsync(Take, TestContext.Current.CancellationToken));
+
+        ToolResult replaced = await ToolRunner.RunAsync("--record", Take, "--overwrite", "--frames", "1", "--quiet");
+        Assert.Equal(0, replaced.ExitCode);
+        Assert.NotEmpty(Read(Take));
+    }
+
+    [Fact]
+    public async Task A_folder_that_is_missing_is_named()
+    {
+        ToolResult result = await ToolRunner.RunAsync("--record", Path.Combine(_folder.FullName, "missing", "take.nmrec"), "--frames", "1");
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("missing", Assert.Single(result.Error), StringComparison.Ordinal);
+        Assert.DoesNotContain("--overwrite", result.Error[0], StringComparison.Ordinal);
+    }
+
+    private static byte[] Read(string path)
+    {
+        using RecordingReader reader = RecordingReader.Open(path);
+        var bytes = new MemoryStream();
+        while (reader.TryRead(out RecordingEntry entry))
+            bytes.Write(entry.Bytes);
+
+        Assert.Empty(reader.Problems);
+        return bytes.ToArray();
+    }
+}
