@@ -4,8 +4,10 @@ using Microsoft.Extensions.DependencyInjection.Extensions;
 using Microsoft.Extensions.Hosting;
 using Microsoft.Extensions.Logging;
 using Microsoft.Extensions.Options;
+using NeuronMocap;
+using NeuronMocap.Hosting;
 
-namespace NeuronMocap.Hosting;
+namespace Microsoft.Extensions.DependencyInjection;
 
 /// <summary>Puts readers into a host.</summary>
 public static class NeuronReaderServiceCollectionExtensions

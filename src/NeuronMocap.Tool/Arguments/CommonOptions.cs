@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Net;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Arguments;
 

@@ -1,6 +1,5 @@
 using System.Text;
 using NeuronMocap.Commands;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Output;

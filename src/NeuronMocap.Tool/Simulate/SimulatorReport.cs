@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Net;
-using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Output;

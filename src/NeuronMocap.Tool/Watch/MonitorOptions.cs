@@ -1,10 +1,8 @@
 using System.Net;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Watch.Export;
 using NeuronMocap.Tool.Watch.Recordings;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Watch;
 
