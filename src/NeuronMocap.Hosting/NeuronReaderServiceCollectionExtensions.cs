@@ -1,5 +1,4 @@
 using Microsoft.Extensions.Configuration;
-using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.DependencyInjection.Extensions;
 using Microsoft.Extensions.Hosting;
 using Microsoft.Extensions.Logging;
@@ -30,8 +29,8 @@ public static class NeuronReaderServiceCollectionExtensions
     public static IServiceCollection AddNeuronReader(this IServiceCollection services, Action<NeuronReaderOptions>? configure = null)
     {
         ArgumentNullException.ThrowIfNull(services);
-        AddOptions(services, Options.DefaultName, Section, configure);
-        services.TryAddSingleton(static provider => Create(provider, Options.DefaultName));
+        AddOptions(services, Microsoft.Extensions.Options.Options.DefaultName, Section, configure);
+        services.TryAddSingleton(static provider => Create(provider, Microsoft.Extensions.Options.Options.DefaultName));
         return AddService(services, static provider => provider.GetRequiredService<NeuronReader>());
     }
 
