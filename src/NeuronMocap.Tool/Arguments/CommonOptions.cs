@@ -58,8 +58,8 @@ internal static class CommonOptions
         string[] orders = Enum.GetNames<RotationOrder>();
         var option = new Option<RotationOrder?>(name)
         {
-            HelpName = string.Join('|', orders),
-            Description = description,
+            HelpName = "ORDER",
+            Description = $"{description} One of {string.Join(", ", orders)}.",
             CustomParser = static result => RotationOrderArgument.Parse(result),
             Arity = ArgumentArity.ExactlyOne,
         };

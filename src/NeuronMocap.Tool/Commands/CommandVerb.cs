@@ -39,6 +39,7 @@ internal sealed class CommandVerb : Verb
         : base("command", "Ask a server's command channel. It tells what most streams do not say: the rotation order and the avatars' bodies.")
     {
         _server.CompletionSources.Add(Source.Demo.ToString());
+        _question.CompletionSources.Clear();
         _question.CompletionSources.Add([.. Questions.Select(static question => question.Word)]);
         Add(_server);
         Add(_question);

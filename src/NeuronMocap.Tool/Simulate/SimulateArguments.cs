@@ -45,6 +45,8 @@ internal sealed class SimulateArguments
                 (Format, ["binary", "text", "studio"]), (Header, ["new", "old"]), (Rate, ["max"]),
             ])
         {
+            // Not the names of an enumeration's members.
+            option.CompletionSources.Clear();
             option.CompletionSources.Add(words);
         }
     }
@@ -129,7 +131,7 @@ internal sealed class SimulateArguments
 
     public Option<RotationOrder?> Order { get; } = new("--order")
     {
-        HelpName = "YXZ",
+        HelpName = "ORDER",
         Description = "Rotation order: XYZ, XZY, YXZ, YZX, ZXY or ZYX. Default: YXZ, or the BVH file's.",
     };
 

@@ -58,16 +58,16 @@ internal sealed class SimulatorReport(
         }
     }
 
-    // One line that is drawn again every second, and goes at the end.
-    private Task WatchAsync() => _page.Console.Live(Text.Empty).AutoClear(enabled: true).StartAsync(async view =>
+    // Drawn again every second, and goes at the end.
+    private Task WatchAsync() => _page.Console.Live(Progress()).AutoClear(enabled: true).StartAsync(async view =>
     {
-        do
-        {
-            view.UpdateTarget(new Text(Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"{Clients()}, "), Palette.DimStyle));
-            await Task.WhenAny(broadcaster.Completion, Task.Delay(Interval));
-        }
-        while (!broadcaster.Completion.IsCompleted);
+        while (await Task.WhenAny(broadcaster.Completion, Task.Delay(Interval)) != broadcaster.Completion)
+            view.UpdateTarget(Progress());
     });
+
+    // Two lines: of a single one the library moves the cursor up by 0 lines, which terminals take for 1.
+    private Padder Progress() =>
+        new(new Text(Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"{Clients()}, "), Palette.DimStyle), new Padding(0, 1, 0, 0));
 
     // Whoever reads the output may leave when he has seen where the server is.
     private void Say(string line)

@@ -94,6 +94,19 @@ public sealed class OddInputTests : IDisposable
     }
 
     [Fact]
+    public async Task A_signal_ends_a_simulator_that_has_not_begun()
+    {
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "Other systems may write all of the file.");
+        using (FileStream file = File.Create(_folder["sparse.bin"]))
+            file.SetLength(64L << 30);
+
+        using var simulator = new ToolProcess("neuron-mocap simulate", "--port", "0", "--play", _folder["sparse.bin"]);
+        await WaitUntilReadAsync(simulator.Id, _folder["sparse.bin"]);
+        using Process kill = Process.Start("kill", ["-TERM", $"{simulator.Id}"]);
+        Assert.Equal(130, await simulator.WaitForExitAsync());
+    }
+
+    [Fact]
     public async Task The_simulator_cleans_the_text_of_a_file()
     {
         string path = _folder.Write("odd.bvh", Takes.TwoJoints.Replace("0.04", "\u009b31m\u202e", StringComparison.Ordinal));

@@ -18,6 +18,21 @@ public sealed class InfoTests : IDisposable
     private readonly TemporaryFolder _folder = new();
 
     [Fact]
+    public async Task Several_files_are_told_one_after_the_other_whatever_is_wrong_with_one()
+    {
+        Takes.Actor(2).Save(_folder["a.bvh"]);
+        Takes.Actor(3).Save(_folder["b.bvh"]);
+        ToolResult page = await ToolRunner.RunAsync("info", _folder["a.bvh"], _folder["none.bvh"], _folder["b.bvh"]);
+        Assert.Equal(1, page.ExitCode);
+        Assert.Equal(["a.bvh", "b.bvh"], page.Output.Where(static line => line is "a.bvh" or "b.bvh"));
+        Assert.Contains("none.bvh", Assert.Single(page.Error), StringComparison.Ordinal);
+
+        ToolResult json = await ToolRunner.RunAsync("info", _folder["b.bvh"], _folder["a.bvh"], "--json");
+        Assert.Equal(0, json.ExitCode);
+        Assert.Equal(["b.bvh", "a.bvh"], json.Output.Select(static line => JsonDocument.Parse(line).RootElement.GetProperty("file").GetString()));
+    }
+
+    [Fact]
     public async Task A_page_for_a_person_is_plain_when_it_is_redirected()
     {
         Takes.StraightWalk(frames: 601).Save(_folder["walk.bvh"]);
