@@ -1,12 +1,11 @@
-using System.Diagnostics.CodeAnalysis;
-
 namespace NeuronMocap.Delivery;
 
 // A queue that can be awaited: behind the asynchronous enumerations. Frames are copied out, because code that awaits keeps them.
-[SuppressMessage("Design", "CA1001", Justification = "The semaphore holds no handle, and the receive thread may release it after the end.")]
 internal sealed class FrameStream : IDisposable
 {
     private readonly FrameQueue _queue;
+
+    // Never disposed of: it holds no handle, and the receive thread may release it after the end.
     private readonly SemaphoreSlim _signal = new(0);
     private readonly Queue<AvatarFrame> _taken = new();
     private readonly Action<AvatarFrame> _take;
