@@ -58,7 +58,7 @@ for (int turn = 1; turn <= seconds * TurnsPerSecond; turn++)
     shown = status;
 
     // A frame is valid until the handler returns. The lambda is static, so that the loop allocates no memory.
-    taken += queue.Pump(game, static (game, frame) => game.Simulate(frame));
+    taken += queue.Pump(game, static (Game game, MotionFrame frame) => game.Simulate(frame));
     if (latest.TryTakeMotion(0, out MotionFrame? newest))
         game.Draw(newest);
 
@@ -79,7 +79,7 @@ for (int turn = 1; turn <= seconds * TurnsPerSecond; turn++)
 
 // A queue can be emptied when its reader has stopped.
 reader.Dispose();
-taken += queue.Pump(game, static (game, frame) => game.Simulate(frame));
+taken += queue.Pump(game, static (Game game, MotionFrame frame) => game.Simulate(frame));
 long received = reader.GetStatistics().Frames;
 Console.WriteLine($"{received} frames received = {taken} taken + {queue.Dropped} dropped; {game.Drawn} were drawn.");
 return received > 0 && received == taken + queue.Dropped ? 0 : 1;

@@ -14,7 +14,7 @@ public sealed class FootContactTests
     public void The_estimate_agrees_with_what_the_software_recorded(string file, double leastOfTake, double leastLive)
     {
         List<(Vector3 Left, Vector3 Right, FootContacts Recorded)> frames = ReadFeet(Fixtures.Require("calc", file));
-        var track = new FootTrack();
+        var track = new FootContactTrack();
         var live = new FootContactEstimator();
         List<FootContacts> lives = [];
         for (int i = 0; i < frames.Count; i++)
