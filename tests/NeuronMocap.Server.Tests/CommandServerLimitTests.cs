@@ -1,15 +1,7 @@
 using System.Diagnostics;
-using System.Net;
 using System.Net.Sockets;
-using System.Numerics;
-using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
-using NeuronMocap.Protocol;
-using NeuronMocap.Server.Tests.Sources;
-using NeuronMocap.Skeleton;
-using NeuronMocap.Tests.Bvh;
 using NeuronMocap.Tests.Commands;
-using NeuronMocap.Tests.Server.Sources;
 using static NeuronMocap.Server.Tests.CommandServerTests;
 
 namespace NeuronMocap.Server.Tests;

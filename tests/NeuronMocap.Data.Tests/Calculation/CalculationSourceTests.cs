@@ -2,7 +2,6 @@ using System.Numerics;
 using NeuronMocap.Calculation;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tests.Calculation;
 using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Data.Tests.Calculation;

@@ -1,4 +1,3 @@
-using System.Numerics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
 using NeuronMocap.Motion;

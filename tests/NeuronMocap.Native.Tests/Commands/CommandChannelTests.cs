@@ -3,7 +3,6 @@ using System.Text;
 using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Native.Tests.Commands;
 

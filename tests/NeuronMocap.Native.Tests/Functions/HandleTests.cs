@@ -1,7 +1,6 @@
 using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Native.Tests.Functions;
 

@@ -1,6 +1,5 @@
 using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Native.Tests.Functions;
 

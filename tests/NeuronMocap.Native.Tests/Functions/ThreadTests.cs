@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Net.Sockets;
 using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Native.Tests.Functions;
 

@@ -1,4 +1,3 @@
-using System.Numerics;
 using NeuronMocap.Calculation;
 using NeuronMocap.Tests.Calculation;
 using NeuronMocap.Tests.Server;

@@ -1,12 +1,7 @@
-using System.Text;
 using NeuronMocap.Bvh;
 using NeuronMocap.Server;
-using NeuronMocap.Skeleton;
-using NeuronMocap.Tests.Bvh;
-using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Recording;
-using NeuronMocap.Tests.Server.Sources;
 
 namespace NeuronMocap.Tests.Reader;
 

@@ -5,7 +5,6 @@ using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Bvh;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Tests.Recording;
 using NeuronMocap.Tests.Server.Sources;
 
 namespace NeuronMocap.Tests.Reader;

@@ -1,6 +1,4 @@
 using System.Numerics;
-using NeuronMocap.Bvh;
-using NeuronMocap.Calculation;
 using NeuronMocap.Motion;
 using NeuronMocap.Retargeting;
 using NeuronMocap.Server;

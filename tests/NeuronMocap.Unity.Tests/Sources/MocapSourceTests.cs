@@ -1,7 +1,6 @@
 using System.Net;
 using NeuronMocap.Motion;
 using NeuronMocap.Server;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Unity.Tests.Infrastructure;
 

@@ -1,5 +1,4 @@
 using System.Net;
-using NeuronMocap.Motion;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
