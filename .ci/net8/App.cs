@@ -2,7 +2,6 @@ using System.Runtime.InteropServices;
 using Microsoft.Extensions.DependencyInjection;
 using NeuronDataReaderWraper;
 using NeuronMocap;
-using NeuronMocap.Hosting;
 
 Console.WriteLine(RuntimeInformation.FrameworkDescription);
 Console.WriteLine($"{await Demo.ReceiveAsync(10)} frames");

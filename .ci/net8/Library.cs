@@ -2,10 +2,8 @@ using System;
 using System.Threading;
 using System.Threading.Tasks;
 using NeuronMocap;
-using NeuronMocap.Delivery;
-using NeuronMocap.Kinematics;
+using NeuronMocap.Motion;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 
 /// <summary>Sets options and reads results, so that a member that the two builds of the packages do not share is found.</summary>
 public static class Demo

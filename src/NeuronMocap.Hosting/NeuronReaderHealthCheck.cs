@@ -1,5 +1,4 @@
 using Microsoft.Extensions.Diagnostics.HealthChecks;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Hosting;
 

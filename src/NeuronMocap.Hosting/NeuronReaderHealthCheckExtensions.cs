@@ -1,7 +1,8 @@
-using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.Diagnostics.HealthChecks;
+using NeuronMocap;
+using NeuronMocap.Hosting;
 
-namespace NeuronMocap.Hosting;
+namespace Microsoft.Extensions.DependencyInjection;
 
 /// <summary>Adds readers to the host's health checks.</summary>
 public static class NeuronReaderHealthCheckExtensions

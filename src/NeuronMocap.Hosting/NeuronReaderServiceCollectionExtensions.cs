@@ -1,11 +1,12 @@
 using Microsoft.Extensions.Configuration;
-using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.DependencyInjection.Extensions;
 using Microsoft.Extensions.Hosting;
 using Microsoft.Extensions.Logging;
 using Microsoft.Extensions.Options;
+using NeuronMocap;
+using NeuronMocap.Hosting;
 
-namespace NeuronMocap.Hosting;
+namespace Microsoft.Extensions.DependencyInjection;
 
 /// <summary>Puts readers into a host.</summary>
 public static class NeuronReaderServiceCollectionExtensions
@@ -28,8 +29,8 @@ public static class NeuronReaderServiceCollectionExtensions
     public static IServiceCollection AddNeuronReader(this IServiceCollection services, Action<NeuronReaderOptions>? configure = null)
     {
         ArgumentNullException.ThrowIfNull(services);
-        AddOptions(services, Options.DefaultName, Section, configure);
-        services.TryAddSingleton(static provider => Create(provider, Options.DefaultName));
+        AddOptions(services, Microsoft.Extensions.Options.Options.DefaultName, Section, configure);
+        services.TryAddSingleton(static provider => Create(provider, Microsoft.Extensions.Options.Options.DefaultName));
         return AddService(services, static provider => provider.GetRequiredService<NeuronReader>());
     }
 

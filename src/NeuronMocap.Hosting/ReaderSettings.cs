@@ -3,7 +3,6 @@ using System.Net;
 using Microsoft.Extensions.Configuration;
 using Microsoft.Extensions.Options;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Hosting;
 

@@ -2,7 +2,6 @@ using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using NeuronMocap.Compatibility;
 using NeuronMocap.Native.Host;
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Native;
 

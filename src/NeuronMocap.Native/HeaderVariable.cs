@@ -1,5 +1,4 @@
 using NeuronMocap.Compatibility;
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Native;
 

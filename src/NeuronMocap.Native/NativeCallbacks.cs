@@ -1,6 +1,5 @@
 using System.Text;
 using NeuronMocap.Compatibility.Callbacks;
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Native;
 

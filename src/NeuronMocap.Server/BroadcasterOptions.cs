@@ -1,7 +1,5 @@
 using System.Net;
 using NeuronMocap.Protocol;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server;
 
@@ -24,7 +22,7 @@ public sealed class BroadcasterOptions
     /// A file to send instead of <see cref="Sources"/>: a recording, or a raw dump of a stream's bytes. Every byte is sent as it was received, also what is no
     /// packet, in whole packets or lines of text, each when its last byte came. What makes packets of sources (names, format, layout, frame limit) has to be
     /// left alone, and commands of clients are not answered. A raw dump, which has no times, is sent at <see cref="Rate"/>, or as
-    /// <see cref="Playback.PlaybackOptions.FrameRate"/> has it. Default: null.
+    /// <see cref="Recording.PlaybackOptions.FrameRate"/> has it. Default: null.
     /// </summary>
     public string? Recording { get; set; }
 
@@ -112,7 +110,7 @@ public sealed class BroadcasterOptions
     public BroadcastFormat Format { get; set; }
 
     /// <summary>
-    /// Version of the motion packets, 1.0 or 1.1, which decides the layout of their header: <see cref="Protocol.DataVersion.Old"/> is what
+    /// Version of the motion packets, 1.0 or 1.1, which decides the layout of their header: <see cref="DataVersion.Old"/> is what
     /// Axis Studio's "Use old header format" sends, with the format <see cref="BroadcastFormat.Binary"/>. Null: what the format has, 1.1.0.0, or
     /// 1.1.0.1 in <see cref="BroadcastFormat.Studio"/>, where it cannot be another; must be null for text, which carries none. Default: null.
     /// </summary>
@@ -125,7 +123,7 @@ public sealed class BroadcasterOptions
     public CalculationWriter? Calculation { get; set; }
 
     /// <summary>Values of a calculation packet: 946, or 338 for the body without fingers, as before b15. Default: 946.</summary>
-    public int CalculationValueCount { get; set; } = Frames.CalculationFrame.FullValueCount;
+    public int CalculationValueCount { get; set; } = CalculationFrame.FullValueCount;
 
     /// <summary>
     /// Computes the calculation packets of <see cref="BroadcastFormat.Studio"/>, as <see cref="StudioCalculationSynthesizer"/> does; null sends

@@ -3,7 +3,6 @@ using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Net;
 using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Commands;
 using NeuronMocap.Tool.Diagnose;

@@ -1,5 +1,3 @@
-using NeuronMocap.Transport;
-
 namespace NeuronMocap;
 
 /// <summary>A reader could not connect, or lost its connection, and does not try again; or it had no connection in the time that was given to it.</summary>

@@ -1,4 +1,5 @@
 using NeuronMocap.Diagnostics;
+using NeuronMocap.Reader;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap;
@@ -44,7 +45,7 @@ public static class NeuronDiagnostics
         NeuronReaderOptions options, LinkOptions link, DiagnosisOptions how, IProgress<DiagnosisStep>? progress, CancellationToken stop)
     {
         var log = new StepLog(progress);
-        var task = new DiagnosisTask(ForDiagnosis(link), how, log, stop);
+        var task = new DiagnosisContext(ForDiagnosis(link), how, log, stop);
         Conclusion conclusion = await ExamineAsync(options, task).ConfigureAwait(false);
         if (options.CalculationLink is { } second)
             conclusion = await CalculationExamination.AddAsync(task, ForDiagnosis(second), conclusion, other => ExamineAsync(options, other)).ConfigureAwait(false);
@@ -63,7 +64,7 @@ public static class NeuronDiagnostics
         };
     }
 
-    private static async Task<Conclusion> ExamineAsync(NeuronReaderOptions options, DiagnosisTask task) => options.Transport == TransportKind.Tcp
+    private static async Task<Conclusion> ExamineAsync(NeuronReaderOptions options, DiagnosisContext task) => options.Transport == TransportKind.Tcp
         ? await new TcpExamination(task).RunAsync().ConfigureAwait(false)
         : await new UdpExamination(task, options.AllowedSenders).RunAsync().ConfigureAwait(false);
 

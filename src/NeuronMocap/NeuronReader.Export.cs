@@ -46,7 +46,7 @@ public sealed partial class NeuronReader
         try
         {
             files = new BvhExportFiles(path, options, bodies, open);
-            queue = _pipeline.OpenMotionQueue(options.Capacity, ExportQueueName, out MotionIntake intake);
+            queue = _pipeline.OpenMotionQueue(options.Capacity, ExportQueueName, out MotionOnlyConsumer intake);
             export = new BvhExport(path, queue, intake, files, bodies, _recordings.OnEnded);
         }
         catch

@@ -1,8 +1,5 @@
 using System.Runtime.CompilerServices;
 using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap;
 

@@ -71,7 +71,7 @@ public sealed partial class NeuronReader
 
     private NeuronConnectionException NotConnected(TimeSpan timeout)
     {
-        ConnectionStatus last = _status.LastFailure ?? _status.Current with { Reason = ConnectionReason.TimedOut, Message = Advice.NotYetAnswered(_status.Current.Message) };
+        ConnectionStatus last = _status.LastFailure ?? _status.Current with { Reason = ConnectionReason.TimedOut, Message = ConnectionMessages.NotYetAnswered(_status.Current.Message) };
         string message = FormattableString.Invariant($"There was no connection within {timeout.TotalSeconds:0.###} s. The reader goes on trying. {last.Message}");
         return new NeuronConnectionException(last.Reason, message, last);
     }
@@ -179,7 +179,7 @@ public sealed partial class NeuronReader
         catch (Exception exception)
         {
             // Nothing the network does comes here; whoever waits for the end shall not wait for ever because of a fault of ours.
-            last = new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.NetworkError, Advice.Failed("the server", exception));
+            last = new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.NetworkError, ConnectionMessages.Failed("the server", exception));
         }
 
         stop.Cancel();

@@ -2,8 +2,9 @@ using System.Diagnostics;
 using NeuronMocap.Commands;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
-using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
+using NeuronMocap.Reader;
+using NeuronMocap.Recording;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;
 

@@ -1,8 +1,8 @@
 using System.Net;
 using NeuronMocap.Commands;
 using NeuronMocap.Frames;
-using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Transport;
 
@@ -57,8 +57,8 @@ public sealed partial class NeuronReaderOptions
     public TimeSpan SilenceTimeout { get; set; } = TimeSpan.FromSeconds(3);
 
     /// <summary>
-    /// On which thread to receive, and so to run the handlers of frames. <see cref="Transport.ReceiveThread.Auto"/> unless set.
-    /// <see cref="ConnectionStatus.ReceiveThread"/> says which one a connection has. Set it to <see cref="Transport.ReceiveThread.Dedicated"/> where
+    /// On which thread to receive, and so to run the handlers of frames. <see cref="ReceiveThread.Auto"/> unless set.
+    /// <see cref="ConnectionStatus.ReceiveThread"/> says which one a connection has. Set it to <see cref="ReceiveThread.Dedicated"/> where
     /// the program blocks the threads of the pool.
     /// </summary>
     public ReceiveThread ReceiveThread { get; set; }

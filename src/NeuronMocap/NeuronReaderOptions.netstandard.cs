@@ -1,5 +1,4 @@
 using System.Diagnostics.CodeAnalysis;
-using NeuronMocap.Telemetry;
 
 namespace NeuronMocap;
 

@@ -1,3 +1,4 @@
+using Microsoft.Extensions.DependencyInjection;
 using NeuronMocap.Tests.Architecture;
 
 namespace NeuronMocap.Hosting.Tests;

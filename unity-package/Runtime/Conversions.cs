@@ -1,7 +1,6 @@
 #nullable enable
 
 using NeuronMocap.Retargeting;
-using NeuronMocap.Skeleton;
 using Numerics = System.Numerics;
 using Quaternion = UnityEngine.Quaternion;
 using Vector3 = UnityEngine.Vector3;

@@ -1,5 +1,3 @@
-using NeuronMocap.Protocol;
-
 namespace NeuronMocap.Compatibility.Callbacks;
 
 // The registered callbacks of one of the two namespaces. The methods call them, and throw what they throw.

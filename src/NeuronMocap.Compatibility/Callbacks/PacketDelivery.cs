@@ -1,5 +1,4 @@
 using NeuronMocap.Commands;
-using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Compatibility.Callbacks;

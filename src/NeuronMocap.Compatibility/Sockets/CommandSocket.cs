@@ -1,7 +1,6 @@
 using System.Net.Sockets;
 using NeuronMocap.Commands;
 using NeuronMocap.Compatibility.Callbacks;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Compatibility.Sockets;
 

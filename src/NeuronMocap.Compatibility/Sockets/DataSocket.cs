@@ -1,6 +1,5 @@
 using NeuronMocap.Commands;
 using NeuronMocap.Compatibility.Callbacks;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Compatibility.Sockets;
 

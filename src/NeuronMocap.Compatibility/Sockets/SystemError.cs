@@ -1,5 +1,4 @@
 using System.Net.Sockets;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Compatibility.Sockets;
 

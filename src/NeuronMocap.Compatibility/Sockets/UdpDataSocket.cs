@@ -1,5 +1,4 @@
 using NeuronMocap.Compatibility.Callbacks;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Compatibility.Sockets;
 

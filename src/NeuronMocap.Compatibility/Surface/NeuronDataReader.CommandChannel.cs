@@ -1,5 +1,6 @@
 using System.Runtime.InteropServices;
 using System.Text;
+using NeuronMocap;
 using NeuronMocap.Compatibility;
 using NeuronMocap.Skeleton;
 

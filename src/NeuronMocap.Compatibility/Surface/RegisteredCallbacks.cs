@@ -1,5 +1,5 @@
+using NeuronMocap;
 using NeuronMocap.Compatibility.Callbacks;
-using NeuronMocap.Protocol;
 
 namespace NeuronDataReaderWraper;
 

@@ -1,5 +1,3 @@
-using NeuronMocap.Frames;
-
 namespace NeuronMocap.Server.Broadcasting;
 
 /// <summary>

@@ -1,5 +1,4 @@
 using NeuronMocap.Protocol;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Broadcasting;

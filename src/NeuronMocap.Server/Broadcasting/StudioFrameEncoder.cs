@@ -1,5 +1,4 @@
 using NeuronMocap.Protocol;
-using NeuronMocap.Server.Sources;
 
 namespace NeuronMocap.Server.Broadcasting;
 

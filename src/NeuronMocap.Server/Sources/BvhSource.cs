@@ -1,9 +1,9 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
-using NeuronMocap.Kinematics;
+using NeuronMocap.Motion;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Server.Sources;
+namespace NeuronMocap.Server;
 
 /// <summary>
 /// A take from a BVH file of Neuron's 59 bones, one row for each frame. Values are broadcast as they stand in the file, bit for bit, where the

@@ -1,9 +1,8 @@
 using System.Numerics;
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Server.Sources;
+namespace NeuronMocap.Server;
 
 /// <summary>
 /// Writes a performance as Axis Neuron exports calculation data: what <see cref="CalculationSynthesizer"/> computes, in metres, with z into the

@@ -2,7 +2,7 @@ using System.Numerics;
 using NeuronMocap.Calculation;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Server.Sources;
+namespace NeuronMocap.Server;
 
 /// <summary>
 /// A take from a calculation export. Its poses are what <see cref="CalculationSkeleton"/> makes of bones' centres and sensors; foot contacts are the

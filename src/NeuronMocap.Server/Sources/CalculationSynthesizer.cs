@@ -1,8 +1,7 @@
 using System.Numerics;
-using NeuronMocap.Frames;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Server.Sources;
+namespace NeuronMocap.Server;
 
 /// <summary>
 /// Computes the values of a calculation packet (manual section 1.2.2, protocol.md section 3.3) from a performance: what the sensors would

@@ -1,4 +1,4 @@
-namespace NeuronMocap.Server.Sources;
+namespace NeuronMocap.Server;
 
 /// <summary>
 /// Computes the values of a calculation packet: 59 bones in the order of the calculation stream and the two contact flags (protocol.md

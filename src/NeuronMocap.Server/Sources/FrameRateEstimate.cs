@@ -1,6 +1,6 @@
 using NeuronMocap.Bvh;
 
-namespace NeuronMocap.Server.Sources;
+namespace NeuronMocap.Server;
 
 /// <summary>
 /// The rate behind the times of frames. Times of arrival jitter, and then the usual rate near the measured one is meant. Times that a program made of a

@@ -1,7 +1,7 @@
 using System.Numerics;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Server.Sources;
+namespace NeuronMocap.Server;
 
 /// <summary>
 /// A finite performance that starts again when it is over, and so never ends. Between the last frame and the first the body jumps, unless

@@ -1,7 +1,7 @@
 using System.Numerics;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Server.Sources;
+namespace NeuronMocap.Server;
 
 /// <summary>
 /// A performance of one avatar: a pose for every frame number. A source is a pure function of that number and safe to call from several

@@ -1,4 +1,4 @@
-namespace NeuronMocap.Server.Sources;
+namespace NeuronMocap.Server;
 
 /// <summary>A place of a recorded take where frames are missing.</summary>
 /// <param name="Frame">Number of the frame of the source that follows the gap.</param>

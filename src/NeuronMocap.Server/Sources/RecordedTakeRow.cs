@@ -1,5 +1,3 @@
-using NeuronMocap.Skeleton;
-
 namespace NeuronMocap.Server.Sources;
 
 // A frame of a recorded take: the values as they were received, or interpolated between neighbours.

@@ -1,6 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
-using NeuronMocap.Kinematics;
+using NeuronMocap.Motion;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;

@@ -1,10 +1,10 @@
 using System.Numerics;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Playback;
+using NeuronMocap.Motion;
 using NeuronMocap.Recording;
+using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Server.Sources;
+namespace NeuronMocap.Server;
 
 /// <summary>
 /// One avatar of a recording, or of the raw bytes of a stream. The frames that were received keep their values, bit for bit, one after the other at an

@@ -1,9 +1,8 @@
 using System.Buffers.Binary;
 using System.Numerics;
-using NeuronMocap.Frames;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Server.Sources;
+namespace NeuronMocap.Server;
 
 /// <summary>
 /// Computes Axis Studio's calculation packets from a performance (protocol.md section 9). A pure function of the frame number; allocates nothing;

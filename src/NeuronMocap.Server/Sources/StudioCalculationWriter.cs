@@ -1,7 +1,7 @@
-namespace NeuronMocap.Server.Sources;
+namespace NeuronMocap.Server;
 
 /// <summary>
-/// Computes the bytes behind the header of Axis Studio's calculation packet: 59 bones of 84 bytes in <see cref="Skeleton.Bone"/> order
+/// Computes the bytes behind the header of Axis Studio's calculation packet: 59 bones of 84 bytes in <see cref="Bone"/> order
 /// (protocol.md section 9). A pure function of the frame number, called on several threads at once.
 /// </summary>
 /// <param name="source">The avatar's performance.</param>

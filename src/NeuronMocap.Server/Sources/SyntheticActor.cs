@@ -2,7 +2,7 @@ using System.Numerics;
 using NeuronMocap.Server.Sources.Synthetic;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Server.Sources;
+namespace NeuronMocap.Server;
 
 /// <summary>
 /// An actor that needs no take: it walks round a ring of two metres, stops every few steps, and waves, looks around, counts with its

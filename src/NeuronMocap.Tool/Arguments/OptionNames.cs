@@ -1,10 +1,9 @@
 using System.Text;
+using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
 using NeuronMocap.Diagnostics;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Arguments;
 

@@ -1,5 +1,4 @@
 using System.CommandLine.Parsing;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Arguments;
 

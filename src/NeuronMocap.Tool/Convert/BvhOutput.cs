@@ -1,6 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Convert;

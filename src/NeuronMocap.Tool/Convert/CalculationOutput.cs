@@ -1,6 +1,5 @@
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 
 namespace NeuronMocap.Tool.Convert;
 

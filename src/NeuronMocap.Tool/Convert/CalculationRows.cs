@@ -1,6 +1,5 @@
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
-using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Convert;

@@ -1,9 +1,6 @@
 using System.Reflection;
-using NeuronMocap.Playback;
-using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
+using NeuronMocap.Server;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 

@@ -1,5 +1,5 @@
 using NeuronMocap.Protocol;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Convert;

@@ -1,4 +1,4 @@
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 
 namespace NeuronMocap.Tool.Convert;
 

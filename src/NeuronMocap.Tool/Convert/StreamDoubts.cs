@@ -1,7 +1,3 @@
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Playback;
-using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;

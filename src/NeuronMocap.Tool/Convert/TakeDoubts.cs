@@ -1,5 +1,4 @@
-using NeuronMocap.Frames;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 

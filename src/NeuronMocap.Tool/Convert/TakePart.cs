@@ -1,6 +1,6 @@
 using System.Numerics;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Motion;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Convert;

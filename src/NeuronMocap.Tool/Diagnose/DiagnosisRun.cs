@@ -1,12 +1,10 @@
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Server;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Watch;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Diagnose;
 

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Files;

@@ -1,6 +1,5 @@
 using System.Text;
 using NeuronMocap.Calculation;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tool.Files;

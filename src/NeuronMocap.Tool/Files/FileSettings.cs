@@ -1,6 +1,5 @@
 using NeuronMocap.Calculation;
-using NeuronMocap.Playback;
-using NeuronMocap.Skeleton;
+using NeuronMocap.Recording;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Files;

@@ -1,6 +1,6 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Convert;
 

@@ -1,5 +1,5 @@
 using System.Text.Json.Nodes;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Terminal;
 

@@ -1,7 +1,7 @@
 using System.Numerics;
 using System.Text.Json.Nodes;
 using NeuronMocap.Bvh;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Plot;

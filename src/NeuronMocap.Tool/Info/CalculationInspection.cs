@@ -1,7 +1,6 @@
 using System.Text.Json.Nodes;
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Plot;
 using NeuronMocap.Tool.Terminal;

@@ -1,8 +1,6 @@
 using System.Text.Json.Nodes;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;

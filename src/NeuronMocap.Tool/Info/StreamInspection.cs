@@ -1,6 +1,6 @@
 using System.Text.Json.Nodes;
 using NeuronMocap.Bvh;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Plot;
 using NeuronMocap.Tool.Terminal;

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using NeuronMocap.Telemetry;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 

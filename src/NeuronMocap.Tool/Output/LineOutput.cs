@@ -1,10 +1,6 @@
 using System.Globalization;
 using System.Text;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tool.Terminal;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Output;
 

@@ -1,7 +1,3 @@
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Transport;
-
 namespace NeuronMocap.Tool.Output;
 
 /// <summary>A way of showing what arrives. What one does not need it leaves out.</summary>

@@ -1,5 +1,3 @@
-using NeuronMocap.Delivery;
-
 namespace NeuronMocap.Tool.Output;
 
 /// <summary>--quiet: the summary alone.</summary>

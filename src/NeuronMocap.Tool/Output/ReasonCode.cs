@@ -1,5 +1,3 @@
-using NeuronMocap.Transport;
-
 namespace NeuronMocap.Tool.Output;
 
 /// <summary>The names of reasons that scripts may rely on, whatever the members are called.</summary>

@@ -1,6 +1,5 @@
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Terminal;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Output;
 

@@ -1,4 +1,3 @@
-using NeuronMocap.Frames;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Output;

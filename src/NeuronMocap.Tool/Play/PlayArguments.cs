@@ -1,6 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Play;

@@ -1,5 +1,4 @@
-using NeuronMocap.Playback;
-using NeuronMocap.Skeleton;
+using NeuronMocap.Recording;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 

@@ -1,4 +1,4 @@
-using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tool.Play;
 

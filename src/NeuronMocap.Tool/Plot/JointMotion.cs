@@ -1,6 +1,5 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Convert;
 using NeuronMocap.Tool.Watch.Live;
 

@@ -1,5 +1,4 @@
 using System.Numerics;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Watch.Live;
 
 namespace NeuronMocap.Tool.Plot;

@@ -1,5 +1,5 @@
 using System.Numerics;
-using NeuronMocap.Kinematics;
+using NeuronMocap.Motion;
 
 namespace NeuronMocap.Tool.Plot;
 

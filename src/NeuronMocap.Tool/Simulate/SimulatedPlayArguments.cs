@@ -1,7 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
-using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tool.Simulate;
 

@@ -5,7 +5,6 @@ using System.Net;
 using System.Numerics;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Simulate;
 

@@ -3,8 +3,6 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Simulate;
 

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Net;
-using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 
 namespace NeuronMocap.Tool.Simulate;

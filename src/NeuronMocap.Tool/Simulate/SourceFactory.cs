@@ -1,8 +1,6 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
+using NeuronMocap.Server;
 
 namespace NeuronMocap.Tool.Simulate;
 

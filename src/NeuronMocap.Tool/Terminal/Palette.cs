@@ -1,5 +1,4 @@
 using NeuronMocap.Tool.Watch.Live;
-using NeuronMocap.Transport;
 using Spectre.Console;
 
 namespace NeuronMocap.Tool.Terminal;

@@ -1,6 +1,4 @@
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Watch;

@@ -1,6 +1,4 @@
-using NeuronMocap.Delivery;
 using NeuronMocap.Tool.Output;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Watch;
 

@@ -1,12 +1,10 @@
 using System.Net;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Commands;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Watch.Export;
 using NeuronMocap.Tool.Watch.Recordings;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Watch;
 

@@ -1,8 +1,5 @@
-using NeuronMocap.Delivery;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Output;
@@ -11,7 +8,6 @@ using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Watch.Export;
 using NeuronMocap.Tool.Watch.Live;
 using NeuronMocap.Tool.Watch.Recordings;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Watch;
 

@@ -11,7 +11,7 @@ internal static class CommandAdvice
 
     public static NeuronCommandException NotConnected(ConnectionReason reason, LinkOptions link, Exception? cause) => reason switch
     {
-        ConnectionReason.HostNotFound => new(CommandFailure.HostNotFound, Advice.HostNotFound(link.Host), cause),
+        ConnectionReason.HostNotFound => new(CommandFailure.HostNotFound, ConnectionMessages.HostNotFound(link.Host), cause),
         ConnectionReason.Refused => new(
             CommandFailure.Refused, $"{link.Target} refused the connection: nothing listens there. {WhichPort}", cause),
         ConnectionReason.TimedOut => new(
@@ -20,12 +20,12 @@ internal static class CommandAdvice
             + "no firewall blocks the port.",
             cause),
         ConnectionReason.AccessDenied or ConnectionReason.Unreachable => new(
-            CommandFailure.NotConnected, Advice.TcpFailed(reason, link, cause!), cause),
+            CommandFailure.NotConnected, ConnectionMessages.TcpFailed(reason, link, cause!), cause),
         _ => new(CommandFailure.NotConnected, $"The connection to {link.Target} failed: {cause?.Message}", cause),
     };
 
     public static NeuronCommandException ResolverTimedOut(LinkOptions link) =>
-        new(CommandFailure.NotConnected, Advice.ResolverTimedOut(link));
+        new(CommandFailure.NotConnected, ConnectionMessages.ResolverTimedOut(link));
 
     public static NeuronCommandException TimedOut(string target, NeuronCommandOptions options, long skipped, bool isIncomplete)
     {

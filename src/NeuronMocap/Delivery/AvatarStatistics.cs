@@ -1,7 +1,6 @@
 using System.Diagnostics;
-using NeuronMocap.Protocol;
 
-namespace NeuronMocap.Delivery;
+namespace NeuronMocap;
 
 /// <summary>
 /// What arrived of one kind of frame of one avatar of one sender, at the moment of asking. A reader keeps 1,024 of these; one that got no frame
@@ -12,7 +11,7 @@ public readonly record struct AvatarStatistics
     /// <summary><see cref="PacketKind.Motion"/>, <see cref="PacketKind.Calculation"/> or <see cref="PacketKind.StudioCalculation"/>.</summary>
     public PacketKind Kind { get; init; }
 
-    /// <summary>Which sender: see <see cref="Frames.AvatarFrame.Source"/>.</summary>
+    /// <summary>Which sender: see <see cref="AvatarFrame.Source"/>.</summary>
     public int Source { get; init; }
 
     /// <summary>Number of the avatar on the server.</summary>

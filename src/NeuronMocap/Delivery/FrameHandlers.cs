@@ -1,5 +1,3 @@
-using NeuronMocap.Frames;
-
 namespace NeuronMocap.Delivery;
 
 // Who takes the frames of a queue. Structs, so that a call costs no more than its delegate and allocates nothing.

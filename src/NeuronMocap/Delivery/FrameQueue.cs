@@ -1,8 +1,9 @@
 using System.Diagnostics;
+using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 
-namespace NeuronMocap.Delivery;
+namespace NeuronMocap;
 
 /// <summary>
 /// Every frame, in order, for one thread of the application: the receive thread puts frames in without ever waiting, and the application

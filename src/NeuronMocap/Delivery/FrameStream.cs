@@ -1,5 +1,4 @@
 using System.Diagnostics.CodeAnalysis;
-using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;

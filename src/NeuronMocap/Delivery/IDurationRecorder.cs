@@ -1,5 +1,3 @@
-using NeuronMocap.Protocol;
-
 namespace NeuronMocap.Delivery;
 
 // Takes times that are worth a distribution, for as long as somebody looks at it. Any thread.

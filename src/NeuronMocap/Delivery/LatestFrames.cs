@@ -1,9 +1,10 @@
 using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
+using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 
-namespace NeuronMocap.Delivery;
+namespace NeuronMocap;
 
 /// <summary>
 /// The newest frame of every avatar, for one thread of the application: what a renderer wants, which has no use for older frames.

@@ -1,6 +1,6 @@
 using System.Diagnostics;
 
-namespace NeuronMocap.Delivery;
+namespace NeuronMocap;
 
 /// <summary>What a reader received since it was made, at the moment of asking. Each figure is exact; together they may be an instant apart.</summary>
 public readonly record struct ReaderStatistics

@@ -1,4 +1,3 @@
-using NeuronMocap.Protocol;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
@@ -9,13 +8,13 @@ internal static class CalculationExamination
     // However long the first one took: an answer of a server on the network comes sooner.
     private static readonly TimeSpan Least = TimeSpan.FromSeconds(1);
 
-    public static async Task<Conclusion> AddAsync(DiagnosisTask task, LinkOptions link, Conclusion first, Func<DiagnosisTask, Task<Conclusion>> examine)
+    public static async Task<Conclusion> AddAsync(DiagnosisContext task, LinkOptions link, Conclusion first, Func<DiagnosisContext, Task<Conclusion>> examine)
     {
         DiagnosisOptions how = task.Options.Copy();
         how.Wanted = task.Wanted == PacketKind.StudioCalculation ? PacketKind.StudioCalculation : PacketKind.Calculation;
         how.LookElsewhere = false;
         how.Timeout = task.Options.Timeout - task.Elapsed > Least ? task.Options.Timeout - task.Elapsed : Least;
-        Conclusion second = await examine(new DiagnosisTask(link, how, task.Log.With("calculation "), task.Stop)).ConfigureAwait(false);
+        Conclusion second = await examine(new DiagnosisContext(link, how, task.Log.With("calculation "), task.Stop)).ConfigureAwait(false);
         Finding found = second.Findings[0];
         var joint = first with { CalculationSample = second.Sample };
 

@@ -1,5 +1,3 @@
-using NeuronMocap.Protocol;
-
 namespace NeuronMocap.Diagnostics;
 
 /// <summary>What arrived of one kind of frame of one avatar while a diagnosis looked.</summary>

@@ -1,5 +1,3 @@
-using NeuronMocap.Protocol;
-
 namespace NeuronMocap.Diagnostics;
 
 /// <summary>How a diagnosis looks, and for what.</summary>

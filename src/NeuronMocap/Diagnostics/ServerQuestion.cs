@@ -16,7 +16,7 @@ internal static class ServerQuestion
     private static readonly byte[] WebRequest = Encoding.ASCII.GetBytes("HEAD / HTTP/1.0\r\n\r\n");
 
     // What it answered, where it answered.
-    public static async Task<StreamSample?> AskAsync(DiagnosisTask task, IPAddress address)
+    public static async Task<StreamSample?> AskAsync(DiagnosisContext task, IPAddress address)
     {
         var server = new IPEndPoint(address, task.Link.Port);
         TimeSpan time = task.Share(task.Pace.Asking);

@@ -1,5 +1,4 @@
 using NeuronMocap.Protocol;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
@@ -15,7 +14,7 @@ internal static class StreamExamination
 
     private const string OrderIsSaid = "The stream says its rotation order, which the reader follows.";
 
-    public static Conclusion Judge(DiagnosisTask task, StreamSample sample, StreamPlace place)
+    public static Conclusion Judge(DiagnosisContext task, StreamSample sample, StreamPlace place)
     {
         if (sample.Has(task.Wanted))
             return JudgeFrames(task, sample, place);
@@ -27,7 +26,7 @@ internal static class StreamExamination
         return ForeignBytes.Judge(task.Log, sample, place);
     }
 
-    private static Conclusion JudgeFrames(DiagnosisTask task, StreamSample sample, StreamPlace place)
+    private static Conclusion JudgeFrames(DiagnosisContext task, StreamSample sample, StreamPlace place)
     {
         var findings = new List<Finding>();
         AvatarSample[] avatars = [.. sample.Avatars.Where(avatar => avatar.Kind == task.Wanted)];
@@ -47,7 +46,7 @@ internal static class StreamExamination
         return new Conclusion(findings, sample, place);
     }
 
-    private static Conclusion JudgeOtherKind(DiagnosisTask task, StreamSample sample, StreamPlace place)
+    private static Conclusion JudgeOtherKind(DiagnosisContext task, StreamSample sample, StreamPlace place)
     {
         task.Log.Failed("token", $"{DescribeTokens(sample)} only");
         DiagnosisVerdict verdict = (sample.Has(PacketKind.Motion), sample.Has(PacketKind.Calculation)) switch

@@ -53,7 +53,7 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
         : FormatGuess.Of([], SkipReason.NoTokens);
 
     // The skipped bytes as text, where they are text.
-    public string? Quote() => Quotation.Of(Largest.Value.Start is { } start ? start.ToArray() : []);
+    public string? Quote() => BannerText.Of(Largest.Value.Start is { } start ? start.ToArray() : []);
 
     public void OnLinkOpened()
     {

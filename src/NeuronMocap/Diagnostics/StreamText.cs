@@ -1,5 +1,4 @@
 using System.Globalization;
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Diagnostics;
 

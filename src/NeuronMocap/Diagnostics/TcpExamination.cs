@@ -5,7 +5,7 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Diagnostics;
 
 // Walks the chain to a TCP server, from its name to its frames, and looks elsewhere where the chain breaks.
-internal sealed class TcpExamination(DiagnosisTask task)
+internal sealed class TcpExamination(DiagnosisContext task)
 {
     // More addresses than any computer has that is meant.
     private const int MostAddresses = 4;

@@ -8,7 +8,7 @@ namespace NeuronMocap.Diagnostics;
 // What to say where no bytes come over TCP, and where to look instead.
 internal static class TcpFaults
 {
-    public static Conclusion UnknownHost(DiagnosisTask task, Exception? exception)
+    public static Conclusion UnknownHost(DiagnosisContext task, Exception? exception)
     {
         string host = task.Link.Host;
         const string GiveAddress =
@@ -36,7 +36,7 @@ internal static class TcpFaults
             DiagnosisVerdict.HostNotFound, $"The host name '{host}' has no address.", $"Check its spelling, or {GiveAddress}");
     }
 
-    public static Conclusion NoRoute(DiagnosisTask task, ConnectionReason reason)
+    public static Conclusion NoRoute(DiagnosisContext task, ConnectionReason reason)
     {
         if (reason == ConnectionReason.AccessDenied)
         {
@@ -72,7 +72,7 @@ internal static class TcpFaults
             "Check the address, and that the cable is in or Wi-Fi is on; both computers have to be in the same network.");
     }
 
-    public static async Task<Conclusion> NotConnectedAsync(DiagnosisTask task, LinkEnd failure, IPAddress address)
+    public static async Task<Conclusion> NotConnectedAsync(DiagnosisContext task, LinkEnd failure, IPAddress address)
     {
         (DiagnosisVerdict verdict, string detail) = failure.Reason switch
         {
@@ -84,7 +84,7 @@ internal static class TcpFaults
             _ => (DiagnosisVerdict.NetworkError, failure.Message),
         };
         task.Log.Failed("port", $"TCP port {task.Link.Port}: {detail}");
-        Search search = await Elsewhere.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
+        Search search = await AlternativePortScan.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
         Finding plain = verdict switch
         {
             DiagnosisVerdict.Refused => new Finding(
@@ -102,10 +102,10 @@ internal static class TcpFaults
         return Conclude(task, plain, search);
     }
 
-    public static async Task<Conclusion> ClosedAsync(DiagnosisTask task, IPAddress address)
+    public static async Task<Conclusion> ClosedAsync(DiagnosisContext task, IPAddress address)
     {
         task.Log.Failed("first bytes", "none: the server closed the connection");
-        Search search = await Elsewhere.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
+        Search search = await AlternativePortScan.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
         var plain = new Finding(
             DiagnosisVerdict.ClosedAtOnce,
             $"{task.Link.Target} accepts the connection and closes it without sending anything. A forwarded port (a container, a VPN, a tunnel) "
@@ -115,7 +115,7 @@ internal static class TcpFaults
         return Conclude(task, plain, search);
     }
 
-    public static async Task<Conclusion> SilentAsync(DiagnosisTask task, IPAddress address, TimeSpan silence)
+    public static async Task<Conclusion> SilentAsync(DiagnosisContext task, IPAddress address, TimeSpan silence)
     {
         task.Log.Failed("first bytes", StreamText.Invariant($"none in {silence.TotalSeconds:0.#} s"));
         if (task.Options.LookElsewhere && await ServerQuestion.AskAsync(task, address).ConfigureAwait(false) is { } answer)
@@ -124,7 +124,7 @@ internal static class TcpFaults
         if (task.Options.LookElsewhere)
             task.Log.Ok("question", "asked who it is, it says nothing");
 
-        Search search = await Elsewhere.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
+        Search search = await AlternativePortScan.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
         var plain = new Finding(
             DiagnosisVerdict.Silent,
             $"{task.Link.Target} accepts the connection, but sends nothing: most likely no suit is connected and calibrated and no take is played.",
@@ -134,12 +134,12 @@ internal static class TcpFaults
     }
 
     // Something else comes from the port; frames may come from another one.
-    public static async Task<Conclusion> AddElsewhereAsync(DiagnosisTask task, Conclusion conclusion, IPAddress? address, bool isUdp)
+    public static async Task<Conclusion> AddElsewhereAsync(DiagnosisContext task, Conclusion conclusion, IPAddress? address, bool isUdp)
     {
         if (!conclusion.Findings[0].IsFault)
             return conclusion;
 
-        Search search = await Elsewhere.FindAsync(task, address, isUdp).ConfigureAwait(false);
+        Search search = await AlternativePortScan.FindAsync(task, address, isUdp).ConfigureAwait(false);
         if (search.Found is not { } found || !found.Sample.Has(task.Wanted))
             return conclusion;
 
@@ -152,7 +152,7 @@ internal static class TcpFaults
         return conclusion with { Findings = [.. conclusion.Findings, instead], Place = found.Place };
     }
 
-    private static Conclusion Answered(DiagnosisTask task, StreamSample answer)
+    private static Conclusion Answered(DiagnosisContext task, StreamSample answer)
     {
         FormatGuess guess = answer.Guess();
         string quoted = answer.Quote() is { } quote ? $" (\"{quote}\")" : string.Empty;
@@ -173,7 +173,7 @@ internal static class TcpFaults
             $"Check the port against the one in the server's broadcasting settings; it is usually {ProtocolConstants.DefaultPort}.");
     }
 
-    private static Finding NoAnswer(DiagnosisTask task, IPAddress address, bool hostAnswers)
+    private static Finding NoAnswer(DiagnosisContext task, IPAddress address, bool hostAnswers)
     {
         string where = hostAnswers
             ? "The computer itself answers on other ports, so a firewall blocks this one, or nothing listens there."
@@ -187,7 +187,7 @@ internal static class TcpFaults
     }
 
     // A stream that was found in another place explains more than the silence in this one.
-    private static Conclusion Conclude(DiagnosisTask task, Finding plain, in Search search)
+    private static Conclusion Conclude(DiagnosisContext task, Finding plain, in Search search)
     {
         if (search.Found is not { } found)
             return new Conclusion([search.AdvancedBvh is { } other ? AddAdvancedBvh(plain, other) : plain]);

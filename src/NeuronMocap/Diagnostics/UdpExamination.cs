@@ -4,7 +4,7 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Diagnostics;
 
 // Walks the chain from this computer's UDP port to the frames, and looks elsewhere where nothing arrives.
-internal sealed class UdpExamination(DiagnosisTask task, IReadOnlyList<IPAddress> allowedSenders)
+internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddress> allowedSenders)
 {
     private readonly LinkOptions _link = task.Link;
 
@@ -92,7 +92,7 @@ internal sealed class UdpExamination(DiagnosisTask task, IReadOnlyList<IPAddress
     {
         task.Log.Failed("first bytes", StreamText.Invariant($"none in {silence.TotalSeconds:0.#} s"));
         IPAddress? host = await ResolveHostAsync().ConfigureAwait(false);
-        Search search = await Elsewhere.FindAsync(task, host, isUdp: true).ConfigureAwait(false);
+        Search search = await AlternativePortScan.FindAsync(task, host, isUdp: true).ConfigureAwait(false);
         if (search.Found is { } found && found.Sample.Has(task.Wanted))
             return Instead(found);
 

@@ -1,18 +1,19 @@
 using System.Diagnostics;
 using System.Runtime.CompilerServices;
+using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 
-namespace NeuronMocap.Frames;
+namespace NeuronMocap;
 
 /// <summary>
 /// One avatar at one instant, as it came off the wire: what motion and calculation frames have in common.
 /// <para>
-/// A frame that a handler, a <see cref="Delivery.LatestFrames"/> or a <see cref="Playback.RecordedFrameReader"/> gets is only lent. It is valid until the
+/// A frame that a handler, a <see cref="LatestFrames"/> or a <see cref="Recording.RecordedFrameReader"/> gets is only lent. It is valid until the
 /// handler returns, or until the next frame is taken. <c>Clone</c> makes a copy that stays valid.
 /// </para>
 /// <para>
 /// Every member of a frame that is no longer valid throws an <see cref="InvalidOperationException"/>. The objects are used again in turn, so that
-/// nothing is allocated: a handler gets the same object again 31 frames later, and <see cref="Delivery.LatestFrames"/> gives it 7 frames of
+/// nothing is allocated: a handler gets the same object again 31 frames later, and <see cref="LatestFrames"/> gives it 7 frames of
 /// the avatar later. An object that was read too late once is not used again. The spans of a frame are not checked: they must not be used for longer than
 /// the frame. A thread that reads a frame while another thread lets it expire may get an exception or parts of the next frame.
 /// </para>

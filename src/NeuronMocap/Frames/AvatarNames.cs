@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Frames;
 

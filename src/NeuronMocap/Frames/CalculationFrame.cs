@@ -1,9 +1,10 @@
 using System.Diagnostics;
 using System.Numerics;
+using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Frames;
+namespace NeuronMocap;
 
 /// <summary>
 /// Sensor readings and global positions of one avatar at one instant, from the calculation stream (manual section 1.2.2, protocol.md

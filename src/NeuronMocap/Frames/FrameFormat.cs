@@ -15,7 +15,7 @@ internal sealed class FrameFormat(RotationOrder? order, SkeletonVariant? variant
     private volatile FormatFindings _findings = FormatFindings.None;
 
     // Who is asked for what neither the options nor the frames say.
-    public string Teller { get; init; } = "the command channel";
+    public string FormatOrigin { get; init; } = "the command channel";
 
     public RotationOrder? OptionOrder => order;
 

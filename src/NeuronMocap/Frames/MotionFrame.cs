@@ -1,9 +1,10 @@
 using System.Diagnostics;
 using System.Numerics;
+using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Frames;
+namespace NeuronMocap;
 
 /// <summary>
 /// The pose of one avatar at one instant, from the BVH stream (manual section 1.2.1, protocol.md section 3.1).

@@ -1,9 +1,10 @@
 using System.Diagnostics;
 using System.Numerics;
+using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Frames;
+namespace NeuronMocap;
 
 /// <summary>
 /// What sensors measure and bones do of one avatar at one instant, as Axis Studio sends it in place of Axis Neuron's calculation data

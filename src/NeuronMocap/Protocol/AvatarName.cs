@@ -1,7 +1,8 @@
 using System.Runtime.InteropServices;
 using System.Text;
+using NeuronMocap.Protocol;
 
-namespace NeuronMocap.Protocol;
+namespace NeuronMocap;
 
 /// <summary>
 /// The 32 bytes of an avatar's name as they stand in a header: UTF-8, padded with zeros, without a terminator when all 32 are used.

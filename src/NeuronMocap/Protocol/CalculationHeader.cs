@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
+using NeuronMocap.Protocol;
 
-namespace NeuronMocap.Protocol;
+namespace NeuronMocap;
 
 /// <summary>The header of a calculation packet: manual section 2.1.4; protocol.md section 2.3.</summary>
 public readonly record struct CalculationHeader

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-namespace NeuronMocap.Protocol;
+namespace NeuronMocap;
 
 /// <summary>
 /// Version of the stream's data format, four bytes on the wire, lowest part first (manual section 2.1.2, protocol.md section 2.4).

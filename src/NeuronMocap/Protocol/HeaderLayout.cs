@@ -1,4 +1,4 @@
-namespace NeuronMocap.Protocol;
+namespace NeuronMocap;
 
 /// <summary>The two layouts of a motion header. Both have 64 bytes and the same tokens; the data version tells them apart.</summary>
 public enum HeaderLayout

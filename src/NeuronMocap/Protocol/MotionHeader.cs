@@ -1,7 +1,8 @@
 using System.Buffers.Binary;
 using System.Runtime.CompilerServices;
+using NeuronMocap.Protocol;
 
-namespace NeuronMocap.Protocol;
+namespace NeuronMocap;
 
 /// <summary>
 /// The header of a motion (BVH) packet: manual section 2.1.3; protocol.md section 2.1 (layout New) and 2.2 (layout Old).
@@ -49,7 +50,7 @@ public readonly record struct MotionHeader
     /// The timecode that Axis Studio writes into the reserved fields; null for other data versions than 1.1.0.1, where the fields hold no time of
     /// day, and where both are 0, as a server without a clock leaves them.
     /// </summary>
-    public Timecode? Timecode => Version == DataVersion.Studio ? Protocol.Timecode.Read(Reserved1, Reserved2) : null;
+    public Timecode? Timecode => Version == DataVersion.Studio ? NeuronMocap.Timecode.Read(Reserved1, Reserved2) : null;
 
     /// <summary>The layout that <see cref="Version"/> announces.</summary>
     public HeaderLayout Layout => Version.Layout;

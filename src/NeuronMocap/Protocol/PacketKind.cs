@@ -1,4 +1,4 @@
-namespace NeuronMocap.Protocol;
+namespace NeuronMocap;
 
 /// <summary>What a packet on a data connection carries, as its first token says.</summary>
 public enum PacketKind : byte

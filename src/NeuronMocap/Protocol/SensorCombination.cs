@@ -1,4 +1,4 @@
-namespace NeuronMocap.Protocol;
+namespace NeuronMocap;
 
 /// <summary>Which sensors an avatar wears: the vendor's "SensorCombinationModes" (protocol.md section 2.4).</summary>
 public enum SensorCombination

@@ -1,4 +1,4 @@
-namespace NeuronMocap.Protocol;
+namespace NeuronMocap;
 
 /// <summary>What a server sends, as its frames show.</summary>
 public enum StreamFormat

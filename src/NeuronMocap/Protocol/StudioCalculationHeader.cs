@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
+using NeuronMocap.Protocol;
 
-namespace NeuronMocap.Protocol;
+namespace NeuronMocap;
 
 /// <summary>The header of Axis Studio's calculation packet, token 0xDCCF: protocol.md section 9.</summary>
 public readonly record struct StudioCalculationHeader

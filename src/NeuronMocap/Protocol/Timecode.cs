@@ -1,4 +1,4 @@
-namespace NeuronMocap.Protocol;
+namespace NeuronMocap;
 
 /// <summary>A time of the clock that a server stamps its frames with, such as that of a film set: hours, minutes, seconds and sub-frame.</summary>
 /// <param name="Hours">0 to 23.</param>

@@ -1,5 +1,3 @@
-using NeuronMocap.Skeleton;
-
 namespace NeuronMocap.Retargeting;
 
 /// <summary>

@@ -1,4 +1,6 @@
-namespace NeuronMocap.Skeleton;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap;
 
 /// <summary>
 /// The 59 bones in the order of the BVH stream: manual, Appendix A. Use <see cref="CalculationOrder"/> for the order of the calculation stream

@@ -1,6 +1,6 @@
 using System.Numerics;
 
-namespace NeuronMocap.Skeleton;
+namespace NeuronMocap;
 
 /// <summary>Position and rotation of a bone, relative to its parent or to the world, as the member that gives it says.</summary>
 /// <param name="Position">Centimetres; right-handed axes, Y up, X to the subject's left, Z forward.</param>

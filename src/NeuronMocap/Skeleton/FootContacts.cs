@@ -1,4 +1,4 @@
-namespace NeuronMocap.Skeleton;
+namespace NeuronMocap;
 
 /// <summary>Which feet stand on the ground.</summary>
 /// <param name="Left">Whether the left one does.</param>

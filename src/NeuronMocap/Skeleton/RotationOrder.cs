@@ -1,4 +1,4 @@
-namespace NeuronMocap.Skeleton;
+namespace NeuronMocap;
 
 /// <summary>
 /// The order in which a bone's three rotation values stand and are applied (manual section 2.1.9; the numbers are the vendor's).

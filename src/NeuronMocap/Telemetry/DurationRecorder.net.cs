@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using System.Diagnostics.Metrics;
 using NeuronMocap.Delivery;
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Telemetry;
 

@@ -1,7 +1,6 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Telemetry;
 

@@ -3,7 +3,6 @@ using System.Diagnostics.Metrics;
 using System.Reflection;
 using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Telemetry;
 

@@ -1,7 +1,4 @@
-using NeuronMocap.Delivery;
-using NeuronMocap.Transport;
-
-namespace NeuronMocap.Telemetry;
+namespace NeuronMocap;
 
 /// <summary>What an event is about. The numbers are stable; on .NET they are the event ids of the log.</summary>
 public enum ReaderEventId

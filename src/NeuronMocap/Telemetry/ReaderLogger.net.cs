@@ -62,7 +62,7 @@ internal sealed partial class ReaderLogger(ILoggerFactory factory)
 
     private void WriteState(LogLevel level, in ReaderEvent reported)
     {
-        Transport.ConnectionStatus status = reported.Status.GetValueOrDefault();
+        ConnectionStatus status = reported.Status.GetValueOrDefault();
         string state = status.State.ToString();
         string reason = status.Reason.ToString();
         switch (reported.Id)

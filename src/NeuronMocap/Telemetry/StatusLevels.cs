@@ -1,6 +1,4 @@
 using System.Diagnostics;
-using NeuronMocap.Protocol;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Telemetry;
 

@@ -1,4 +1,4 @@
-namespace NeuronMocap.Transport;
+namespace NeuronMocap;
 
 /// <summary>Why a reader's connection is in its state.</summary>
 public enum ConnectionReason

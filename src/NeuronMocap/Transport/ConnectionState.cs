@@ -1,4 +1,4 @@
-namespace NeuronMocap.Transport;
+namespace NeuronMocap;
 
 /// <summary>What a reader's connection is doing.</summary>
 public enum ConnectionState

@@ -1,8 +1,7 @@
 using System.Diagnostics;
 using System.Net;
-using NeuronMocap.Protocol;
 
-namespace NeuronMocap.Transport;
+namespace NeuronMocap;
 
 /// <summary>State of a reader's connection, with the reason of the last change.</summary>
 /// <param name="State">What the connection is doing.</param>
@@ -23,8 +22,8 @@ public readonly record struct ConnectionStatus(ConnectionState State, Connection
     public int? ReceiveBufferSize { get; init; }
 
     /// <summary>
-    /// On which thread frames are received and handlers run: <see cref="Transport.ReceiveThread.Dedicated"/> or
-    /// <see cref="Transport.ReceiveThread.Pool"/>; null while there is no connection. See <see cref="NeuronReaderOptions.ReceiveThread"/>.
+    /// On which thread frames are received and handlers run: <see cref="ReceiveThread.Dedicated"/> or
+    /// <see cref="ReceiveThread.Pool"/>; null while there is no connection. See <see cref="NeuronReaderOptions.ReceiveThread"/>.
     /// </summary>
     public ReceiveThread? ReceiveThread { get; init; }
 

@@ -33,7 +33,7 @@ internal sealed class ConnectionSupervisor(
             failures = delivered ? 0 : failures + 1;
             TimeSpan delay = policy.GetDelay(failures, jitter());
             status.Set(new ConnectionStatus(ConnectionState.Waiting, end.Reason, end.Message) { Attempt = failures, RetryIn = delay });
-            await Pause.WaitAsync(delay, stop).ConfigureAwait(false);
+            await CancellableDelay.WaitAsync(delay, stop).ConfigureAwait(false);
         }
     }
 
@@ -54,7 +54,7 @@ internal sealed class ConnectionSupervisor(
         catch (Exception exception)
         {
             // Out of memory, or a fault of ours: neither may end the reader, or the process, while there is a next attempt.
-            return (new LinkEnd(ConnectionReason.NetworkError, Advice.Failed(link?.Target ?? "the server", exception)), false);
+            return (new LinkEnd(ConnectionReason.NetworkError, ConnectionMessages.Failed(link?.Target ?? "the server", exception)), false);
         }
         finally
         {

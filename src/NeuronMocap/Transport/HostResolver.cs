@@ -13,7 +13,7 @@ internal static class HostResolver
 
         Task<IPAddress[]> resolving = options.Resolve(options.Host);
         using var limit = CancellationTokenSource.CreateLinkedTokenSource(stop);
-        Task first = await Task.WhenAny(resolving, Pause.WaitAsync(options.ConnectTimeout, limit.Token)).ConfigureAwait(false);
+        Task first = await Task.WhenAny(resolving, CancellableDelay.WaitAsync(options.ConnectTimeout, limit.Token)).ConfigureAwait(false);
         limit.Cancel();
         if (first == resolving)
             return await resolving.ConfigureAwait(false);

@@ -126,7 +126,7 @@ internal sealed class LinkActivity(
     // Receive loop, after the link. A server that sent something else and then closed is no mere end of the connection.
     public LinkEnd Explain(LinkEnd end) => !_hasPackets && _skippedLength > 0 && _skipReason != SkipReason.Incomplete
         && end.Reason is ConnectionReason.ClosedByPeer or ConnectionReason.Reset or ConnectionReason.EndOfRecording
-        ? end with { Reason = ConnectionReason.UnknownFormat, Message = $"{Advice.UnknownFormat(_target, DescribeSkipped())} Then the connection ended." }
+        ? end with { Reason = ConnectionReason.UnknownFormat, Message = $"{ConnectionMessages.UnknownFormat(_target, DescribeSkipped())} Then the connection ended." }
         : end;
 
     // Timer.
@@ -182,12 +182,12 @@ internal sealed class LinkActivity(
 
     private string ExplainSilence(ConnectionReason reason) => (reason, udpSenders) switch
     {
-        (ConnectionReason.UnknownFormat, _) => Advice.UnknownFormat(_target, DescribeSkipped()),
-        (ConnectionReason.SenderNotAllowed, { } senders) => Advice.SenderNotAllowed(_target, senders.RefusedSenders),
-        _ when isHeld is not null => Advice.NoRecordedFrames(_target, silence),
-        _ when _hasOtherPackets => Advice.NoValues(_target),
-        (_, { } senders) => Advice.NoDatagrams(_target, silence, senders.RefusedDatagrams),
-        _ => Advice.NoFrames(_target, silence),
+        (ConnectionReason.UnknownFormat, _) => ConnectionMessages.UnknownFormat(_target, DescribeSkipped()),
+        (ConnectionReason.SenderNotAllowed, { } senders) => ConnectionMessages.SenderNotAllowed(_target, senders.RefusedSenders),
+        _ when isHeld is not null => ConnectionMessages.NoRecordedFrames(_target, silence),
+        _ when _hasOtherPackets => ConnectionMessages.NoValues(_target),
+        (_, { } senders) => ConnectionMessages.NoDatagrams(_target, silence, senders.RefusedDatagrams),
+        _ => ConnectionMessages.NoFrames(_target, silence),
     };
 
     private string DescribeSkipped() => FormatGuess.Of(_skipped.AsSpan(0, _skippedLength), _skipReason).Description;

@@ -1,4 +1,4 @@
-namespace NeuronMocap.Transport;
+namespace NeuronMocap;
 
 /// <summary>On which thread a reader receives, and so runs the handlers of its frames.</summary>
 public enum ReceiveThread

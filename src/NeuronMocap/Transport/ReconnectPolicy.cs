@@ -1,4 +1,4 @@
-namespace NeuronMocap.Transport;
+namespace NeuronMocap;
 
 /// <summary>
 /// When a reader tries again after a connection failed or ended: after delays that double from <see cref="InitialDelay"/> to

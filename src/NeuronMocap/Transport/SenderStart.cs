@@ -1,5 +1,3 @@
-using NeuronMocap.Protocol;
-
 namespace NeuronMocap.Transport;
 
 // What a sender's first header tells of it. The kind is None where text has begun that does not tell yet.

@@ -1,5 +1,3 @@
-using NeuronMocap.Protocol;
-
 namespace NeuronMocap.Transport;
 
 // What arrives, for the status: the text completes a sentence that says from where. A reason other than None is what is wrong with it.

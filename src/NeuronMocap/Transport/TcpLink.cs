@@ -33,13 +33,13 @@ internal sealed class TcpLink(LinkOptions options) : Link
         try
         {
             await _receiver.ReceiveAsync(_socket!, assembler).ConfigureAwait(false);
-            return FirstReason(new LinkEnd(ConnectionReason.ClosedByPeer, Advice.ClosedByPeer(Target)));
+            return FirstReason(new LinkEnd(ConnectionReason.ClosedByPeer, ConnectionMessages.ClosedByPeer(Target)));
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
         {
             SocketError error = (exception as SocketException)?.SocketErrorCode ?? SocketError.OperationAborted;
             return FirstReason(error == SocketError.TimedOut
-                ? new LinkEnd(ConnectionReason.TimedOut, Advice.ConnectionLost(Target))
+                ? new LinkEnd(ConnectionReason.TimedOut, ConnectionMessages.ConnectionLost(Target))
                 : Failed(error, exception));
         }
         finally
@@ -94,15 +94,15 @@ internal sealed class TcpLink(LinkOptions options) : Link
         catch (ArgumentException)
         {
             // The resolver refuses names that no computer can have.
-            return new LinkEnd(ConnectionReason.HostNotFound, Advice.HostNotFound(options.Host));
+            return new LinkEnd(ConnectionReason.HostNotFound, ConnectionMessages.HostNotFound(options.Host));
         }
         catch (TimeoutException)
         {
-            return new LinkEnd(ConnectionReason.TimedOut, Advice.ResolverTimedOut(options));
+            return new LinkEnd(ConnectionReason.TimedOut, ConnectionMessages.ResolverTimedOut(options));
         }
 
         if (addresses.Length == 0)
-            return new LinkEnd(ConnectionReason.HostNotFound, Advice.HostNotFound(options.Host));
+            return new LinkEnd(ConnectionReason.HostNotFound, ConnectionMessages.HostNotFound(options.Host));
 
         LinkEnd? telling = null;
         foreach (IPAddress address in addresses)
@@ -198,6 +198,6 @@ internal sealed class TcpLink(LinkOptions options) : Link
     private LinkEnd Failed(SocketError error, Exception exception)
     {
         ConnectionReason reason = SocketErrors.ToReason(error);
-        return new LinkEnd(reason, Advice.TcpFailed(reason, options, exception));
+        return new LinkEnd(reason, ConnectionMessages.TcpFailed(reason, options, exception));
     }
 }

@@ -1,4 +1,4 @@
-namespace NeuronMocap.Transport;
+namespace NeuronMocap;
 
 /// <summary>How the server sends: the "Protocol" of Axis Neuron's broadcasting settings.</summary>
 public enum TransportKind

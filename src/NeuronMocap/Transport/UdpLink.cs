@@ -79,6 +79,6 @@ internal sealed class UdpLink(LinkOptions options, SenderFilter filter, UdpServe
     private LinkEnd Failed(Exception exception)
     {
         ConnectionReason reason = SocketErrors.ToReason((exception as SocketException)?.SocketErrorCode ?? SocketError.OperationAborted);
-        return new LinkEnd(reason, Advice.UdpFailed(reason, options, exception));
+        return new LinkEnd(reason, ConnectionMessages.UdpFailed(reason, options, exception));
     }
 }

@@ -142,7 +142,7 @@ internal static class Broadcast
     }
 
     // A performance that costs nothing to make, as the raw loop's does.
-    private sealed class StillSource : Server.Sources.MotionSource
+    private sealed class StillSource : Server.MotionSource
     {
         public override double FrameRate => Rate;
 

@@ -1,8 +1,8 @@
 using System.Diagnostics;
 using NeuronMocap.Benchmarks.Harness;
 using NeuronMocap.Benchmarks.Peers;
-using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
+using NeuronMocap.Reader;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
@@ -76,7 +76,7 @@ internal static class Decode
     private static Action Queue(ReceivePipeline pipeline, int[] handled)
     {
         FrameQueue queue = pipeline.OpenQueue(8, "queue");
-        Action<Frames.MotionFrame> handle = frame => handled[0] += Math.Sign(frame.Values.Length);
+        Action<MotionFrame> handle = frame => handled[0] += Math.Sign(frame.Values.Length);
         return () => queue.Pump(handle);
     }
 
@@ -85,7 +85,7 @@ internal static class Decode
         LatestFrames latest = pipeline.OpenLatest();
         return () =>
         {
-            if (latest.TryTakeMotion(0, out Frames.MotionFrame? frame))
+            if (latest.TryTakeMotion(0, out MotionFrame? frame))
                 handled[0] += Math.Sign(frame.Values.Length);
         };
     }

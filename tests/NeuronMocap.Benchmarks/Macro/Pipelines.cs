@@ -1,3 +1,4 @@
+using NeuronMocap.Reader;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;

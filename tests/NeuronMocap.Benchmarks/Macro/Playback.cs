@@ -1,9 +1,7 @@
 using System.Diagnostics;
 using NeuronMocap.Benchmarks.Harness;
 using NeuronMocap.Benchmarks.Peers;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Benchmarks.Macro;
 

@@ -1,7 +1,7 @@
 using System.Numerics;
 using NeuronMocap.Benchmarks.Harness;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Motion;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Benchmarks.Macro;
@@ -95,7 +95,7 @@ internal static class PoseCost
         public void InterpolateCubic(int i)
         {
             int now = (i % (Frames - 3)) + 1;
-            var frames = new FourPoses
+            var frames = new CubicPoseWindow
             {
                 First = Local[now - 1],
                 Second = Local[now],

@@ -2,6 +2,7 @@ using System.Diagnostics;
 using NeuronMocap.Benchmarks.Harness;
 using NeuronMocap.Benchmarks.Peers;
 using NeuronMocap.Protocol;
+using NeuronMocap.Reader;
 using NeuronMocap.Recording;
 
 namespace NeuronMocap.Benchmarks.Macro;

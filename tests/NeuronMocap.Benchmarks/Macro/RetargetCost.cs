@@ -1,7 +1,7 @@
 using System.Numerics;
 using NeuronMocap.Benchmarks.Harness;
 using NeuronMocap.Retargeting;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Benchmarks.Macro;

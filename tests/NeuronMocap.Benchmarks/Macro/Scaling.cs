@@ -1,8 +1,8 @@
 using System.Diagnostics;
 using NeuronMocap.Benchmarks.Harness;
 using NeuronMocap.Benchmarks.Peers;
-using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
+using NeuronMocap.Reader;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
@@ -50,7 +50,7 @@ internal static class Scaling
         byte[] piece = new byte[PerPiece * TestFrame.Size];
         byte[][] packets = [.. Enumerable.Range(0, avatars).Select(TestFrame.Create)];
         long taken = 0;
-        Action<NeuronMocap.Frames.MotionFrame> take = _ => taken++;
+        Action<NeuronMocap.MotionFrame> take = _ => taken++;
         Run(Frames / 10);
         taken = 0;
         long start = Stopwatch.GetTimestamp();

@@ -2,7 +2,6 @@ using System.Diagnostics;
 using System.Net.Sockets;
 using NeuronMocap.Benchmarks.Harness;
 using NeuronMocap.Benchmarks.Peers;
-using NeuronMocap.Delivery;
 
 namespace NeuronMocap.Benchmarks.Macro;
 

@@ -2,7 +2,6 @@ using System.Diagnostics;
 using System.Runtime.InteropServices;
 using NeuronDataReaderWraper;
 using NeuronMocap.Compatibility.Tests.Infrastructure;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Compatibility.Tests.Callbacks;

@@ -49,7 +49,7 @@ public sealed class FrameImageTests
         byte[] packet = new byte[64 + (4 * count)];
         var header = new MotionHeader
         {
-            Version = Protocol.DataVersion.Studio,
+            Version = DataVersion.Studio,
             HasDisplacement = true,
             HasReference = true,
             AvatarIndex = 0x01020304,

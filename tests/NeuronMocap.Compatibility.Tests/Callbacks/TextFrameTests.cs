@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Text;
 using NeuronMocap.Compatibility.Tests.Infrastructure;
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Compatibility.Tests.Callbacks;
 

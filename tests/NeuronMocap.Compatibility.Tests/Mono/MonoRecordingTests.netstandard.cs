@@ -1,4 +1,3 @@
-using NeuronMocap.Delivery;
 using NeuronMocap.Recording;
 using NeuronMocap.Tests.Network;
 
@@ -117,7 +116,7 @@ public sealed class MonoRecordingTests : IDisposable
             output);
         Assert.Equal(sent, Read(byMono));
 
-        void Add(Frames.AvatarFrame frame)
+        void Add(AvatarFrame frame)
         {
             foreach (float value in frame.Values)
                 sum = (sum * 31) + BitConverter.SingleToUInt32Bits(value);

@@ -1,4 +1,3 @@
-using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Server;
@@ -97,15 +96,15 @@ public sealed class MonoTests
         Assert.Equal(["True", "True", "True"], await program.RunAsync());
     }
 
-    private static void Write(Server.Sources.MotionSource source, long frame, float[] values) =>
+    private static void Write(Server.MotionSource source, long frame, float[] values) =>
         source.WriteValues(frame, new ChannelLayout(hasDisplacement: true, hasReference: false), RotationOrder.YXZ, values);
 
-    private static uint SumOf(BroadcasterOptions options, int count, Action<Server.Sources.MotionSource, long, float[]> write)
+    private static uint SumOf(BroadcasterOptions options, int count, Action<Server.MotionSource, long, float[]> write)
     {
         var frames = new List<ReceivedFrame>();
         for (int frame = 0; frame < Frames; frame++)
         {
-            foreach (Server.Sources.MotionSource source in options.Sources)
+            foreach (Server.MotionSource source in options.Sources)
             {
                 float[] values = new float[count];
                 write(source, frame, values);

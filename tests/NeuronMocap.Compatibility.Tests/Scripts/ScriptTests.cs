@@ -52,7 +52,7 @@ public sealed class ScriptTests
     public async Task A_script_of_b15_receives_the_old_header_with_an_index_that_counts()
     {
         BroadcasterOptions options = Options(displacement: true, reference: false, fragment: 7, avatars: 2);
-        options.DataVersion = NeuronMocap.Protocol.DataVersion.Old;
+        options.DataVersion = NeuronMocap.DataVersion.Old;
         using var server = new Broadcaster(options);
         server.Start();
         try
@@ -72,7 +72,7 @@ public sealed class ScriptTests
     public async Task A_script_of_b15_receives_text()
     {
         BroadcasterOptions options = Options(displacement: true, reference: true, fragment: 1024, avatars: 1);
-        options.Sources = [new Server.Sources.SyntheticActor()];
+        options.Sources = [new Server.SyntheticActor()];
         options.FrameLimit = Frames;
         options.Format = BroadcastFormat.Text;
         using var server = new Broadcaster(options);
@@ -125,7 +125,7 @@ public sealed class ScriptTests
     public async Task A_script_of_b12_receives_every_frame_and_reconnects()
     {
         BroadcasterOptions options = Options(displacement: true, reference: false, fragment: null, avatars: 1);
-        options.DataVersion = NeuronMocap.Protocol.DataVersion.Old;
+        options.DataVersion = NeuronMocap.DataVersion.Old;
         using var server = new Broadcaster(options);
         server.Start();
         string port = server.LocalEndPoint!.Port.ToString(System.Globalization.CultureInfo.InvariantCulture);
@@ -196,7 +196,7 @@ public sealed class ScriptTests
     public async Task A_script_of_b12_gets_answers_from_the_simulator()
     {
         BroadcasterOptions options = Options(displacement: true, reference: false, fragment: null, avatars: 1);
-        options.Sources = [new Server.Sources.SyntheticActor()];
+        options.Sources = [new Server.SyntheticActor()];
         options.Rate = 60;
         options.FrameLimit = null;
         using var server = new Broadcaster(options);
@@ -224,7 +224,7 @@ public sealed class ScriptTests
     public async Task A_script_with_a_command_connection_turns_the_simulators_actor()
     {
         BroadcasterOptions options = Options(displacement: true, reference: false, fragment: null, avatars: 1);
-        options.Sources = [new Server.Sources.SyntheticActor()];
+        options.Sources = [new Server.SyntheticActor()];
         options.Rate = 240;
         options.RotationOrder = RotationOrder.XYZ;
         using var server = new Broadcaster(options);

@@ -2,7 +2,6 @@ using System.Collections.Concurrent;
 using NeuronMocap.Compatibility.Callbacks;
 using NeuronMocap.Compatibility.Sockets;
 using NeuronMocap.Compatibility.Tests.Infrastructure;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Compatibility.Tests.Sockets;

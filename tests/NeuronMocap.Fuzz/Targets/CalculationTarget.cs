@@ -1,5 +1,4 @@
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
 using NeuronMocap.Fuzz.Inputs;
 using NeuronMocap.Skeleton;
 

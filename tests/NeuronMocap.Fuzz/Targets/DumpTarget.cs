@@ -1,5 +1,5 @@
 using NeuronMocap.Fuzz.Inputs;
-using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 
 namespace NeuronMocap.Fuzz.Targets;
 

@@ -1,6 +1,5 @@
 using System.Numerics;
 using System.Runtime.InteropServices;
-using NeuronMocap.Frames;
 using NeuronMocap.Fuzz.Inputs;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;

@@ -1,5 +1,4 @@
 using NeuronMocap.Fuzz.Inputs;
-using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 

@@ -4,7 +4,6 @@ using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Server.Clients;
-using NeuronMocap.Server.Sources;
 
 namespace NeuronMocap.Fuzz.Targets;
 

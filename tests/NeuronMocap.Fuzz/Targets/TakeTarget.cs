@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using NeuronMocap.Bvh;
-using NeuronMocap.Frames;
 using NeuronMocap.Fuzz.Inputs;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;

@@ -1,7 +1,6 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
 using NeuronMocap.Fuzz.Inputs;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 
 namespace NeuronMocap.Fuzz.Targets;

@@ -5,7 +5,6 @@ using NeuronMocap.Calculation;
 using NeuronMocap.Fuzz.Inputs;
 using NeuronMocap.Fuzz.Targets;
 using NeuronMocap.Recording;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 

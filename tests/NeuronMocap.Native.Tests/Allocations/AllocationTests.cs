@@ -1,7 +1,6 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using NeuronMocap.Compatibility;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Native.Tests.Allocations;

@@ -2,7 +2,6 @@ using System.Globalization;
 using NeuronMocap.Compatibility.Tests.Infrastructure;
 using NeuronMocap.Native.Tests.Generations;
 using NeuronMocap.Native.Tests.Infrastructure;
-using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;

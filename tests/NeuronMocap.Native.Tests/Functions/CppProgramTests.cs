@@ -20,7 +20,7 @@ public sealed class CppProgramTests
                     TestPackets.Motion(i, avatar: 0, name: "Char00"),
                     TestPackets.Motion(i, avatar: 1, name: "陈", count: 180),
                     TestPackets.Calculation(i),
-                    TestPackets.Motion(i, avatar: 2, name: "Char02", layout: Protocol.HeaderLayout.Old)),
+                    TestPackets.Motion(i, avatar: 2, name: "Char02", layout: HeaderLayout.Old)),
                 1400);
         }
 

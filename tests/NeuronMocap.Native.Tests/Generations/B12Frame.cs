@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Native.Tests.Generations;

@@ -3,7 +3,6 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Compatibility.Tests.Infrastructure;
 using NeuronMocap.Native.Tests.Infrastructure;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Native.Tests.Generations;

@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Server;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Native.Tests.Languages;

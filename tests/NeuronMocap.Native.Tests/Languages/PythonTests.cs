@@ -1,8 +1,6 @@
 using System.Diagnostics;
 using NeuronMocap.Native.Tests.Infrastructure;
-using NeuronMocap.Protocol;
 using NeuronMocap.Server;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Server;

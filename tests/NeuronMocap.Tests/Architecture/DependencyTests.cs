@@ -1,7 +1,6 @@
 using System.Reflection;
 using System.Runtime.Versioning;
-using NeuronMocap.Frames;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 
 namespace NeuronMocap.Tests.Architecture;
 

@@ -94,7 +94,7 @@ public class BvhPoseTests
             AssertSamePoses(take, displaced, places: 0, rotations: 0);
             Assert.All(displaced.Joints, static joint => Assert.Equal(6, joint.Channels.Count));
 
-            BvhDocument back = displaced.WithoutDisplacement(out BvhDisplacementLoss loss);
+            BvhDocument back = displaced.WithoutDisplacement(out PositionChannelLoss loss);
             Assert.Equal(default, loss);
             Assert.Equal(take.Joints.Select(static joint => joint.Offset).Skip(1), back.Joints.Select(static joint => joint.Offset).Skip(1));
             if (take.Joints[0].Channels.Count == 6)
@@ -127,7 +127,7 @@ public class BvhPoseTests
 
             """);
 
-        BvhDocument without = take.WithoutDisplacement(out BvhDisplacementLoss loss);
+        BvhDocument without = take.WithoutDisplacement(out PositionChannelLoss loss);
         Assert.Equal("B", loss.Joint);
         Assert.Equal(2, loss.Frame);
         Assert.Equal(Math.Sqrt(9.01), loss.LargestError, 1e-6);

@@ -1,7 +1,5 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using static NeuronMocap.Tests.Bvh.BvhSamples;
 

@@ -1,7 +1,5 @@
 using System.Numerics;
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Calculation;
 

@@ -1,8 +1,6 @@
 using System.Globalization;
 using System.Text;
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Calculation;
 

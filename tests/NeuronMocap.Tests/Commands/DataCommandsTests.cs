@@ -2,7 +2,6 @@ using System.Net.Sockets;
 using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Commands;
 

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using NeuronMocap.Delivery;
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Delivery;
 

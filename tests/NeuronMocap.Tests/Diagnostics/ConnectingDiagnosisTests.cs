@@ -1,7 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Diagnostics;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 
@@ -70,7 +69,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     [InlineData(ConnectionReason.AddressUnavailable, DiagnosisVerdict.Unreachable, "no route")]
     public void What_the_system_says_of_the_route_decides(ConnectionReason reason, DiagnosisVerdict expected, string said)
     {
-        var task = new DiagnosisTask(new LinkOptions("127.255.255.255", 7001), new DiagnosisOptions(), new StepLog(progress: null), CancellationToken.None);
+        var task = new DiagnosisContext(new LinkOptions("127.255.255.255", 7001), new DiagnosisOptions(), new StepLog(progress: null), CancellationToken.None);
         Finding finding = Assert.Single(TcpFaults.NoRoute(task, reason).Findings);
         Assert.Equal(expected, finding.Verdict);
         Assert.Contains(said, finding.Text, StringComparison.Ordinal);

@@ -1,5 +1,4 @@
 using NeuronMocap.Diagnostics;
-using NeuronMocap.Protocol;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Diagnostics;

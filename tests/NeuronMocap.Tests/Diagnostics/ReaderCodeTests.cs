@@ -1,8 +1,6 @@
 using System.Net;
 using NeuronMocap.Diagnostics;
-using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
-using NeuronMocap.Transport;
+using NeuronMocap.Reader;
 
 namespace NeuronMocap.Tests.Diagnostics;
 

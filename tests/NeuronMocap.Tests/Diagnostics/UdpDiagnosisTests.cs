@@ -1,7 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Diagnostics;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 

@@ -2,7 +2,6 @@ using System.Diagnostics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
 using NeuronMocap.Files;
-using NeuronMocap.Frames;
 using NeuronMocap.Recording;
 using NeuronMocap.Tests.Recording;
 

@@ -1,5 +1,4 @@
 using System.Numerics;
-using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Skeleton;

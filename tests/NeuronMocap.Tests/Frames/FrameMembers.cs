@@ -1,6 +1,5 @@
 using System.Reflection;
 using System.Reflection.Emit;
-using NeuronMocap.Frames;
 
 namespace NeuronMocap.Tests.Frames;
 

@@ -1,7 +1,7 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
-using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Playback;

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Numerics;
-using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Skeleton;

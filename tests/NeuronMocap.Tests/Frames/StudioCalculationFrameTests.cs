@@ -1,5 +1,4 @@
 using System.Buffers.Binary;
-using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;

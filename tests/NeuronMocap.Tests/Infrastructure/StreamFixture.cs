@@ -1,5 +1,4 @@
 using System.Text.Json;
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Infrastructure;
 

@@ -1,5 +1,3 @@
-using NeuronMocap.Protocol;
-
 namespace NeuronMocap.Tests.Infrastructure;
 
 /// <summary>The headers that exist, and those of commands by what gives their length.</summary>

@@ -1,6 +1,5 @@
 using FsCheck;
 using FsCheck.Fluent;
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Infrastructure;
 

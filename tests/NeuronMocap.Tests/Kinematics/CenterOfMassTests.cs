@@ -1,6 +1,5 @@
 using System.Numerics;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Kinematics;

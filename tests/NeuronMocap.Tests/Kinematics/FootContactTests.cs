@@ -1,9 +1,7 @@
 using System.Globalization;
 using System.Numerics;
-using NeuronMocap.Frames;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Protocol;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Motion;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Kinematics;

@@ -1,4 +1,4 @@
-using NeuronMocap.Kinematics;
+using NeuronMocap.Motion;
 
 namespace NeuronMocap.Tests.Kinematics;
 

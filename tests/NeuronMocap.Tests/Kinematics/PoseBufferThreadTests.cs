@@ -1,5 +1,5 @@
 using System.Numerics;
-using NeuronMocap.Kinematics;
+using NeuronMocap.Motion;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Kinematics;

@@ -1,6 +1,5 @@
 using System.Numerics;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Skeleton;
+using NeuronMocap.Motion;
 
 namespace NeuronMocap.Tests.Kinematics;
 
@@ -57,7 +56,7 @@ public sealed class PoseInterpolationTests
         BoneTransform[] second = [Thrown(0)];
         BoneTransform[] third = [Thrown(0.01)];
         BoneTransform[] pose = new BoneTransform[1];
-        PoseInterpolation.Cubic(new FourPoses { Second = second, Third = third, Times = (0, 0, 0.01, 0) }, 0.0025, pose);
+        PoseInterpolation.Cubic(new CubicPoseWindow { Second = second, Third = third, Times = (0, 0, 0.01, 0) }, 0.0025, pose);
         Assert.True(Vector3.Distance(Vector3.Lerp(second[0].Position, third[0].Position, 0.25f), pose[0].Position) < 1e-5f);
     }
 
@@ -101,7 +100,7 @@ public sealed class PoseInterpolationTests
         Assert.Throws<ArgumentException>(() => PoseInterpolation.Cubic(Four((0, 1, 1, 2), Thrown), 1, one));
     }
 
-    private static FourPoses Four((double First, double Second, double Third, double Fourth) times, Func<double, BoneTransform> at) => new()
+    private static CubicPoseWindow Four((double First, double Second, double Third, double Fourth) times, Func<double, BoneTransform> at) => new()
     {
         First = new[] { at(times.First) },
         Second = new[] { at(times.Second) },

@@ -1,6 +1,5 @@
 using System.Numerics;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Skeleton;
+using NeuronMocap.Motion;
 
 namespace NeuronMocap.Tests.Kinematics;
 

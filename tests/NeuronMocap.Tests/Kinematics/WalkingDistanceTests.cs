@@ -1,7 +1,6 @@
 using System.Numerics;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
+using NeuronMocap.Motion;
+using NeuronMocap.Server;
 
 namespace NeuronMocap.Tests.Kinematics;
 

@@ -1,5 +1,3 @@
-using NeuronMocap.Frames;
-
 namespace NeuronMocap.Tests.Network;
 
 internal static class ReaderExtensions

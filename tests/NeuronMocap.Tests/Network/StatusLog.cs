@@ -1,5 +1,3 @@
-using NeuronMocap.Transport;
-
 namespace NeuronMocap.Tests.Network;
 
 // Every status that a reader told, and a way to wait for one.

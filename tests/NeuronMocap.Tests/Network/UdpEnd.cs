@@ -1,6 +1,5 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Network;
 

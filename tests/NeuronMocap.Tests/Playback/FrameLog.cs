@@ -1,5 +1,3 @@
-using NeuronMocap.Frames;
-
 namespace NeuronMocap.Tests.Playback;
 
 /// <summary>Every frame of a reader, as a line, with its timestamp.</summary>

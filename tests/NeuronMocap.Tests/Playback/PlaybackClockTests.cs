@@ -1,5 +1,5 @@
 using System.Diagnostics;
-using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Playback;
 

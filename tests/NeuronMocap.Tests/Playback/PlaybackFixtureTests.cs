@@ -1,10 +1,7 @@
 using System.Net.Sockets;
-using NeuronMocap.Delivery;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Reader;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Playback;
 

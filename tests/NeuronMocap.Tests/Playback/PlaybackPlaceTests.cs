@@ -1,5 +1,3 @@
-using NeuronMocap.Delivery;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;

@@ -1,4 +1,4 @@
-using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Playback;

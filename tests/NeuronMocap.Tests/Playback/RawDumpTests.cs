@@ -1,5 +1,5 @@
-using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Playback;

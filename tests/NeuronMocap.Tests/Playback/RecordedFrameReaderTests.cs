@@ -1,11 +1,8 @@
-using NeuronMocap.Frames;
-using NeuronMocap.Playback;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Reader;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Playback;
 

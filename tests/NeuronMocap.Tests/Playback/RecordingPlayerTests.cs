@@ -1,7 +1,4 @@
 using System.Diagnostics;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;

@@ -1,6 +1,4 @@
-using NeuronMocap.Frames;
 using NeuronMocap.Recording;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Playback;
 

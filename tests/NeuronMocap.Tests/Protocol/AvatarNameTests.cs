@@ -1,5 +1,4 @@
 using System.Text;
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Protocol;
 

@@ -1,5 +1,3 @@
-using NeuronMocap.Protocol;
-
 namespace NeuronMocap.Tests.Protocol;
 
 public sealed class CalculationHeaderTests

@@ -1,9 +1,6 @@
 using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 

@@ -1,6 +1,4 @@
 using System.Diagnostics.Metrics;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;

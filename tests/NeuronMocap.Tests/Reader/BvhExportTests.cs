@@ -1,10 +1,7 @@
 using System.Text;
 using NeuronMocap.Bvh;
-using NeuronMocap.Protocol;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Telemetry;
 using NeuronMocap.Tests.Bvh;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;

@@ -1,14 +1,11 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Delivery;
-using NeuronMocap.Playback;
+using NeuronMocap.Reader;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 

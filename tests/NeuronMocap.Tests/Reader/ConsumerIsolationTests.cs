@@ -1,5 +1,3 @@
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;

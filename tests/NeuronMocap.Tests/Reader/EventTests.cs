@@ -1,7 +1,4 @@
-using NeuronMocap.Delivery;
-using NeuronMocap.Telemetry;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 

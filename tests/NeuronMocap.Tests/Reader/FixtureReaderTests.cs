@@ -1,10 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
 using NeuronMocap.Tests.Frames;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 

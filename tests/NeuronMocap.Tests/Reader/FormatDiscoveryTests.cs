@@ -1,12 +1,11 @@
 using System.Diagnostics;
 using System.Text;
 using NeuronMocap.Bvh;
-using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
+using NeuronMocap.Reader;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 

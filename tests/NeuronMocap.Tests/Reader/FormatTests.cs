@@ -1,13 +1,8 @@
 using System.Net;
 using System.Numerics;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Server.Sources;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 

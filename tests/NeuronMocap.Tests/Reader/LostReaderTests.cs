@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using NeuronMocap.Delivery;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;

@@ -1,5 +1,4 @@
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 

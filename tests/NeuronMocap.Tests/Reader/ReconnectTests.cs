@@ -2,7 +2,6 @@ using System.Net;
 using NeuronMocap.Server;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Server;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 

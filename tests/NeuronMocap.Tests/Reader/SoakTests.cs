@@ -1,8 +1,6 @@
 using System.Buffers.Binary;
 using System.Diagnostics;
 using System.Globalization;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;

@@ -1,7 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 

@@ -1,6 +1,4 @@
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
-using NeuronMocap.Telemetry;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Playback;
 using NeuronMocap.Tests.Recording;

@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Delivery;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 

@@ -1,7 +1,5 @@
 using System.Net;
-using NeuronMocap.Delivery;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 

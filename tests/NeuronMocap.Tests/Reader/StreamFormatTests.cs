@@ -1,13 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
-using NeuronMocap.Telemetry;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 

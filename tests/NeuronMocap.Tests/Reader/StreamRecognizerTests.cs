@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
+using NeuronMocap.Reader;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;

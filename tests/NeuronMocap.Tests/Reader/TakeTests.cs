@@ -1,7 +1,5 @@
 using NeuronMocap.Bvh;
-using NeuronMocap.Delivery;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Reader;

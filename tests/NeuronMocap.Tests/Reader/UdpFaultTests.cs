@@ -1,6 +1,5 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Delivery;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;

@@ -1,9 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Delivery;
 using NeuronMocap.Tests.Diagnostics;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 

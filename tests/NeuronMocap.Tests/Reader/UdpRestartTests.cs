@@ -1,8 +1,6 @@
 using System.Diagnostics;
 using System.Net.Sockets;
 using NeuronMocap.Bvh;
-using NeuronMocap.Delivery;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Tests.Network;
 

@@ -1,7 +1,5 @@
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Tests.Playback;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Recording;
 

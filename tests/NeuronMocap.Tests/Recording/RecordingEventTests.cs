@@ -2,7 +2,6 @@ using System.Collections.Concurrent;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Telemetry;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Network;
 

@@ -3,7 +3,6 @@ using FsCheck;
 using FsCheck.Fluent;
 using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Recording;
 

@@ -1,5 +1,4 @@
 using NeuronMocap.Recording;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Recording;
 

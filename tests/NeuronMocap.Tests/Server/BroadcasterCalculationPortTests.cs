@@ -1,7 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 
 namespace NeuronMocap.Tests.Server;
 

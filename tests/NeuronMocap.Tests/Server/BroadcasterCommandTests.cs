@@ -4,7 +4,6 @@ using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server;

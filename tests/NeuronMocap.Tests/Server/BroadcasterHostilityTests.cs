@@ -2,8 +2,6 @@ using System.Diagnostics;
 using System.Net.Sockets;
 using System.Runtime.ExceptionServices;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server;
 

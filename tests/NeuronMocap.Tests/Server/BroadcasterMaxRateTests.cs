@@ -1,6 +1,4 @@
-using NeuronMocap.Protocol;
 using NeuronMocap.Server;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server;
 

@@ -1,13 +1,10 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Playback;
-using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Playback;
 using NeuronMocap.Tests.Reader;
-using NeuronMocap.Transport;
 using Worker = NeuronMocap.Server.Broadcasting.Worker;
 
 namespace NeuronMocap.Tests.Server;

@@ -1,10 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Server.Broadcasting;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server;
 

@@ -1,6 +1,5 @@
 using NeuronMocap.Commands;
 using NeuronMocap.Server;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Commands;
 using static NeuronMocap.Tests.Server.CommandServerTests;
 

@@ -6,7 +6,6 @@ using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Bvh;
 using NeuronMocap.Tests.Commands;

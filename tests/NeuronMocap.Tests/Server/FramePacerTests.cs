@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Server.Broadcasting;
 

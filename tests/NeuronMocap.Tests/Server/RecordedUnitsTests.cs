@@ -1,11 +1,9 @@
 using System.Text;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Playback;
 using NeuronMocap.Tests.Reader;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Server;
 

@@ -5,7 +5,6 @@ using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Server.Broadcasting;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Commands;
 
 namespace NeuronMocap.Tests.Server;

@@ -1,4 +1,4 @@
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server;

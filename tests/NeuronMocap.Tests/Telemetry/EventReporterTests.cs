@@ -3,7 +3,6 @@ using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Telemetry;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Telemetry;
 

@@ -1,8 +1,6 @@
 using Microsoft.Extensions.Logging;
-using NeuronMocap.Delivery;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Telemetry;
 

@@ -2,7 +2,6 @@ using System.Diagnostics;
 using System.Diagnostics.Metrics;
 using System.Runtime.CompilerServices;
 using NeuronMocap.Delivery;
-using NeuronMocap.Protocol;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Tests.Network;
 

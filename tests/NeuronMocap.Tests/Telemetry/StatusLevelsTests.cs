@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using NeuronMocap.Telemetry;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Telemetry;
 

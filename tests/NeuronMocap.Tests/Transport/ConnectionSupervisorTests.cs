@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using NeuronMocap.Protocol;
+using NeuronMocap.Reader;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Tests.Network;

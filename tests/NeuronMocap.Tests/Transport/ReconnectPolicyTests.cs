@@ -1,5 +1,3 @@
-using NeuronMocap.Transport;
-
 namespace NeuronMocap.Tests.Transport;
 
 public sealed class ReconnectPolicyTests

@@ -3,14 +3,13 @@ using System.Reflection.Metadata;
 using System.Reflection.Metadata.Ecma335;
 using System.Reflection.PortableExecutable;
 using System.Text.RegularExpressions;
+using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
 using NeuronMocap.Diagnostics;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Watch.Recordings;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Tests.Arguments;
 

@@ -4,8 +4,6 @@ using System.Text;
 using System.Text.Json;
 using NeuronMocap.Bvh;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Commands;

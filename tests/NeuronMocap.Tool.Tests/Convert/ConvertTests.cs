@@ -1,8 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Calculation;

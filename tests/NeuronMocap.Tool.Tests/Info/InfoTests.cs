@@ -2,7 +2,6 @@ using System.Numerics;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using NeuronMocap.Bvh;
-using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
@@ -11,7 +10,6 @@ using NeuronMocap.Tool.Info;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.Infrastructure;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Tests.Info;
 

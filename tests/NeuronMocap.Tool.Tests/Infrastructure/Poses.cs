@@ -1,5 +1,3 @@
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Tests.Infrastructure;

@@ -3,13 +3,9 @@ using System.Net;
 using System.Numerics;
 using System.Text;
 using System.Text.Json;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Tests.Infrastructure;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Tests.Output;
 

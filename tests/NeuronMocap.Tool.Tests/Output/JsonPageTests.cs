@@ -3,17 +3,12 @@ using System.Reflection;
 using System.Text;
 using System.Text.Json;
 using System.Text.RegularExpressions;
-using NeuronMocap.Delivery;
 using NeuronMocap.Diagnostics;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Commands;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Tests.Infrastructure;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Tests.Output;
 

@@ -1,10 +1,8 @@
 using System.Text.Json;
 using NeuronMocap.Bvh;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Tests.Infrastructure;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Tests.Play;
 

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.Infrastructure;
 

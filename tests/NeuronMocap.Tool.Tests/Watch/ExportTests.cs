@@ -1,5 +1,4 @@
 using NeuronMocap.Bvh;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Watch;

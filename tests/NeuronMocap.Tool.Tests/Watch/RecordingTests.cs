@@ -76,7 +76,7 @@ public sealed class RecordingTests : IDisposable
         Assert.Equal(0, result.ExitCode);
         using RecordingReader reader = RecordingReader.Open(Take);
         Assert.True(reader.IsComplete);
-        Assert.Equal(Skeleton.RotationOrder.ZXY, reader.Metadata.RotationOrder);
+        Assert.Equal(RotationOrder.ZXY, reader.Metadata.RotationOrder);
         Assert.Equal("Binary", reader.Metadata[RecordingMetadata.StreamFormatName]);
         Assert.Equal("Tcp", reader.Metadata[RecordingMetadata.TransportName]);
         Assert.Contains("NeuronMocap 0.", reader.Metadata[RecordingMetadata.Program], StringComparison.Ordinal);

@@ -1,7 +1,6 @@
-using NeuronMocap.Kinematics;
+using NeuronMocap.Motion;
 using NeuronMocap.Retargeting;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.Tests.Infrastructure;
 

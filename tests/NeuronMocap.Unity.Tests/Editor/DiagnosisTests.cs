@@ -50,7 +50,7 @@ public class DiagnosisTests
     public async Task Frames_that_arrive_are_said_to()
     {
         using var world = new EditorWorld();
-        using var server = new Server.Broadcaster(new Server.BroadcasterOptions { Port = 0, Sources = [new Server.Sources.SyntheticActor(60, 0)] });
+        using var server = new Server.Broadcaster(new Server.BroadcasterOptions { Port = 0, Sources = [new Server.SyntheticActor(60, 0)] });
         server.Start();
         world.AddSource(source => source.Port = server.LocalEndPoint!.Port);
 
@@ -116,7 +116,7 @@ public class DiagnosisTests
         using var probe = new System.Net.Sockets.UdpClient(new System.Net.IPEndPoint(System.Net.IPAddress.Any, 0));
         int port = ((System.Net.IPEndPoint)probe.Client.LocalEndPoint!).Port;
         probe.Dispose();
-        MocapSource source = world.AddSource(source => (source.Transport, source.Port) = (Transport.TransportKind.Udp, port));
+        MocapSource source = world.AddSource(source => (source.Transport, source.Port) = (TransportKind.Udp, port));
         world.Loop.RunUntil(() => source.State == SourceState.Connected);
         var inspector = (MocapSourceEditor)world.Inspect(source);
 

@@ -1,6 +1,5 @@
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Unity.EditorTools;

@@ -1,7 +1,5 @@
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 using NeuronMocap.Unity.EditorTools;
 using UnityEditor;
 
@@ -124,7 +122,7 @@ public class SourceInspectorTests
             Port = 0,
             Sources = [new SyntheticActor(60, 0)],
             Format = BroadcastFormat.Studio,
-            RotationOrder = Skeleton.RotationOrder.YXZ,
+            RotationOrder = RotationOrder.YXZ,
         });
         server.Start();
         using var world = new EditorWorld(play: true);

@@ -1,5 +1,3 @@
-using NeuronMocap.Skeleton;
-
 namespace NeuronMocap.Unity.Tests.Figures;
 
 public sealed class StageBuilderTests : IDisposable

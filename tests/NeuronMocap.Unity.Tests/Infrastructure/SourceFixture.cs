@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using System.Net;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 
 namespace NeuronMocap.Unity.Tests.Infrastructure;
 

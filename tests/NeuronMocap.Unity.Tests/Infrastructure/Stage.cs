@@ -1,6 +1,5 @@
 using System.Net;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Unity.Tests.Infrastructure;

@@ -1,10 +1,8 @@
 using System.Net;
-using NeuronMocap.Kinematics;
+using NeuronMocap.Motion;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Sources;

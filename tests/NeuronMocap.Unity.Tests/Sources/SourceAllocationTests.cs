@@ -1,9 +1,6 @@
-using NeuronMocap.Frames;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Protocol;
+using NeuronMocap.Motion;
 using NeuronMocap.Retargeting;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Unity.Tests.Drivers;
 using NeuronMocap.Unity.Tests.Infrastructure;
 

@@ -1,9 +1,6 @@
 using NeuronMocap.Bvh;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.Tests.Infrastructure;
 

@@ -1,5 +1,4 @@
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Sources;

@@ -1,5 +1,4 @@
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Unity.Tests.Infrastructure;
 
@@ -27,7 +26,7 @@ public sealed class SourceLifetimeTests : SourceFixture
             (SourceState.Connected, source => source.Port = silent.Port),
             (SourceState.Receiving, source => source.Port = server.LocalEndPoint!.Port),
             (SourceState.Waiting, source => source.Port = FreePort()),
-            (SourceState.Connected, source => (source.Transport, source.Port) = (Transport.TransportKind.Udp, FreePort())),
+            (SourceState.Connected, source => (source.Transport, source.Port) = (TransportKind.Udp, FreePort())),
             (SourceState.Receiving, source => source.Kind = SourceKind.Simulator),
             (SourceState.Connecting, source => source.Address = "no such host.invalid"),
             (SourceState.Failed, source => source.Port = 0),

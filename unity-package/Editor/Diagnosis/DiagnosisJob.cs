@@ -64,7 +64,7 @@ namespace NeuronMocap.Unity.EditorTools
             return await NeuronDiagnostics.DiagnoseAsync(options, how, this, _stop.Token).ConfigureAwait(false);
         }
 
-        private static string Describe(NeuronReaderOptions options) => options.Transport == Transport.TransportKind.Udp
+        private static string Describe(NeuronReaderOptions options) => options.Transport == TransportKind.Udp
             ? $"UDP port {options.Port} of this computer"
             : $"{options.Host}:{options.Port} over TCP";
     }

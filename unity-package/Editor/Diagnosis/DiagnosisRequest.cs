@@ -1,7 +1,6 @@
 #nullable enable
 
 using System.Net;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Unity.EditorTools
 {

@@ -2,7 +2,6 @@
 
 using System;
 using System.Linq;
-using NeuronMocap.Transport;
 using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools

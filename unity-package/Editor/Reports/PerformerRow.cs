@@ -4,8 +4,6 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
-using NeuronMocap.Delivery;
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Unity.EditorTools
 {

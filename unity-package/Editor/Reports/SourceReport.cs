@@ -2,9 +2,6 @@
 
 using System;
 using System.Collections.Generic;
-using NeuronMocap.Delivery;
-using NeuronMocap.Protocol;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Unity.EditorTools
 {

@@ -1,6 +1,5 @@
 #nullable enable
 
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Unity.EditorTools
 {

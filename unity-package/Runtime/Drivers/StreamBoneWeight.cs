@@ -1,7 +1,6 @@
 #nullable enable
 
 using System;
-using NeuronMocap.Skeleton;
 using UnityEngine;
 
 namespace NeuronMocap.Unity

@@ -1,5 +1,4 @@
 #nullable enable
-using NeuronMocap.Skeleton;
 using Vector2 = UnityEngine.Vector2;
 using Vector3 = UnityEngine.Vector3;
 

@@ -1,7 +1,6 @@
 #nullable enable
 
 using System;
-using NeuronMocap.Skeleton;
 using UnityEngine;
 using Quaternion = UnityEngine.Quaternion;
 using Vector2 = UnityEngine.Vector2;

@@ -4,6 +4,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
+using NeuronMocap.Bvh;
 using NeuronMocap.Recording;
 
 namespace NeuronMocap.Unity

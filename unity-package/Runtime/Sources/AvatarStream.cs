@@ -2,9 +2,7 @@
 
 using System;
 using System.Threading;
-using NeuronMocap.Frames;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Protocol;
+using NeuronMocap.Motion;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Unity

@@ -1,7 +1,6 @@
 #nullable enable
 
 using System;
-using NeuronMocap.Frames;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Unity

@@ -1,7 +1,6 @@
 #nullable enable
 
 using System.Threading;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Unity
 {

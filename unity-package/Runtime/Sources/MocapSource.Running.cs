@@ -2,8 +2,7 @@
 
 using System;
 using System.Collections.Generic;
-using NeuronMocap.Playback;
-using NeuronMocap.Transport;
+using NeuronMocap.Recording;
 using UnityEngine;
 
 namespace NeuronMocap.Unity

@@ -1,8 +1,7 @@
 #nullable enable
 
 using System;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Transport;
+using NeuronMocap.Motion;
 using UnityEngine;
 
 namespace NeuronMocap.Unity

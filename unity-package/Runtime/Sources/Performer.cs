@@ -1,8 +1,7 @@
 #nullable enable
 
 using System;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Protocol;
+using NeuronMocap.Motion;
 using NeuronMocap.Skeleton;
 using Quaternion = UnityEngine.Quaternion;
 using Vector3 = UnityEngine.Vector3;

@@ -1,7 +1,7 @@
 #nullable enable
 
 using System;
-using NeuronMocap.Kinematics;
+using NeuronMocap.Motion;
 
 namespace NeuronMocap.Unity
 {

@@ -3,9 +3,8 @@
 using System;
 using System.Net;
 using System.Threading.Tasks;
-using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Unity
 {

@@ -3,9 +3,8 @@
 using System.Collections.Generic;
 
 using NeuronMocap.Bvh;
-using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 
 namespace NeuronMocap.Unity
 {

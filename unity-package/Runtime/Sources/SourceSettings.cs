@@ -1,7 +1,6 @@
 #nullable enable
 
 using NeuronMocap.Skeleton;
-using NeuronMocap.Transport;
 using UnityEngine;
 
 namespace NeuronMocap.Unity

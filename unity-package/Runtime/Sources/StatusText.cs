@@ -1,7 +1,6 @@
 #nullable enable
 
 using System;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Unity
 {

@@ -1,5 +1,4 @@
 #nullable enable
-using NeuronMocap.Transport;
 using UnityEngine;
 
 namespace NeuronMocap.Unity.Samples

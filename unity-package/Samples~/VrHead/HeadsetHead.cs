@@ -1,6 +1,5 @@
 #nullable enable
 using NeuronMocap.Retargeting;
-using NeuronMocap.Skeleton;
 using UnityEngine;
 
 namespace NeuronMocap.Unity.Samples

@@ -1,4 +1,5 @@
 using System.Globalization;
+using NeuronMocap.Bvh;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 

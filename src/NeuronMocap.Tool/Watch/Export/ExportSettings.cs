@@ -1,3 +1,5 @@
+using NeuronMocap.Bvh;
+
 namespace NeuronMocap.Tool.Watch.Export;
 
 /// <summary>What is to be kept of the stream.</summary>

@@ -1,6 +1,3 @@
-using NeuronMocap.Delivery;
-using NeuronMocap.Protocol;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Terminal;
 using Spectre.Console;
 using Spectre.Console.Rendering;

@@ -1,5 +1,3 @@
-using NeuronMocap.Delivery;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Terminal;
 using Spectre.Console;

@@ -1,6 +1,3 @@
-using NeuronMocap.Delivery;
-using NeuronMocap.Protocol;
-
 namespace NeuronMocap.Tool.Watch.Live;
 
 /// <summary>The reader's figures, counted from the last reset.</summary>

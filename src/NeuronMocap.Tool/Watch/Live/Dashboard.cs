@@ -55,7 +55,7 @@ internal static class Dashboard
     {
         if (state.ShowsHelp)
             return Fixed(Frame("help", HelpView.Create(state.Player is not null), framed), height);
-        if (state.Pose is not { HasSkeleton: true } pose || state.Status.State != Transport.ConnectionState.Receiving)
+        if (state.Pose is not { HasSkeleton: true } pose || state.Status.State != ConnectionState.Receiving)
             return Fixed(ProblemView.Create(ProblemView.Find(state) ?? default, state, width, height), height);
 
         int inner = height - (framed ? 2 : 0);

@@ -1,6 +1,5 @@
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Terminal;
-using NeuronMocap.Transport;
 using Spectre.Console;
 
 namespace NeuronMocap.Tool.Watch.Live;

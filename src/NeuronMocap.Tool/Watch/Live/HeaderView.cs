@@ -1,11 +1,8 @@
 using System.Diagnostics;
-using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Terminal;
-using NeuronMocap.Transport;
 using Spectre.Console;
 using Spectre.Console.Rendering;
 

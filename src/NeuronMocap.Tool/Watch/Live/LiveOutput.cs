@@ -1,13 +1,9 @@
 using System.Runtime.InteropServices;
 using System.Text;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Playback;
 using NeuronMocap.Recording;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Terminal;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Watch.Live;
 

@@ -1,13 +1,7 @@
 using System.Diagnostics;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Kinematics;
-using NeuronMocap.Playback;
-using NeuronMocap.Protocol;
+using NeuronMocap.Motion;
 using NeuronMocap.Recording;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Output;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Watch.Live;
 

@@ -1,6 +1,4 @@
 using System.Numerics;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Watch.Live;

@@ -1,7 +1,5 @@
-using NeuronMocap.Protocol;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Terminal;
-using NeuronMocap.Transport;
 using Spectre.Console;
 using Spectre.Console.Rendering;
 

@@ -1,5 +1,4 @@
 using System.Numerics;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Watch.Live;

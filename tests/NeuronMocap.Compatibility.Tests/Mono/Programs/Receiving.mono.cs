@@ -2,9 +2,6 @@ using System;
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Transport;
 
 // Compiled and run by Mono. Receives over TCP, over UDP, and from a server that closes again and again; prints what came.
 public static class Program

@@ -8,9 +8,8 @@ using System.Net.Sockets;
 using System.Threading;
 using NeuronMocap;
 using NeuronMocap.Commands;
-using NeuronMocap.Playback;
+using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Transport;
 
 // Compiled and run by Mono. Stops what can be stopped, again and again, in every state, and prints how long it took, in milliseconds.

@@ -1,8 +1,8 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
-using NeuronMocap.Kinematics;
+using NeuronMocap.Motion;
 using NeuronMocap.Retargeting;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Retargeting.Pictures;

@@ -1,9 +1,7 @@
 using System.Numerics;
 using System.Text;
 using NeuronMocap.Bvh;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server.Sources;

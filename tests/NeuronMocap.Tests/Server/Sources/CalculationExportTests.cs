@@ -1,8 +1,7 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server.Sources;

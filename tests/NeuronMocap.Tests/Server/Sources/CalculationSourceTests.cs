@@ -1,8 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Calculation;
-using NeuronMocap.Frames;
 using NeuronMocap.Server;
-using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Calculation;
 

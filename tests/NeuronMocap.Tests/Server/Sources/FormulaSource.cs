@@ -1,5 +1,5 @@
 using System.Numerics;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server.Sources;

@@ -2,13 +2,12 @@ using System.Numerics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
-using NeuronMocap.Server.Sources;
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Bvh;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Playback;
-using NeuronMocap.Transport;
-using PlaybackOptions = NeuronMocap.Playback.PlaybackOptions;
+using PlaybackOptions = NeuronMocap.Recording.PlaybackOptions;
 
 namespace NeuronMocap.Tests.Server.Sources;
 

@@ -1,6 +1,5 @@
 using System.Numerics;
-using NeuronMocap.Server.Sources;
-using NeuronMocap.Skeleton;
+using NeuronMocap.Server;
 
 namespace NeuronMocap.Tests.Server.Sources;
 

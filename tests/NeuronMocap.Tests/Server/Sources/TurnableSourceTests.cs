@@ -1,7 +1,7 @@
 using System.Numerics;
 using System.Text;
 using NeuronMocap.Bvh;
-using NeuronMocap.Frames;
+using NeuronMocap.Server;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 

@@ -1,4 +1,3 @@
-using NeuronMocap.Delivery;
 using NeuronMocap.Tool.Watch.Live;
 
 namespace NeuronMocap.Tool.Tests.Watch.Live;

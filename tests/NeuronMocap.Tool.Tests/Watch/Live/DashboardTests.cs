@@ -1,13 +1,9 @@
 using System.Text.RegularExpressions;
-using NeuronMocap.Delivery;
-using NeuronMocap.Frames;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Tests.Infrastructure;
 using NeuronMocap.Tool.Watch;
 using NeuronMocap.Tool.Watch.Live;
-using NeuronMocap.Transport;
 using Spectre.Console;
 
 namespace NeuronMocap.Tool.Tests.Watch.Live;

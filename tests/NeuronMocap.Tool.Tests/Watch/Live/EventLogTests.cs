@@ -1,5 +1,4 @@
 using NeuronMocap.Tool.Watch.Live;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Tests.Watch.Live;
 

@@ -67,7 +67,7 @@ public sealed class SkeletonViewTests
         Assert.Equal(58 + 13, Wireframe.Lines(Skeleton.SkeletonVariant.Spine3).Length);
     }
 
-    private static string[] Draw(Frames.MotionFrame frame, Viewpoint viewpoint)
+    private static string[] Draw(MotionFrame frame, Viewpoint viewpoint)
     {
         var scale = new ViewScale();
         var pose = new Pose(frame);

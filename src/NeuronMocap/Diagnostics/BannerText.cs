@@ -1,0 +1,26 @@
+using System.Text;
+
+namespace NeuronMocap.Diagnostics;
+
+internal static class BannerText
+{
+    private const int Longest = 60;
+
+    // The first line of what a program said, where it is readable; null where it is not.
+    public static string? Of(ReadOnlySpan<byte> bytes)
+    {
+        int end = bytes.IndexOfAny((byte)'\r', (byte)'\n');
+        ReadOnlySpan<byte> line = end < 0 ? bytes : bytes[..end];
+        foreach (byte value in line)
+        {
+            if (value is < 0x20 or > 0x7E)
+                return null;
+        }
+
+        if (line.Length < 3)
+            return null;
+
+        string text = Encoding.ASCII.GetString(line[..Math.Min(line.Length, Longest)]);
+        return line.Length > Longest ? text + "…" : text;
+    }
+}

@@ -1,0 +1,59 @@
+using System.Diagnostics;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Diagnostics;
+
+// The shares of the whole time that the stages may take. What one leaves over, the later ones do not get.
+internal sealed record DiagnosisPace
+{
+    public double Name { get; init; } = 0.25;
+
+    public double Connecting { get; init; } = 0.25;
+
+    public double Silence { get; init; } = 0.3;
+
+    public double Measuring { get; init; } = 0.2;
+
+    public double Asking { get; init; } = 0.06;
+
+    public double Elsewhere { get; init; } = 0.13;
+
+    // No share, but what the other ports still get of theirs when one has the stream.
+    public TimeSpan Grace { get; init; } = TimeSpan.FromMilliseconds(200);
+}
+
+// What an examination has to know: what to look for, how long, and where to tell.
+internal sealed class DiagnosisContext(LinkOptions link, DiagnosisOptions options, StepLog log, CancellationToken stop)
+{
+    private readonly Stopwatch _watch = Stopwatch.StartNew();
+
+    public LinkOptions Link => link;
+
+    public DiagnosisOptions Options => options;
+
+    public DiagnosisPace Pace => options.Pace;
+
+    public PacketKind Wanted => options.Wanted;
+
+    public StepLog Log => log;
+
+    public CancellationToken Stop => stop;
+
+    public TimeSpan Elapsed => _watch.Elapsed;
+
+    public TimeSpan Share(double part)
+    {
+        TimeSpan left = options.Timeout - _watch.Elapsed;
+        TimeSpan share = options.Timeout * part;
+        return left < share ? (left > TimeSpan.Zero ? left : TimeSpan.Zero) : share;
+    }
+
+    // Until one of the tasks ends or the time is over; throws when the caller has stopped the diagnosis.
+    public async Task WaitAsync(TimeSpan time, params Task[] tasks)
+    {
+        using var limit = CancellationTokenSource.CreateLinkedTokenSource(stop);
+        await Task.WhenAny([.. tasks, Task.Delay(time, limit.Token)]).ConfigureAwait(false);
+        limit.Cancel();
+        stop.ThrowIfCancellationRequested();
+    }
+}

@@ -1,0 +1,28 @@
+namespace NeuronMocap.Bvh;
+
+// What the names of channels mean.
+internal static class BvhChannels
+{
+    public static readonly BvhChannel[] Positions = [BvhChannel.Xposition, BvhChannel.Yposition, BvhChannel.Zposition];
+
+    public static bool IsPosition(this BvhChannel channel) => channel is >= BvhChannel.Xposition and <= BvhChannel.Zposition;
+
+    public static bool IsRotation(this BvhChannel channel) => channel is >= BvhChannel.Xrotation and <= BvhChannel.Zrotation;
+
+    /// <summary>0 for X, 1 for Y, 2 for Z.</summary>
+    public static int Axis(this BvhChannel channel) =>
+        channel.IsPosition() ? channel - BvhChannel.Xposition : channel - BvhChannel.Xrotation;
+
+    /// <summary>The rotation channels of an order, as they stand in a row.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such order.</exception>
+    public static BvhChannel[] Rotations(RotationOrder order) => order switch
+    {
+        RotationOrder.XZY => [BvhChannel.Xrotation, BvhChannel.Zrotation, BvhChannel.Yrotation],
+        RotationOrder.YXZ => [BvhChannel.Yrotation, BvhChannel.Xrotation, BvhChannel.Zrotation],
+        RotationOrder.XYZ => [BvhChannel.Xrotation, BvhChannel.Yrotation, BvhChannel.Zrotation],
+        RotationOrder.YZX => [BvhChannel.Yrotation, BvhChannel.Zrotation, BvhChannel.Xrotation],
+        RotationOrder.ZXY => [BvhChannel.Zrotation, BvhChannel.Xrotation, BvhChannel.Yrotation],
+        RotationOrder.ZYX => [BvhChannel.Zrotation, BvhChannel.Yrotation, BvhChannel.Xrotation],
+        _ => throw new ArgumentOutOfRangeException(nameof(order), order, "There are six rotation orders, 0 to 5."),
+    };
+}

@@ -1,0 +1,120 @@
+using System.Diagnostics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Recording;
+
+// The way from arrivals to packets: the very one that bytes take from a socket (TcpLink, UdpLink). A recording has one connection at a time, or two, where
+// calculation data came over one of its own.
+internal sealed class ArrivalParser(int maxValues, SenderFilter filter, IPacketReceiver receiver)
+{
+    private readonly PacketScanner _scanner = new(maxValues);
+    private readonly CalculationOnly _calculation = new(receiver);
+    private readonly Parser?[] _parsers = new Parser?[2];
+    private UdpServers _servers = new();
+
+    // The recording's, so that it is told as it was then who was silent, at any speed.
+    private long _clock;
+
+    public bool IsOpen => _parsers[0] is not null || _parsers[1] is not null;
+
+    // Of the newest arrival.
+    public int Connection { get; private set; }
+
+    // Whether an arrival belongs to a connection that is open.
+    public bool Continues(in Arrival arrival) => ParserOf(arrival) is { } parser && parser.Connection == arrival.Connection;
+
+    // Whether a connection that is open must have ended before an arrival.
+    public bool Ends(in Arrival arrival) =>
+        arrival.Kind is ArrivalKind.Opened or ArrivalKind.Bytes && ParserOf(arrival) is { } parser && parser.Connection != arrival.Connection;
+
+    // One whose beginning is not there is joined late: nobody knows whether its first bytes begin anything. Over UDP each sender's first datagram tells.
+    public void Open(in Arrival arrival)
+    {
+        Close(ParserOf(arrival));
+        Connection = arrival.Connection;
+        var parser = new Parser(arrival.Connection);
+        IPacketReceiver target = arrival.IsCalculation ? _calculation : receiver;
+        if (arrival.Transport == TransportKind.Udp)
+            parser.Udp = new UdpSenders(_scanner, target, filter, _servers);
+        else
+            parser.Tcp = new PacketAssembler(_scanner, target);
+
+        if (arrival.Kind != ArrivalKind.Opened || arrival.WasOpen)
+            parser.Tcp?.JoinLate();
+
+        _parsers[PlaceOf(arrival)] = parser;
+    }
+
+    // True when a connection stands that did not before.
+    public bool Follow(in Arrival arrival, long timestamp)
+    {
+        _clock = ToClock(arrival.Time);
+        bool isNew = arrival.Kind is ArrivalKind.Opened or ArrivalKind.Bytes && !Continues(arrival);
+        if (isNew)
+            Open(arrival);
+
+        if (arrival.Kind == ArrivalKind.Bytes)
+            Push(ParserOf(arrival)!, arrival, timestamp);
+        else if (arrival.Kind == ArrivalKind.Lost)
+            ParserOf(arrival)?.Tcp?.Abandon();
+        else if (arrival.Kind == ArrivalKind.Closed && Continues(arrival))
+            Close(ParserOf(arrival));
+
+        return isNew;
+    }
+
+    // Over UDP no packet is waited for when the port is closed, and nothing is said to be incomplete.
+    public void Close(TimeSpan? end = null)
+    {
+        if (end is { } time)
+            _clock = ToClock(time);
+
+        Close(_parsers[0]);
+        Close(_parsers[1]);
+        _servers = new UdpServers();
+    }
+
+    // Datagrams do not wait any longer to be told whose they are.
+    public void Settle()
+    {
+        foreach (Parser? parser in _parsers)
+            parser?.Udp?.Settle(_clock, isLast: true);
+    }
+
+    private static long ToClock(TimeSpan time) => (long)(time.TotalSeconds * Stopwatch.Frequency);
+
+    private static int PlaceOf(in Arrival arrival) => arrival.IsCalculation ? 1 : 0;
+
+    private Parser? ParserOf(in Arrival arrival) => _parsers[PlaceOf(arrival)];
+
+    // What follows a loss continues nothing. That a datagram is missing shows in the one that follows it.
+    private void Push(Parser parser, in Arrival arrival, long timestamp)
+    {
+        Connection = arrival.Connection;
+        if (parser.Udp is not null)
+            parser.Udp.Push(arrival.Sender!, arrival.Bytes, timestamp, _clock);
+        else
+            parser.Tcp!.Push(arrival.Bytes, timestamp);
+    }
+
+    private void Close(Parser? parser)
+    {
+        parser?.Udp?.Settle(_clock, isLast: true);
+        parser?.Tcp?.Abandon();
+        for (int i = 0; i < _parsers.Length; i++)
+        {
+            if (_parsers[i] == parser)
+                _parsers[i] = null;
+        }
+    }
+
+    private sealed class Parser(int connection)
+    {
+        public int Connection => connection;
+
+        public PacketAssembler? Tcp { get; set; }
+
+        public UdpSenders? Udp { get; set; }
+    }
+}

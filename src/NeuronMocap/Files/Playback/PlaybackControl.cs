@@ -1,0 +1,221 @@
+namespace NeuronMocap.Recording;
+
+// Where those who control a playback and its thread meet: what is played next, and when. Any thread; only the playback's ever waits here.
+internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
+{
+    private readonly object _gate = new();
+    private readonly PlaybackClock _clock = new();
+    private TimeSpan? _seek;
+    private int _steps;
+    private int _stepsBack;
+
+    // Of steps back: the place was found, and a step forward shall show the frame.
+    private bool _isShowing;
+    private int _passes = 1;
+    private int _pass = 1;
+    private bool _isPaused;
+    private volatile bool _isOver;
+
+    public TimeSpan Position
+    {
+        get
+        {
+            lock (_gate)
+            {
+                TimeSpan position = _seek ?? _clock.PositionAt(time.Now);
+                return position < duration ? position : duration;
+            }
+        }
+    }
+
+    public double Speed
+    {
+        get
+        {
+            lock (_gate)
+                return _clock.Speed;
+        }
+
+        set => Change(() => _clock.SetSpeed(value, time.Now));
+    }
+
+    public int Passes
+    {
+        get
+        {
+            lock (_gate)
+                return _passes;
+        }
+
+        set => Change(() => _passes = value);
+    }
+
+    public int Pass
+    {
+        get
+        {
+            lock (_gate)
+                return _pass;
+        }
+    }
+
+    public bool IsPaused
+    {
+        get
+        {
+            lock (_gate)
+                return _isPaused;
+        }
+    }
+
+    public void Pause() => Change(Halt);
+
+    public void Resume() => Change(() => _isPaused = false);
+
+    public void Step() => Change(() =>
+    {
+        Halt();
+        if (_stepsBack > 0)
+            _stepsBack--;
+        else
+            _steps++;
+    });
+
+    public void StepBack() => Change(() =>
+    {
+        Halt();
+        if (_steps > 1 && _isShowing)
+            _steps--;
+        else
+            _stepsBack++;
+    });
+
+    public void Seek(TimeSpan target) => Change(() =>
+    {
+        _seek = target;
+        (_steps, _stepsBack, _isShowing) = (0, 0, false);
+    });
+
+    // Any thread: nothing more is played.
+    public bool IsOver => _isOver;
+
+    // A link was closed.
+    public void Wake() => Change(static () => { });
+
+    public void End() => Change(() => _isOver = true);
+
+    // Playback thread: waits until it is known what to do next. Of what is due at the instant, timestamp is when it was.
+    public PlaybackTurn WaitFor(TimeSpan instant, PlaybackLink link, out long timestamp)
+    {
+        timestamp = 0;
+        lock (_gate)
+        {
+            while (true)
+            {
+                if (link.IsClosed || _isOver)
+                    return PlaybackTurn.Stop;
+                if (_seek is not null)
+                    return PlaybackTurn.Seek;
+                if (_stepsBack > 0 && (_steps == 0 || _isShowing))
+                    return PlaybackTurn.StepBack;
+                if (_steps > 0)
+                    return PlaybackTurn.Step;
+
+                if (_isPaused)
+                {
+                    Monitor.Wait(_gate);
+                    continue;
+                }
+
+                long now = time.Now;
+                if (!_clock.IsRunning)
+                    _clock.Run(now);
+                if (_clock.IsPaced && _clock.DueAt(instant) is var due && due > now)
+                {
+                    time.Wait(_gate, due);
+                    continue;
+                }
+
+                timestamp = _clock.Reach(instant, now);
+                return PlaybackTurn.Play;
+            }
+        }
+    }
+
+    // Playback thread: the place that a seek asked for.
+    public TimeSpan TakeSeek()
+    {
+        lock (_gate)
+        {
+            TimeSpan target = _seek ?? TimeSpan.Zero;
+            _seek = null;
+            _clock.MoveTo(target, time.Now);
+            return target;
+        }
+    }
+
+    // Playback thread: frames to go back by, from the one that was passed last; a step forward, to show the frame, takes their place. The one that was
+    // to be shown has not been passed.
+    public int TakeStepsBack()
+    {
+        lock (_gate)
+        {
+            int count = _stepsBack - (_isShowing ? 1 : 0);
+            (_steps, _stepsBack, _isShowing) = (1, 0, true);
+            return count;
+        }
+    }
+
+    // Playback thread: a step has come to a place, whose bytes are due now.
+    public long StepTo(TimeSpan place)
+    {
+        lock (_gate)
+        {
+            long now = time.Now;
+            _clock.MoveTo(place, now);
+            return _clock.Reach(place, now);
+        }
+    }
+
+    // Playback thread: a frame was handed out, or there is none.
+    public void EndStep()
+    {
+        lock (_gate)
+        {
+            _steps = Math.Max(0, _steps - 1);
+            _isShowing = false;
+        }
+    }
+
+    // Playback thread, at the end of a pass: whether another follows. It begins at the very instant at which this one ends.
+    public bool BeginPass()
+    {
+        lock (_gate)
+        {
+            if (_passes != RecordingPlayer.Endless && _pass >= _passes)
+                return false;
+
+            _pass += _pass < RecordingPlayer.Endless ? 1 : 0;
+            _clock.MoveTo(TimeSpan.Zero, _clock.IsPaced ? _clock.DueAt(duration) : time.Now);
+            return true;
+        }
+    }
+
+    // Under the gate.
+    private void Halt()
+    {
+        if (!_isPaused)
+            _clock.Halt(time.Now);
+
+        _isPaused = true;
+    }
+
+    private void Change(Action change)
+    {
+        lock (_gate)
+        {
+            change();
+            Monitor.PulseAll(_gate);
+        }
+    }
+}

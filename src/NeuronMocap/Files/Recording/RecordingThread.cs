@@ -1,0 +1,186 @@
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+
+namespace NeuronMocap.Recording;
+
+// Takes what the receive thread put into the ring and writes it to the files, until it is stopped or cannot write. One thread.
+internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, TimeSpan flushInterval, RecordingClock clock)
+{
+    // The connections that stand, two at most.
+    private readonly List<(int Number, bool IsCalculation, SenderTable Senders)> _open = [];
+    private readonly Dictionary<string, string> _metadata = new(StringComparer.Ordinal);
+    private (long Pieces, long Bytes) _lossTold;
+    private TimeSpan _time;
+    private bool _isDirty;
+    private long _flushed;
+    private volatile bool _stopping;
+
+    // Any thread: written with the next block.
+    public void SetMetadata(string key, string value)
+    {
+        lock (_metadata)
+            _metadata[key] = value;
+    }
+
+    // Any thread. What the ring holds is still written.
+    public void Stop()
+    {
+        _stopping = true;
+        ring.Wake();
+    }
+
+    // Throws what the system throws when a file cannot be written. The total of what was lost is asked for at the end, when nothing is added to it.
+    public void Run(Func<(long Pieces, long Bytes)> getLoss)
+    {
+        _flushed = RecordingClock.Now;
+        while (!_stopping)
+        {
+            WriteMetadata();
+            WritePieces();
+            TimeSpan left = flushInterval - RecordingClock.Between(_flushed, RecordingClock.Now);
+            if (left <= TimeSpan.Zero)
+                Flush();
+            else
+                ring.Wait(left);
+        }
+
+        WriteMetadata();
+        WritePieces();
+        (long pieces, long bytes) = getLoss();
+        if (pieces > _lossTold.Pieces)
+            WriteLoss(clock.TimeOf(RecordingClock.Now), _open.Count > 0 ? _open[0].Number : 0, pieces - _lossTold.Pieces, bytes - _lossTold.Bytes);
+
+        Flush();
+    }
+
+    private void Flush()
+    {
+        _flushed = RecordingClock.Now;
+        if (_isDirty)
+            files.Flush();
+
+        _isDirty = false;
+    }
+
+    private void WriteMetadata()
+    {
+        lock (_metadata)
+        {
+            if (_metadata.Count == 0)
+                return;
+
+            // Not now: pieces that arrived before now may still wait in the ring.
+            RecordingWriter writer = files.Prepare(_time, 0, out TimeSpan time);
+            foreach ((string key, string value) in _metadata)
+            {
+                // A file is full of text sooner than a server has bones.
+                if (writer.Metadata.TryWith(key, value, out _, out _))
+                    writer.SetMetadata(time, key, value);
+            }
+
+            _metadata.Clear();
+            _isDirty = true;
+        }
+    }
+
+    private void WritePieces()
+    {
+        while (ring.TryPeek(out PieceRecord record))
+        {
+            Write(record, ring.Peek(record));
+            ring.Release(record);
+            _isDirty = true;
+        }
+    }
+
+    private void Write(in PieceRecord record, ReadOnlySpan<byte> content)
+    {
+        ReadOnlySpan<byte> text = content[..record.TextLength];
+        ReadOnlySpan<byte> bytes = content[record.TextLength..];
+        TimeSpan time = clock.TimeOf(record.Timestamp);
+        int connection = record.Connection;
+        _time = time;
+        switch (record.Kind)
+        {
+            case PieceKind.Opened:
+                Open(record, time, Encoding.UTF8.GetString(text));
+                break;
+            case PieceKind.Bytes:
+                WriteBytes(record, time, text, bytes);
+                break;
+            case PieceKind.Lost:
+                WriteLoss(time, record.Connection, record.LostPieces, record.LostBytes);
+                break;
+            default:
+                Close(_open.FindIndex(open => open.Number == connection), time, Encoding.UTF8.GetString(text));
+                break;
+        }
+    }
+
+    private void Open(in PieceRecord record, TimeSpan time, string endPoints)
+    {
+        // A reader has one connection of each kind at a time: the end of the one before was not told, for want of room.
+        bool isCalculation = record.IsCalculation;
+        Close(_open.FindIndex(open => open.IsCalculation == isCalculation), time, nameof(ConnectionReason.None));
+        _open.Add((record.Connection, isCalculation, new SenderTable()));
+        string[] parts = endPoints.Split('\n');
+        var connection = new RecordedConnection(record.Connection, record.IsDatagrams ? TransportKind.Udp : TransportKind.Tcp, parts[0], parts[1])
+        {
+            WasOpen = record.WasOpen,
+            IsCalculation = isCalculation,
+        };
+        files.Prepare(time, endPoints.Length, out TimeSpan timeInFile).OpenConnection(timeInFile, connection);
+    }
+
+    private void Close(int place, TimeSpan time, string reason)
+    {
+        if (place < 0)
+            return;
+
+        files.Prepare(time, reason.Length, out TimeSpan timeInFile).CloseConnection(timeInFile, _open[place].Number, reason);
+        _open.RemoveAt(place);
+    }
+
+    private void WriteBytes(in PieceRecord record, TimeSpan time, ReadOnlySpan<byte> sender, ReadOnlySpan<byte> bytes)
+    {
+        RecordingWriter writer = files.Prepare(time, bytes.Length, out TimeSpan timeInFile);
+        if (sender.Length > 0 && SendersOf(record.Connection).IsNew(record.Source, out int? forgotten))
+        {
+            if (forgotten is { } old)
+                writer.RemoveSender(timeInFile, record.Connection, old);
+
+            writer.AddSender(timeInFile, record.Connection, record.Source, Describe(sender));
+        }
+
+        writer.WriteBytes(timeInFile, record.Connection, bytes, record.Source);
+    }
+
+    private SenderTable SendersOf(int connection)
+    {
+        foreach ((int number, _, SenderTable senders) in _open)
+        {
+            if (number == connection)
+                return senders;
+        }
+
+        throw new InvalidOperationException($"Connection {connection} is not open.");
+    }
+
+    private void WriteLoss(TimeSpan time, int connection, long pieces, long bytes)
+    {
+        _lossTold = (_lossTold.Pieces + pieces, _lossTold.Bytes + bytes);
+        files.Prepare(time, 0, out TimeSpan timeInFile).WriteLoss(timeInFile, connection, pieces, bytes);
+    }
+
+    private static string Describe(ReadOnlySpan<byte> sender)
+    {
+        // The bytes say which family it is.
+        var address = new SocketAddress(AddressFamily.InterNetwork, sender.Length);
+        for (int i = 0; i < sender.Length; i++)
+            address[i] = sender[i];
+
+        IPAddress any = address.Family == AddressFamily.InterNetworkV6 ? IPAddress.IPv6Any : IPAddress.Any;
+        return new IPEndPoint(any, 0).Create(address).ToString()!;
+    }
+}

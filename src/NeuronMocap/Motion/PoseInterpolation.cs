@@ -1,0 +1,94 @@
+using System.Numerics;
+
+namespace NeuronMocap.Motion;
+
+/// <summary>
+/// Poses between frames. Use transforms relative to the parents: in the world, bones would change their lengths on the way. Of the two
+/// quaternions of a rotation the nearer one is taken, so that a bone turns the shorter way. Poses are spans of as many transforms as there
+/// are. Allocates nothing; thread-safe.
+/// </summary>
+public static class PoseInterpolation
+{
+    // Beyond 50 degrees from one frame to the next there is no smooth motion to be guessed.
+    private const float LeastCosine = 0.9f;
+
+    /// <summary>Between two frames: positions on a straight line, rotations at a constant speed.</summary>
+    /// <param name="from">The pose at part 0.</param>
+    /// <param name="to">The pose at part 1.</param>
+    /// <param name="part">How far; below 0 and above 1 the motion goes on.</param>
+    /// <param name="pose">Receives as many transforms as <paramref name="from"/> has; may be the memory of either.</param>
+    /// <exception cref="ArgumentException">The second pose has fewer transforms, or there is less room.</exception>
+    public static void Linear(ReadOnlySpan<BoneTransform> from, ReadOnlySpan<BoneTransform> to, double part, Span<BoneTransform> pose)
+    {
+        Check(from, to, pose);
+        float amount = (float)part;
+        for (int i = 0; i < from.Length; i++)
+        {
+            pose[i] = new BoneTransform(
+                Vector3.Lerp(from[i].Position, to[i].Position, amount), Rotations.Slerp(from[i].Rotation, to[i].Rotation, amount));
+        }
+    }
+
+    /// <summary>
+    /// Between the second and the third of four frames, with no jump of the velocity where one frame takes over from another. Where a
+    /// bone turns by more than 50 degrees from one frame to the next, it turns at a constant speed.
+    /// </summary>
+    /// <param name="frames">The four poses.</param>
+    /// <param name="seconds">When: between the times of the second and the third.</param>
+    /// <param name="pose">Receives as many transforms as the second pose has.</param>
+    /// <exception cref="ArgumentException">A pose has fewer transforms than the second, there is less room, or the times do not ascend.</exception>
+    public static void Cubic(in CubicPoseWindow frames, double seconds, Span<BoneTransform> pose)
+    {
+        ReadOnlySpan<BoneTransform> before = frames.First.IsEmpty ? frames.Second : frames.First;
+        ReadOnlySpan<BoneTransform> after = frames.Fourth.IsEmpty ? frames.Third : frames.Fourth;
+        Check(frames.Second, before, pose);
+        Check(frames.Second, frames.Third, pose);
+        Check(frames.Second, after, pose);
+        var weights = new CubicWeights(
+            frames.First.IsEmpty ? double.NegativeInfinity : frames.Times.First,
+            frames.Times.Second,
+            frames.Times.Third,
+            frames.Fourth.IsEmpty ? double.PositiveInfinity : frames.Times.Fourth,
+            seconds);
+        for (int i = 0; i < frames.Second.Length; i++)
+        {
+            Quaternion second = frames.Second[i].Rotation;
+            Quaternion first = Rotations.InHemisphereOf(second, before[i].Rotation);
+            Quaternion third = Rotations.InHemisphereOf(second, frames.Third[i].Rotation);
+            Quaternion fourth = Rotations.InHemisphereOf(third, after[i].Rotation);
+            bool smooth = Quaternion.Dot(first, second) > LeastCosine
+                && Quaternion.Dot(second, third) > LeastCosine
+                && Quaternion.Dot(third, fourth) > LeastCosine;
+            pose[i] = new BoneTransform(
+                (before[i].Position * weights.First)
+                    + (frames.Second[i].Position * weights.Second)
+                    + (frames.Third[i].Position * weights.Third)
+                    + (after[i].Position * weights.Fourth),
+                smooth
+                    ? Quaternion.Normalize((first * weights.First) + (second * weights.Second) + (third * weights.Third) + (fourth * weights.Fourth))
+                    : Rotations.Slerp(second, third, weights.Part));
+        }
+    }
+
+    /// <summary>
+    /// Chooses, of the two quaternions of every rotation, the one nearer to that of the frame before: so that they may be compared, averaged,
+    /// filtered or interpolated number by number. The rotations stay the same.
+    /// </summary>
+    /// <param name="before">The frame before, itself made continuous.</param>
+    /// <param name="pose">The frame; changed in place.</param>
+    /// <exception cref="ArgumentException">The frame before has fewer transforms.</exception>
+    public static void MakeContinuous(ReadOnlySpan<BoneTransform> before, Span<BoneTransform> pose)
+    {
+        Check(pose, before, pose);
+        for (int i = 0; i < pose.Length; i++)
+            pose[i] = pose[i] with { Rotation = Rotations.InHemisphereOf(before[i].Rotation, pose[i].Rotation) };
+    }
+
+    private static void Check(ReadOnlySpan<BoneTransform> pose, ReadOnlySpan<BoneTransform> other, Span<BoneTransform> destination)
+    {
+        if (other.Length < pose.Length)
+            throw new ArgumentException("A neighbouring pose has fewer transforms.", nameof(other));
+        if (destination.Length < pose.Length)
+            throw new ArgumentException("There is room for each transform.", nameof(destination));
+    }
+}

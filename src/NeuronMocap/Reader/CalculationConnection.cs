@@ -1,0 +1,45 @@
+using NeuronMocap.Frames;
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Reader;
+
+// The second connection of a reader, to the port of calculation data. It connects, ends and reconnects by itself.
+internal sealed class CalculationConnection
+{
+    private readonly StatusBoard _status;
+    private readonly LinkActivity _activity;
+    private readonly ConnectionSupervisor _supervisor;
+    private readonly IPacketReceiver _intake;
+
+    public CalculationConnection(
+        NeuronReaderOptions options, FrameFormat format, ReceivePipeline pipeline, SenderFilter? udpSenders, Func<Link> createLink, Action<ConnectionStatus> changed)
+    {
+        var recognizer = new StreamRecognizer(format);
+        _status = new StatusBoard(changed);
+        _activity = new LinkActivity(_status, options.SilenceTimeout, udpSenders, recognizer.Describe);
+        _supervisor = new ConnectionSupervisor(createLink, options.Reconnect, _status, _activity, new Random().NextDouble);
+        _intake = new CalculationOnly(new CalculationIntake(pipeline, recognizer, _activity, pipeline.Tap!.AddCalculation()));
+    }
+
+    public ConnectionStatus Status => _status.Current;
+
+    // Completes when stopped or, with reconnecting off, after the first link.
+    public async Task RunAsync(CancellationToken stop)
+    {
+        ConnectionStatus last;
+        try
+        {
+            last = await _supervisor.RunAsync(_intake, stop).ConfigureAwait(false);
+        }
+        catch (Exception exception)
+        {
+            last = new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.NetworkError, ConnectionMessages.Failed("the port of calculation data", exception));
+        }
+
+        _status.Set(last);
+    }
+
+    // Timer.
+    public void Check(long now) => _activity.Check(now);
+}

@@ -1,0 +1,45 @@
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Reader;
+
+// What happens to a packet of the calculation port until it goes the way of those of the first connection. Receive loop of its own link.
+internal sealed class CalculationIntake(ReceivePipeline pipeline, StreamRecognizer recognizer, LinkActivity activity, StreamTap tap) : IPacketReceiver
+{
+    public StreamTap? Tap => tap;
+
+    public void OnLinkOpened()
+    {
+        recognizer.Reset();
+        pipeline.OnCalculationLinkOpened();
+    }
+
+    public void OnLinkClosed()
+    {
+    }
+
+    public void OnPacket(in ReceivedPacket packet)
+    {
+        bool isNews = packet.IsFrame && recognizer.OnFrame(packet);
+        activity.BeginDelivery(packet);
+        try
+        {
+            if (isNews)
+                activity.Redescribe(packet.Timestamp);
+
+            pipeline.DeliverInTurn(packet);
+        }
+        finally
+        {
+            activity.EndDelivery();
+        }
+    }
+
+    public void OnText(ReadOnlySpan<byte> bytes) => pipeline.CountText(bytes.Length);
+
+    public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
+    {
+        pipeline.CountSkipped(bytes.Length, reason);
+        activity.OnSkipped(bytes, reason);
+    }
+}

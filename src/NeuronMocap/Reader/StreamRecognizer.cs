@@ -1,0 +1,160 @@
+using System.Buffers.Binary;
+using System.Diagnostics;
+using NeuronMocap.Frames;
+using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Reader;
+
+// Finds out from the frames of a connection what the server sends, and says it in words. The receive loop writes, anyone asks for the words.
+internal sealed class StreamRecognizer(FrameFormat format)
+{
+    // One who sends the same now and then keeps another sender of the port, who sends something else, from being told in turns with it.
+    private static readonly long TakeOverAfter = Stopwatch.Frequency;
+
+    // Of each kind, the newest frame's version and first reserved field: what the format and the rotation order follow from.
+    private readonly ulong[] _keys = new ulong[(int)PacketKind.StudioCalculation + 1];
+    private volatile int _recognized;
+    private volatile Described? _described;
+    private int _source;
+    private long _seen;
+
+    // A new connection stands.
+    public void Reset()
+    {
+        Array.Clear(_keys, 0, _keys.Length);
+        _recognized = 0;
+        _seen = 0;
+    }
+
+    // Of frames only. Whether something is new: for all others two comparisons.
+    public bool OnFrame(in ReceivedPacket packet)
+    {
+        if (packet.Source == _source)
+            _seen = packet.Timestamp;
+
+        ReadOnlySpan<byte> header = packet.Bytes;
+        ulong key = ((ulong)BinaryPrimitives.ReadUInt32LittleEndian(header[2..]) << 32) | BinaryPrimitives.ReadUInt32LittleEndian(header[50..]);
+        return (_keys[(int)packet.Kind] != key || _recognized == 0) && Recognize(packet, key);
+    }
+
+    // Often asked and seldom new: the words are made once.
+    public StreamDescription Describe()
+    {
+        (int recognized, FormatFindings findings) = (_recognized, format.Findings);
+        Described? described = _described;
+        if (described is null || described.Recognized != recognized || described.Findings != findings)
+            _described = described = new Described(recognized, findings, Describe(Recognized.FromNumber(recognized), findings));
+
+        return described.Description;
+    }
+
+    private StreamDescription Describe(Recognized stream, FormatFindings findings)
+    {
+        if (stream.Format == StreamFormat.Unknown)
+            return default;
+
+        string text = stream.Format switch
+        {
+            StreamFormat.OldHeader => "binary format with the old header",
+            StreamFormat.Text => "text format",
+            StreamFormat.Studio => "binary format of Axis Studio",
+            _ => "binary format",
+        };
+        if (!stream.IsMotion)
+            return new StreamDescription(stream.Format, ConnectionReason.None, $": {text}, calculation data.");
+
+        (ConnectionReason reason, string fault) = FindFault(stream, findings);
+        return new StreamDescription(stream.Format, reason, $": {text}; {DescribeOrder(stream, findings)}{DescribeVariant(findings)}.{fault}");
+    }
+
+    private string DescribeOrder(Recognized stream, FormatFindings findings) => (format.OptionOrder, stream.Order, findings.Order) switch
+    {
+        ({ } option, _, _) => $"rotation order {option}, as the options say",
+        (_, { } told, _) => $"rotation order {told}, as the stream says",
+        (_, _, { } learnt) => $"rotation order {learnt}, as {format.FormatOrigin} says",
+        _ => $"rotation order {SkeletonFormat.Default.RotationOrder} assumed, the stream does not say",
+    };
+
+    // Appendix A's is what everybody expects: nothing to say about where nobody said anything.
+    private string DescribeVariant(FormatFindings findings) => (format.OptionVariant, findings.Variant) switch
+    {
+        (null, { } learnt) => $"; bones with {learnt}, as {format.FormatOrigin} says",
+        _ => string.Empty,
+    };
+
+    // What is wrong with how the frames are understood, or may be.
+    private (ConnectionReason Reason, string Text) FindFault(Recognized stream, FormatFindings findings)
+    {
+        (RotationOrder? told, string teller) = stream.Order is { } order ? (order, "the stream") : (findings.Order, format.FormatOrigin);
+        if (format.OptionOrder is { } option && told is not null && told != option)
+        {
+            return (
+                ConnectionReason.RotationOrderMismatch,
+                $" But {teller} says {told}: one of them is wrong. Leave RotationOrder out to use {told}.");
+        }
+
+        if (format.OptionVariant is { } variant && findings.Variant is { } learnt && learnt != variant)
+        {
+            return (
+                ConnectionReason.SkeletonVariantMismatch,
+                $" The options say bones with {variant}, which is used, but {format.FormatOrigin} says {learnt}: one of them is wrong. Leave "
+                + $"SkeletonVariant out to use {learnt}.");
+        }
+
+        return findings.Failure is { } failure
+            ? (ConnectionReason.NotDiscovered, $" What the stream does not say could not be asked for (CommandPort): {failure}")
+            : (ConnectionReason.None, string.Empty);
+    }
+
+    private bool Recognize(in ReceivedPacket packet, ulong key)
+    {
+        // That it sends is what keeps the others out, not that it changes what it sends.
+        if (packet.Source != _source && packet.Timestamp - _seen < TakeOverAfter && _recognized != 0)
+            return false;
+
+        _keys[(int)packet.Kind] = key;
+        _source = packet.Source;
+        _seen = packet.Timestamp;
+
+        // Where motion and calculation data share a connection, the motion says what the server is set to.
+        bool isMotion = packet.Kind == PacketKind.Motion;
+        var known = Recognized.FromNumber(_recognized);
+        if (!isMotion && known.IsMotion)
+            return false;
+
+        var found = new Recognized(FormatOf(packet), isMotion, isMotion ? FrameFormat.ReadOrder(packet.Bytes) : null);
+        if (found == known)
+            return false;
+
+        _recognized = found.ToNumber();
+        return true;
+    }
+
+    private static StreamFormat FormatOf(in ReceivedPacket packet)
+    {
+        if (packet.IsText)
+            return StreamFormat.Text;
+
+        DataVersion version = DataVersion.Read(packet.Bytes[2..]);
+        return packet.Kind switch
+        {
+            PacketKind.StudioCalculation => StreamFormat.Studio,
+            PacketKind.Motion when version.Layout == HeaderLayout.Old => StreamFormat.OldHeader,
+            PacketKind.Motion when version == DataVersion.Studio => StreamFormat.Studio,
+            _ => StreamFormat.Binary,
+        };
+    }
+
+    private sealed record Described(int Recognized, FormatFindings Findings, StreamDescription Description);
+
+    // One whole number, so that whoever reads it sees all of it: 0 for nothing.
+    private readonly record struct Recognized(StreamFormat Format, bool IsMotion, RotationOrder? Order)
+    {
+        public static Recognized FromNumber(int number) =>
+            new((StreamFormat)(number & 0xFF), (number & 0x100) != 0, (number >> 16) is > 0 and var order ? (RotationOrder)(order - 1) : null);
+
+        public int ToNumber() => (int)Format | (IsMotion ? 0x100 : 0) | (Order is { } order ? ((int)order + 1) << 16 : 0);
+    }
+}
