@@ -1,4 +1,3 @@
-using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Server;

@@ -1,4 +1,3 @@
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 

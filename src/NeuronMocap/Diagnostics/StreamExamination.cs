@@ -1,4 +1,3 @@
-using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Diagnostics;
 

@@ -1,10 +1,10 @@
 using System.Globalization;
 using System.Reflection;
 using NeuronMocap.Commands;
+using NeuronMocap.Files;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Reader;
 

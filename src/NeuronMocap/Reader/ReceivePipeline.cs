@@ -1,9 +1,9 @@
 using System.Runtime.CompilerServices;
 using NeuronMocap.Commands;
 using NeuronMocap.Delivery;
+using NeuronMocap.Files;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
-using NeuronMocap.Recording;
 using NeuronMocap.Telemetry;
 using NeuronMocap.Transport;
 

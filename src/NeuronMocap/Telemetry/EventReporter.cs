@@ -1,7 +1,8 @@
 using System.Globalization;
 using NeuronMocap.Delivery;
-using NeuronMocap.Protocol;
+using NeuronMocap.Files;
 using NeuronMocap.Recording;
+using NeuronMocap.Protocol;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Telemetry;

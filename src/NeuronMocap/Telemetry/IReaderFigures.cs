@@ -1,4 +1,5 @@
 using NeuronMocap.Delivery;
+using NeuronMocap.Files;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 

@@ -5,20 +5,25 @@ using Mono.Cecil.Cil;
 namespace NeuronMocap.Tests.Architecture;
 
 /// <summary>
-/// Which folders of an assembly may use which: every type that a type of one folder mentions, in signatures and in method bodies, has to
-/// belong to the same folder or to an allowed one. Exceptions of the root namespace may be thrown everywhere. What the compiler generates
-/// counts as its declaring type; constants leave no trace in a compiled assembly and cannot be seen.
+/// Which folders below <paramref name="root"/> may use which: every type that a type of one folder mentions, in signatures and in method bodies, has
+/// to belong to the same folder or to an allowed one. Folders are those of the source files, which the symbols of the assembly name. Exceptions of the
+/// root folder may be thrown everywhere. What the compiler generates counts as its declaring type; constants leave no trace in a compiled assembly and
+/// cannot be seen.
 /// </summary>
 internal sealed class DependencyRules(string root, IReadOnlyDictionary<string, string[]> allowed)
 {
+    // Stand-ins for the framework's types are used like those: everywhere.
+    private const string Polyfills = "Polyfills";
+
     /// <summary>One line for each forbidden use, the offending member first.</summary>
     public List<string> Violations(Assembly assembly)
     {
         using var module = ModuleDefinition.ReadModule(assembly.Location);
+        var folders = SourceFolders.Read(assembly.Location, root);
         SortedSet<string> violations = new(StringComparer.Ordinal);
         foreach (TypeDefinition type in module.GetTypes())
         {
-            if (FolderOf(type) is not { } folder || folder.Length == 0)
+            if (FolderOf(type, folders) is not { Length: > 0 } folder)
                 continue;
 
             if (!allowed.TryGetValue(folder, out string[]? uses))
@@ -29,10 +34,10 @@ internal sealed class DependencyRules(string root, IReadOnlyDictionary<string, s
 
             foreach ((string member, TypeReference used) in Uses(type))
             {
-                foreach (TypeReference part in Parts(used))
+                foreach (TypeDefinition part in Parts(used).OfType<TypeDefinition>())
                 {
-                    if (FolderOf(part) is { } target && !MayUse(folder, uses, target) && !IsRootException(assembly, target, part))
-                        violations.Add($"{member} uses {part.FullName}: {folder} must not depend on {Describe(target)}.");
+                    if (FolderOf(part, folders) is { } target && !MayUse(folder, uses, target) && !IsRootException(assembly, target, part))
+                        violations.Add($"{member} uses {part.FullName}: {folder} must not depend on {(target.Length == 0 ? "the root folder" : target)}.");
                 }
             }
         }
@@ -40,24 +45,31 @@ internal sealed class DependencyRules(string root, IReadOnlyDictionary<string, s
         return [.. violations];
     }
 
+    /// <summary>Folders that reach themselves by the rules. Protocol and its text count as one.</summary>
+    public IEnumerable<string> Circles() => allowed.Keys.Select(Family).Distinct(StringComparer.Ordinal).Where(family => Reaches(family, family, []));
+
+    private bool Reaches(string from, string to, HashSet<string> seen) =>
+        allowed.Where(rule => string.Equals(Family(rule.Key), from, StringComparison.Ordinal))
+            .SelectMany(rule => rule.Value)
+            .Select(Family)
+            .Where(next => next.Length > 0 && !string.Equals(next, from, StringComparison.Ordinal))
+            .Any(next => string.Equals(next, to, StringComparison.Ordinal) || (seen.Add(next) && Reaches(next, to, seen)));
+
+    private static string Family(string folder) => folder is "Protocol/Text" ? "Protocol" : folder;
+
     private static bool MayUse(string folder, string[] uses, string target) =>
-        string.Equals(folder, target, StringComparison.Ordinal) || uses.Contains(target, StringComparer.Ordinal);
+        string.Equals(folder, target, StringComparison.Ordinal) || target is Polyfills || uses.Contains(target, StringComparer.Ordinal);
 
-    private string Describe(string folder) => folder.Length == 0 ? $"the root namespace {root}" : folder;
-
-    // The first part of the namespace below the root, empty for the root itself, null for everybody else's types.
-    private string? FolderOf(TypeReference type)
+    // Empty for the root itself, null for what has no source file below it.
+    private static string? FolderOf(TypeDefinition type, IReadOnlyDictionary<uint, string> folders)
     {
         while (type.DeclaringType is not null)
             type = type.DeclaringType;
 
-        if (string.Equals(type.Namespace, root, StringComparison.Ordinal))
-            return "";
-
-        return type.Namespace.StartsWith(root + ".", StringComparison.Ordinal) ? type.Namespace[(root.Length + 1)..].Split('.')[0] : null;
+        return folders.GetValueOrDefault(type.MetadataToken.RID);
     }
 
-    private static bool IsRootException(Assembly assembly, string folder, TypeReference type) =>
+    private static bool IsRootException(Assembly assembly, string folder, TypeDefinition type) =>
         folder.Length == 0 && typeof(Exception).IsAssignableFrom(assembly.GetType(type.FullName.Replace('/', '+')));
 
     private static IEnumerable<(string Member, TypeReference Type)> Uses(TypeDefinition type) =>

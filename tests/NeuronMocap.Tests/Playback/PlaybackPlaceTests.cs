@@ -1,6 +1,5 @@
 using NeuronMocap.Recording;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Playback;
 

@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using NeuronMocap.Recording;
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Playback;
 

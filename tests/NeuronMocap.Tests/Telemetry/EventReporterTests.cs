@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using NeuronMocap.Delivery;
+using NeuronMocap.Files;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Telemetry;

@@ -1,4 +1,5 @@
 using System.Globalization;
+using NeuronMocap.Files;
 using NeuronMocap.Protocol;
 using NeuronMocap.Transport;
 

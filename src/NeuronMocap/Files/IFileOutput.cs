@@ -1,4 +1,4 @@
-namespace NeuronMocap.Recording;
+namespace NeuronMocap.Files;
 
 // What writes to files what a reader receives, as logs tell of it. Any thread.
 internal interface IFileOutput
