@@ -1,7 +1,6 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Files;
 using NeuronMocap.Protocol;
-using NeuronMocap.Recording;
 
 namespace NeuronMocap.Telemetry;
 

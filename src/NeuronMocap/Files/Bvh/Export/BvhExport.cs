@@ -1,7 +1,6 @@
 using System.Globalization;
 using NeuronMocap.Delivery;
 using NeuronMocap.Files;
-using NeuronMocap.Recording;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Bvh;
