@@ -1,10 +1,6 @@
 using System.Runtime.InteropServices;
 using NeuronMocap.Tool;
-using NeuronMocap.Tool.Simulate;
 using NeuronMocap.Tool.Terminal;
-
-if (args is ["simulate", ..])
-    return new SimulateProgram().Run(args[1..]);
 
 using var cancellation = new CancellationTokenSource();
 using PosixSignalRegistration interrupt = CancelOn(PosixSignal.SIGINT);

@@ -1,100 +1,95 @@
+using System.Text;
+using System.Text.RegularExpressions;
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests;
 
-public sealed class CommandLineTests
+public sealed partial class CommandLineTests
 {
+    public static TheoryData<string> Verbs { get; } = ["watch", "diagnose", "simulate", "play", "info", "convert", "plot", "command", "completion"];
+
     [Theory]
-    [InlineData("--frames", "--frames", "0")]
-    [InlineData("--frames", "--frames", "-1")]
-    [InlineData("--frames", "--frames", "1.5")]
-    [InlineData("--frames", "--frames")]
-    [InlineData("--duration", "--duration", "0")]
-    [InlineData("--duration", "--duration", "NaN")]
-    [InlineData("--duration", "--duration", "1,5")]
-    [InlineData("--duration", "--duration", "1000001")]
-    [InlineData("--udp", "--udp", "0")]
-    [InlineData("--udp", "--udp", "65536")]
-    [InlineData("--order", "--order", "XXY")]
-    [InlineData("--order", "--order", "1")]
-    [InlineData("--connect", "--connect", "studio:port")]
-    [InlineData("--udp", "--connect", "studio", "--udp", "7001")]
-    [InlineData("--demo", "--connect", "studio", "--demo")]
-    [InlineData("--quiet", "--json", "--quiet")]
-    [InlineData("--allow-sender", "--udp", "7001", "--allow-sender", "studio")]
-    [InlineData("--allow-sender", "--udp", "7001", "--allow-sender")]
-    [InlineData("--udp", "--connect", "studio", "--allow-sender", "127.0.0.1")]
-    [InlineData("--udp", "--allow-sender", "127.0.0.1")]
-    [InlineData("--command-port", "--connect", "studio", "--command-port", "0")]
-    [InlineData("--connect", "--command-port", "8013")]
-    [InlineData("--connect", "--udp", "7001", "--command-port", "8013")]
-    [InlineData("--commands", "--commands", "studio:port")]
-    [InlineData("--commands", "--avatar", "1")]
-    [InlineData("--commands", "--zero-out", "all")]
-    [InlineData("--commands", "--bvh-header")]
-    [InlineData("--avatar", "--commands", "--avatar", "-1")]
-    [InlineData("--zero-out", "--commands", "--zero-out", "some")]
-    [InlineData("--zero-out", "--commands", "--zero-out", "1", "--avatar", "1")]
-    [InlineData("--json", "--commands", "--bvh-header", "--json")]
-    [InlineData("--connect", "--commands", "--connect", "studio")]
-    [InlineData("--diagnose", "--commands", "--diagnose")]
-    [InlineData("--quiet", "--commands", "--quiet")]
-    [InlineData("--record", "--record")]
-    [InlineData("--record", "--record", " ")]
-    [InlineData("--record", "--record-compress")]
-    [InlineData("--record-size", "--record", "take", "--record-size", "1")]
-    [InlineData("--record-time", "--record", "take", "--record-time", "0")]
-    [InlineData("--record-files", "--record", "take", "--record-files", "3")]
-    [InlineData("take.bvh", "--record", "take.bvh")]
-    [InlineData(".nmrec", "--record", "take.bvh")]
-    [InlineData("take.fbx", "--export", "take.fbx")]
-    [InlineData(".bvh", "--export", "take.fbx")]
-    [InlineData(".calc (calculation export)", "--convert", "a.bvh", "b.fbx")]
-    [InlineData(".svg", "--plot", "a.bvh", "b.png")]
-    [InlineData("--diagnose", "--record", "take", "--diagnose")]
-    [InlineData("--commands", "--record", "take", "--commands")]
-    [InlineData("--overwrite", "--overwrite")]
-    [InlineData("--colour", "--colour")]
-    [InlineData("'b'", "studio", "b")]
-    [InlineData("--connect", "studio", "--connect", "other")]
-    [InlineData("--udp", "studio", "--udp", "7001")]
-    [InlineData("--demo", "udp://:7001", "--demo")]
-    [InlineData("--play", "studio", "--play", "take.nmrec")]
-    [InlineData("--commands", "studio", "--commands")]
-    [InlineData("--info", "studio", "--info", "take.bvh")]
-    [InlineData("--diagnose", "studio", "--diagnose", "other")]
-    [InlineData("--local-address", "udp://127.0.0.1:7001", "--local-address", "127.0.0.1")]
-    [InlineData("--local-address", "--local-address", "127.0.0.1")]
-    [InlineData("--local-address", "studio", "--local-address", "office")]
-    [InlineData("--udp", "studio", "--allow-sender", "127.0.0.1")]
-    [InlineData("--connect", "udp://:7001", "--command-port", "8013")]
-    [InlineData("--command-port", "studio:8013", "--command-port", "8013")]
-    [InlineData("--calculation-port", "studio", "--calculation-port", "0")]
-    [InlineData("--calculation-port", "--calculation-port", "7003")]
-    [InlineData("--calculation-port", "--play", "take.nmrec", "--calculation-port", "7003")]
-    [InlineData("udp://", "udp://studio")]
-    [InlineData("udp://", "udp://:0")]
-    [InlineData("http://studio", "http://studio")]
-    [InlineData("no such file", "missing.nmrec")]
-    [InlineData("no such file", "missing.bvh", "--json")]
-    public async Task A_wrong_option_is_one_line_that_says_where_help_is_and_ends_with_2(string named, params string[] args)
+    [InlineData("--frames", "watch", "--frames", "0")]
+    [InlineData("--frames", "watch", "--frames", "-1")]
+    [InlineData("--frames", "watch", "--frames", "1.5")]
+    [InlineData("--frames needs a value, N.", "watch", "--frames")]
+    [InlineData("--frames is given twice.", "watch", "--frames", "1", "--frames", "2")]
+    [InlineData("--duration", "watch", "--duration", "0")]
+    [InlineData("--duration", "watch", "--duration", "NaN")]
+    [InlineData("--duration", "watch", "--duration", "1,5")]
+    [InlineData("--duration", "watch", "--duration", "1000001")]
+    [InlineData("--order", "watch", "--order", "XXY")]
+    [InlineData("--order", "watch", "--order", "1")]
+    [InlineData("--quiet", "watch", "--json", "--quiet")]
+    [InlineData("'port' is no port", "watch", "studio:port")]
+    [InlineData("'b'", "watch", "studio", "b")]
+    [InlineData("--colour", "watch", "--colour")]
+    [InlineData("--allow-sender", "watch", "udp://:7001", "--allow-sender", "studio")]
+    [InlineData("--allow-sender", "watch", "udp://:7001", "--allow-sender")]
+    [InlineData("udp://:PORT", "watch", "studio", "--allow-sender", "127.0.0.1")]
+    [InlineData("udp://:PORT", "watch", "--allow-sender", "127.0.0.1")]
+    [InlineData("--command-port", "watch", "studio", "--command-port", "0")]
+    [InlineData("--command-port needs a source HOST", "watch", "--command-port", "8013")]
+    [InlineData("--command-port needs a source HOST", "watch", "udp://:7001", "--command-port", "8013")]
+    [InlineData("--command-port", "watch", "studio:8013", "--command-port", "8013")]
+    [InlineData("--local-address", "watch", "udp://127.0.0.1:7001", "--local-address", "127.0.0.1")]
+    [InlineData("--local-address", "watch", "--local-address", "127.0.0.1")]
+    [InlineData("--local-address", "watch", "studio", "--local-address", "office")]
+    [InlineData("--calculation-port", "watch", "studio", "--calculation-port", "0")]
+    [InlineData("--calculation-port", "watch", "--calculation-port", "7003")]
+    [InlineData("--calculation-port", "watch", "take.nmrec", "--calculation-port", "7003")]
+    [InlineData("udp://", "watch", "udp://studio")]
+    [InlineData("udp://", "watch", "udp://:0")]
+    [InlineData("http://studio", "watch", "http://studio")]
+    [InlineData("--record", "watch", "--record")]
+    [InlineData("--record", "watch", "--record", " ")]
+    [InlineData("--record needs a value, and --quiet is another option.", "watch", "--record", "--quiet")]
+    [InlineData("--record", "watch", "--record-compress")]
+    [InlineData("--record-size", "watch", "--record", "take", "--record-size", "1")]
+    [InlineData("--record-time", "watch", "--record", "take", "--record-time", "0")]
+    [InlineData("--record-files", "watch", "--record", "take", "--record-files", "3")]
+    [InlineData("take.bvh", "watch", "--record", "take.bvh")]
+    [InlineData(".nmrec", "watch", "--record", "take.bvh")]
+    [InlineData("take.fbx", "watch", "--export", "take.fbx")]
+    [InlineData(".bvh", "watch", "--export", "take.fbx")]
+    [InlineData("--overwrite", "watch", "--overwrite")]
+    [InlineData("HOST[:PORT]", "command")]
+    [InlineData("'port' is no port", "command", "studio:port")]
+    [InlineData("udp://:8013", "command", "udp://:8013")]
+    [InlineData("take.nmrec", "command", "take.nmrec", "order")]
+    [InlineData("did you mean header?", "command", "studio", "headr")]
+    [InlineData("order, bones, header, zero-out", "command", "studio", "sizes")]
+    [InlineData("--avatar", "command", "studio", "--avatar", "-1")]
+    [InlineData("--quiet", "command", "studio", "--quiet")]
+    [InlineData(".calc (calculation export)", "convert", "a.bvh", "b.fbx")]
+    [InlineData("convert needs OUT.", "convert", "a.bvh")]
+    [InlineData("--from", "convert", "a.bvh", "b.bvh", "--from", "3", "--to", "3")]
+    [InlineData(".svg", "plot", "a.bvh", "b.png")]
+    [InlineData("--resample", "plot", "a.bvh", "b.svg", "--resample", "60")]
+    [InlineData("--overwrite", "info", "a.bvh", "--overwrite")]
+    [InlineData("info needs FILE.", "info", "--json")]
+    [InlineData("play needs FILE.", "play")]
+    [InlineData("'ksh'", "completion", "ksh")]
+    public async Task A_wrong_option_is_one_line_that_says_where_help_is_and_ends_with_2(string named, string verb, params string[] args)
     {
-        ToolResult result = await ToolRunner.RunAsync(args);
+        ToolResult result = await ToolRunner.RunAsync([verb, .. args]);
 
         Assert.Equal(2, result.ExitCode);
         Assert.Empty(result.Output);
         string line = Assert.Single(result.Error);
         Assert.StartsWith("neuron-mocap: ", line, StringComparison.Ordinal);
         Assert.Contains(named, line, StringComparison.Ordinal);
-        Assert.EndsWith(" neuron-mocap --help lists the options.", line, StringComparison.Ordinal);
+        Assert.EndsWith($" neuron-mocap {verb} --help lists the options.", line, StringComparison.Ordinal);
     }
 
     [Theory]
-    [InlineData("--conect", "--connect")]
-    [InlineData("--CONNECT", "--connect")]
-    [InlineData("-connect", "--connect")]
-    [InlineData("--diagnos", "--diagnose")]
-    [InlineData("--dianose=5", "--diagnose")]
+    [InlineData("--recrod", "--record")]
+    [InlineData("--RECORD", "--record")]
+    [InlineData("-record", "--record")]
+    [InlineData("--duratio", "--duration")]
+    [InlineData("--durtaion=5", "--duration")]
     [InlineData("--allow-senders", "--allow-sender")]
     [InlineData("--rec", "--record")]
     [InlineData("--colour", null)]
@@ -102,7 +97,7 @@ public sealed class CommandLineTests
     [InlineData("-x", null)]
     public async Task An_unknown_option_is_named_with_the_one_that_was_meant(string typed, string? meant)
     {
-        ToolResult result = await ToolRunner.RunAsync("studio", typed, "value");
+        ToolResult result = await ToolRunner.RunAsync("watch", "studio", typed, "value");
 
         Assert.Equal(2, result.ExitCode);
         string line = Assert.Single(result.Error);
@@ -112,37 +107,64 @@ public sealed class CommandLineTests
             Assert.DoesNotContain("did you mean", line, StringComparison.Ordinal);
     }
 
-    // Every option that --help lists, so that a new one is looked at, too: with a value that none takes, and without its value.
-    [Fact]
-    public async Task Every_option_is_named_by_what_is_said_about_it()
+    [Theory]
+    [InlineData("unknown verb 'wach': did you mean watch?", "wach")]
+    [InlineData("unknown verb 'Watch': did you mean watch?", "Watch", "demo")]
+    [InlineData("unknown verb 'help': did you mean --help?", "help")]
+    [InlineData("unknown verb '192.168.1.20': did you mean neuron-mocap watch 192.168.1.20?", "192.168.1.20", "--json")]
+    [InlineData("unknown verb 'demo': did you mean neuron-mocap watch demo?", "demo")]
+    [InlineData("unknown verb 'frobnicate'.", "frobnicate", "--help")]
+    [InlineData("unknown option --json: did you mean neuron-mocap watch --json?", "--json")]
+    [InlineData("unknown option --resample: did you mean neuron-mocap convert --resample?", "--resample", "60")]
+    [InlineData("unknown option --info: did you mean neuron-mocap info?", "--info", "take.bvh")]
+    [InlineData("unknown option --frobnicate.", "--frobnicate")]
+    public async Task An_unknown_verb_is_named_with_the_one_that_was_meant(string said, params string[] args)
     {
-        ToolResult help = await ToolRunner.RunAsync("--help");
-        string[] options = [.. help.Output.Where(static line => line.StartsWith("  --", StringComparison.Ordinal) && line.Contains('<', StringComparison.Ordinal)).Select(static line => line.Split(' ')[2])];
-        Assert.True(options.Length > 20, "The options are not found in the help.");
-        foreach (string option in options)
+        ToolResult result = await ToolRunner.RunAsync(args);
+
+        Assert.Equal(2, result.ExitCode);
+        Assert.Empty(result.Output);
+        Assert.Equal($"neuron-mocap: {said} neuron-mocap --help lists the verbs.", Assert.Single(result.Error));
+    }
+
+    [Fact]
+    public async Task An_option_before_the_verb_is_told_where_it_belongs()
+    {
+        ToolResult result = await ToolRunner.RunAsync("--json", "watch", "demo");
+
+        Assert.Equal(2, result.ExitCode);
+        Assert.Contains("write neuron-mocap watch --json.", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    // Every option that --help lists, so that a new one is looked at, too: with a value that none takes, and without its value.
+    [Theory]
+    [MemberData(nameof(Verbs))]
+    public async Task Every_option_is_named_by_what_is_said_about_it(string verb)
+    {
+        foreach (VerbOption option in await VerbHelp.ReadAsync(verb))
         {
-            // Those two may stand without a value.
-            bool isOptional = option is "--diagnose" or "--commands";
-            foreach (string[] args in (string[][])[[option, "a:b:c", option, "a:b:c"], isOptional ? [option, "a:b:c"] : [option, "--json"]])
+            // A file or a host may have any name.
+            string[][] wrong = option.MayStandAlone ? [[option.Name, "a:b:c"]] : [[option.Name, "a:b:c", option.Name, "a:b:c"], [option.Name]];
+            foreach (string[] args in wrong)
             {
-                ToolResult result = await ToolRunner.RunAsync(args);
+                ToolResult result = await ToolRunner.RunAsync([verb, .. VerbHelp.FilesOf(verb), .. args]);
                 Assert.Equal(2, result.ExitCode);
                 string line = Assert.Single(result.Error);
-                Assert.Contains(option, line, StringComparison.Ordinal);
+                Assert.Contains(option.Name, line, StringComparison.Ordinal);
                 Assert.DoesNotMatch("(?-i)[a-z][A-Z]", line);
             }
         }
     }
 
     [Fact]
-    public async Task A_file_without_an_option_is_no_server()
+    public async Task A_word_with_the_name_of_a_file_is_a_file()
     {
         string path = Path.GetTempFileName();
         try
         {
-            ToolResult result = await ToolRunner.RunAsync(path);
-            Assert.Equal(2, result.ExitCode);
-            Assert.Contains($"--play {path}", Assert.Single(result.Error), StringComparison.Ordinal);
+            ToolResult result = await ToolRunner.RunAsync("watch", path);
+            Assert.Equal(1, result.ExitCode);
+            Assert.Equal($"neuron-mocap: '{path}' is empty.", Assert.Single(result.Error));
         }
         finally
         {
@@ -151,16 +173,95 @@ public sealed class CommandLineTests
     }
 
     [Fact]
-    public async Task Help_names_every_option_and_ends_with_0()
+    public async Task Help_names_every_verb_and_ends_with_0()
     {
         ToolResult result = await ToolRunner.RunAsync("--help");
 
         Assert.Equal(0, result.ExitCode);
         Assert.Empty(result.Error);
-        string text = string.Join('\n', result.Output);
-        foreach (string option in (string[])["--connect", "--udp", "--allow-sender", "--local-address", "--demo", "--diagnose", "--commands", "--avatar", "--zero-out", "--bvh-header", "--order", "--command-port", "--calculation-port", "--once", "--frames", "--duration", "--json", "--quiet", "--info", "--convert", "--plot", "--resample", "--from", "--to", "--play", "--speed", "--rate", "--loop", "--record", "--record-compress", "--record-size", "--record-time", "--record-files", "--overwrite", "--version"])
-            Assert.Contains($"  {option} ", text, StringComparison.Ordinal);
+        foreach (string verb in Verbs.Select(static row => row.Data))
+            Assert.Contains(result.Output, line => line.StartsWith($"  {verb} ", StringComparison.Ordinal));
 
-        Assert.Contains("Examples:", text, StringComparison.Ordinal);
+        Assert.Contains("Examples:", result.Output);
+        Assert.Contains("Exit codes:", result.Output);
+    }
+
+    [Theory]
+    [MemberData(nameof(Verbs))]
+    public async Task The_help_of_every_verb_has_examples_that_parse_and_exit_codes(string verb)
+    {
+        using var streams = new StandardStreams(Stream.Null, TextWriter.Null, IsTerminal: false);
+        ToolResult result = await ToolRunner.RunAsync(verb, "--help");
+
+        Assert.Equal(0, result.ExitCode);
+        Assert.Empty(result.Error);
+        Assert.Contains("Exit codes:", result.Output);
+        string[] examples = [.. result.Output.SkipWhile(static line => line != "Examples:").Skip(1).TakeWhile(static line => line.StartsWith("  ", StringComparison.Ordinal))];
+        Assert.NotEmpty(examples);
+        foreach (string example in examples)
+        {
+            // What stands behind the words is the meaning; > and >> are the shell's.
+            string[] words = example.Trim().Split("  ")[0].Split('>')[0].Split(' ', StringSplitOptions.RemoveEmptyEntries);
+            Assert.Equal(["neuron-mocap", verb], words[..2]);
+
+            Assert.Null(UsageFault.Find(CommandLine.Create(streams, CancellationToken.None).Parse(words[1..])));
+        }
+    }
+
+    [Theory]
+    [InlineData("watch", "--allow-sender", "--local-address", "--order", "--command-port", "--calculation-port", "--once", "--frames", "--duration", "--json", "--quiet", "--speed", "--rate", "--loop", "--record", "--record-compress", "--record-size", "--record-time", "--record-files", "--export", "--export-avatar", "--overwrite")]
+    [InlineData("diagnose", "--json", "--quiet", "--duration", "--allow-sender", "--local-address", "--command-port", "--calculation-port", "--order")]
+    [InlineData("play", "--speed", "--rate", "--loop", "--json", "--quiet", "--frames", "--duration", "--order", "--export", "--overwrite")]
+    [InlineData("info", "--json", "--rate", "--avatar", "--order")]
+    [InlineData("convert", "--from", "--to", "--resample", "--order", "--input-order", "--avatar", "--rate", "--overwrite")]
+    [InlineData("plot", "--from", "--to", "--order", "--avatar", "--rate", "--overwrite")]
+    [InlineData("command", "--avatar", "--json")]
+    [InlineData("simulate", "--port", "--bvh", "--calc", "--play", "--speed", "--udp", "--calculation-port", "--commands", "--bind")]
+    public async Task The_options_that_scripts_rely_on_are_there(string verb, params string[] options)
+    {
+        ToolResult result = await ToolRunner.RunAsync(verb, "--help");
+        foreach (string option in options)
+            Assert.Contains(result.Output, line => line.StartsWith($"  {option} ", StringComparison.Ordinal) || line.StartsWith($"  {option}, ", StringComparison.Ordinal));
+    }
+
+    [Theory]
+    [InlineData(40)]
+    [InlineData(80)]
+    public async Task Help_on_a_terminal_fits_into_its_lines(int columns)
+    {
+        foreach (string verb in Verbs.Select(static row => row.Data))
+        {
+            ToolResult result = await ToolRunner.RunOnTerminalAsync(columns, verb, "--help");
+            Assert.Equal(0, result.ExitCode);
+            Assert.DoesNotContain(result.Output, line => Escapes().Replace(line, string.Empty).Length > columns);
+        }
+    }
+
+    [Fact]
+    public async Task The_program_alone_is_watch_demo()
+    {
+        using var stop = new CancellationTokenSource();
+        using var output = new StoppingStream("Receiving", stop);
+        using var error = new StringWriter();
+        using var streams = new StandardStreams(output, error, IsTerminal: false);
+
+        Assert.Equal(0, await CommandLine.RunAsync([], streams, stop.Token));
+        Assert.Contains(" 0 Demo motion ", output.Text, StringComparison.Ordinal);
+    }
+
+    [GeneratedRegex("\\e\\[[0-9;]*m", RegexOptions.None, matchTimeoutMilliseconds: 1000)]
+    private static partial Regex Escapes();
+
+    // Stops the program when it has written a word.
+    private sealed class StoppingStream(string word, CancellationTokenSource stop) : MemoryStream
+    {
+        public string Text => Encoding.UTF8.GetString(ToArray());
+
+        public override void Write(ReadOnlySpan<byte> buffer)
+        {
+            base.Write(buffer);
+            if (Text.Contains(word, StringComparison.Ordinal))
+                stop.Cancel();
+        }
     }
 }

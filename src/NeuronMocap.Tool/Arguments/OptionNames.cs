@@ -51,18 +51,18 @@ internal static class OptionNames
         [nameof(BvhExportOptions.IsForEachAvatar)] = "--export-avatar all",
         [nameof(BvhExportOptions.MaxFrames)] = "--frames",
         [nameof(BvhExportOptions.TextFormat)] = "the text format of the export",
-        [nameof(BroadcasterOptions.BindAddress)] = "the address of --demo",
-        [nameof(BroadcasterOptions.UdpDestinations)] = "the destinations of --demo",
+        [nameof(BroadcasterOptions.BindAddress)] = "the address of the simulator",
+        [nameof(BroadcasterOptions.UdpDestinations)] = "the destinations of the simulator",
     };
 
     // Words of English, too, and therefore names only in what the library says about an option that is out of its range.
     private static readonly Dictionary<string, string> FaultNames = new(Names, StringComparer.Ordinal)
     {
-        [nameof(NeuronReaderOptions.Host)] = "the host of --connect",
+        [nameof(NeuronReaderOptions.Host)] = "the host of the source",
         [nameof(NeuronReaderOptions.Name)] = "the reader's name",
-        [nameof(NeuronReaderOptions.Port)] = "the port of --connect or --udp",
+        [nameof(NeuronReaderOptions.Port)] = "the port of the source",
         [nameof(NeuronReaderOptions.Reconnect)] = "--once",
-        [nameof(NeuronReaderOptions.Transport)] = "--connect or --udp",
+        [nameof(NeuronReaderOptions.Transport)] = "the source",
         [nameof(ReconnectPolicy.Enabled)] = "--once",
         [nameof(DiagnosisOptions.Timeout)] = "--duration",
         [nameof(DiagnosisOptions.Wanted)] = "the kind of frames",

@@ -7,32 +7,69 @@ namespace NeuronMocap.Tool.Arguments;
 /// <summary>The one line that a wrong command line is answered with.</summary>
 internal static class UsageFault
 {
-    // Of two letters in three that are the same nobody means another word.
-    private const int LettersPerSlip = 3;
-
     /// <summary>Finds what is wrong.</summary>
     /// <param name="result">The command line.</param>
-    /// <param name="program">The name of the program, whose help is pointed to.</param>
-    /// <param name="source">The argument that takes what no option does; null for a program without one.</param>
     /// <returns>A sentence and where help is; null when nothing is wrong.</returns>
-    public static string? Find(ParseResult result, string program, Argument? source = null)
+    public static string? Find(ParseResult result)
     {
-        string[] leftOver = [.. TokensOf(result, source), .. result.UnmatchedTokens];
-        if (leftOver.FirstOrDefault(IsOption) is { } unknown)
-            return WithHelp(program, $"unknown option {unknown}{Suggest(unknown, result.CommandResult.Command.Options)}");
-        if (FindSwallowed(result.CommandResult) is { } swallowed)
-            return WithHelp(program, $"{swallowed.Option} needs a value, and {swallowed.Value} is another option.");
-        if (result.UnmatchedTokens.Count > 0)
-            return WithHelp(program, $"'{result.UnmatchedTokens[0]}' is one word too many{(source is null ? "." : ": there is one source.")}");
+        Command command = result.CommandResult.Command;
+        string[] leftOver = [.. TokensOf(result.CommandResult), .. result.UnmatchedTokens];
+        if (command is not Verb)
+            return FindWithoutVerb(result, leftOver);
 
-        return result.Errors.Count > 0 ? WithHelp(program, result.Errors[0].Message) : null;
+        string help = $"{CommandLine.Name} {command.Name}";
+        if (leftOver.FirstOrDefault(IsOption) is { } unknown)
+            return WithHelp(help, DescribeUnknown(unknown, command));
+        if (FindSwallowed(result.CommandResult) is { } swallowed)
+            return WithHelp(help, $"{swallowed.Option} needs a value, and {swallowed.Value} is another option.");
+        if (result.UnmatchedTokens.Count > 0)
+            return WithHelp(help, $"'{result.UnmatchedTokens[0]}' is one word too many.");
+        if (FindMiscounted(result.CommandResult) is { } miscounted)
+            return WithHelp(help, miscounted);
+
+        return result.Errors.Count > 0 ? WithHelp(help, result.Errors[0].Message) : null;
     }
 
     /// <summary>The sentence, on one line, and where help is.</summary>
     public static string WithHelp(string program, string fault) => $"{TerminalText.Clean(fault)} {program} --help lists the options.";
 
-    private static IEnumerable<string> TokensOf(ParseResult result, Argument? source) =>
-        source is null ? [] : result.GetResult(source)?.Tokens.Select(static token => token.Value) ?? [];
+    private static string? FindWithoutVerb(ParseResult result, string[] leftOver)
+    {
+        Verb[] verbs = [.. result.RootCommandResult.Command.Subcommands.OfType<Verb>()];
+        string? fault = leftOver switch
+        {
+            [var option, ..] when IsOption(option) => $"unknown option {option}{SuggestVerb(option, verbs)}",
+            [var word, ..] => $"unknown verb '{word}'{SuggestCommand(word, verbs)}",
+            _ => result.Errors.Count > 0 ? result.Errors[0].Message : null,
+        };
+        return fault is null ? null : $"{TerminalText.Clean(fault)} {CommandLine.Name} --help lists the verbs.";
+    }
+
+    // The name of a verb with dashes, or an option of one.
+    private static string SuggestVerb(string option, Verb[] verbs)
+    {
+        string name = NameOf(option);
+        Verb? meant = Array.Find(verbs, verb => verb.Name.Equals(name, StringComparison.Ordinal));
+        if (meant is not null)
+            return $": did you mean {CommandLine.Name} {meant.Name}?";
+
+        Verb? owner = Array.Find(verbs, verb => verb.Options.Any(other => NameOf(other.Name).Equals(name, StringComparison.Ordinal)));
+        return owner is null ? "." : $": did you mean {CommandLine.Name} {owner.Name} --{name}?";
+    }
+
+    private static string SuggestCommand(string word, Verb[] verbs)
+    {
+        if (word is "help" or "version")
+            return $": did you mean --{word}?";
+        if (Spelling.FindNearest(word, verbs.Select(static verb => verb.Name)) is { } verb)
+            return $": did you mean {verb}?";
+
+        bool isSource = word.AsSpan().ContainsAny('.', ':', '/') || File.Exists(word) || word.Equals(Source.Demo.ToString(), StringComparison.OrdinalIgnoreCase);
+        return isSource ? $": did you mean {CommandLine.Name} watch {word}?" : ".";
+    }
+
+    private static IEnumerable<string> TokensOf(CommandResult command) =>
+        command.Children.OfType<ArgumentResult>().SelectMany(static argument => argument.Tokens).Select(static token => token.Value);
 
     // Who forgets a value would otherwise record to a file that is named like the next option.
     private static (string Option, string Value)? FindSwallowed(CommandResult command)
@@ -47,40 +84,33 @@ internal static class UsageFault
         return null;
     }
 
+    // The parser has a sentence for each of these, too, but in its own words.
+    private static string? FindMiscounted(CommandResult command)
+    {
+        foreach (OptionResult option in command.Children.OfType<OptionResult>())
+        {
+            if (option.Tokens.Count < option.Option.Arity.MinimumNumberOfValues)
+                return $"{option.Option.Name} needs a value, {option.Option.HelpName}.";
+            if (option.Option.Arity.MaximumNumberOfValues == 1 && option.IdentifierTokenCount > 1)
+                return $"{option.Option.Name} is given twice.";
+        }
+
+        Argument? missing = command.Command.Arguments.FirstOrDefault(
+            argument => (command.GetResult(argument)?.Tokens.Count ?? 0) < argument.Arity.MinimumNumberOfValues);
+        return missing is null ? null : $"{command.Command.Name} needs {missing.Name}.";
+    }
+
     private static bool IsOption(string token) => token.Length > 1 && token[0] == '-';
 
-    private static string Suggest(string unknown, IEnumerable<Option> options)
+    private static string DescribeUnknown(string unknown, Command command)
     {
-        string word = NameOf(unknown);
-        (string Name, int Slips) best = options
-            .Select(option => (option.Name, Slips: CountSlips(word, NameOf(option.Name))))
-            .OrderBy(static candidate => candidate.Slips)
-            .ThenBy(static candidate => candidate.Name, StringComparer.Ordinal)
-            .First();
-        return best.Slips <= Math.Max(1, word.Length / LettersPerSlip) ? $": did you mean {best.Name}?" : ".";
+        string[] names = [.. command.Options.Select(static option => option.Name)];
+        if (names.Contains(unknown, StringComparer.Ordinal))
+            return $"{unknown} stands before the verb: write {CommandLine.Name} {command.Name} {unknown}.";
+
+        string? meant = Spelling.FindNearest(NameOf(unknown), names.Select(NameOf));
+        return $"unknown option {unknown}{(meant is null ? "." : $": did you mean --{meant}?")}";
     }
 
     private static string NameOf(string option) => option.Split('=', ':')[0].TrimStart('-').ToLowerInvariant();
-
-    // Letters to change, add or leave out; the beginning of a word is as good as the word.
-    private static int CountSlips(string typed, string name)
-    {
-        if (typed.Length > 1 && name.StartsWith(typed, StringComparison.Ordinal))
-            return 1;
-
-        int[] row = [.. Enumerable.Range(0, name.Length + 1)];
-        for (int i = 0; i < typed.Length; i++)
-        {
-            int diagonal = row[0];
-            row[0] = i + 1;
-            for (int j = 0; j < name.Length; j++)
-            {
-                int changed = diagonal + (typed[i] == name[j] ? 0 : 1);
-                diagonal = row[j + 1];
-                row[j + 1] = Math.Min(changed, Math.Min(diagonal, row[j]) + 1);
-            }
-        }
-
-        return row[^1];
-    }
 }

@@ -8,22 +8,32 @@ namespace NeuronMocap.Tool.Commands;
 /// <summary>The answers of a command channel for a program: one JSON object, lengths in metres.</summary>
 internal static class CommandJson
 {
-    public static string ZeroOut(ServerAddress server, ZeroOutTarget target) => Write(json =>
+    public static string ZeroOut(ServerAddress server, int? avatar) => Write(json =>
     {
         json.WriteString("type"u8, "zeroOut"u8);
         json.WriteString("server"u8, server.ToString());
-        if (target.Avatar is { } avatar)
-            json.WriteNumber("avatar"u8, avatar);
+        if (avatar is { } number)
+            json.WriteNumber("avatar"u8, number);
         else
             json.WriteString("avatar"u8, "all"u8);
     });
 
-    public static string Report(ServerAddress server, int avatar, RotationOrder order, BoneDimensions sizes, string header) => Write(json =>
+    public static string Report(CommandAnswers answers) => Write(json =>
     {
         json.WriteString("type"u8, "commands"u8);
-        json.WriteString("server"u8, server.ToString());
-        json.WriteString("rotationOrder"u8, order.ToString());
-        json.WriteNumber("avatar"u8, avatar);
+        json.WriteString("server"u8, answers.Server.ToString());
+        json.WriteString("rotationOrder"u8, answers.Order?.ToString());
+        json.WriteNumber("avatar"u8, answers.Avatar);
+        if (answers.Sizes is { } sizes)
+            WriteSizes(json, sizes);
+        else
+            json.WriteNull("boneSizes"u8);
+
+        json.WriteString("bvhHeader"u8, answers.Header);
+    });
+
+    private static void WriteSizes(Utf8JsonWriter json, BoneDimensions sizes)
+    {
         json.WriteStartObject("boneSizes"u8);
         json.WriteNumber("head"u8, sizes.Head);
         json.WriteNumber("neck"u8, sizes.Neck);
@@ -38,8 +48,7 @@ internal static class CommandJson
         json.WriteNumber("heelHeight"u8, sizes.HeelHeight);
         json.WriteNumber("footLength"u8, sizes.FootLength);
         json.WriteEndObject();
-        json.WriteString("bvhHeader"u8, header);
-    });
+    }
 
     private static string Write(Action<Utf8JsonWriter> write)
     {

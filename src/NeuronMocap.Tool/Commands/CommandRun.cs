@@ -1,6 +1,5 @@
 using System.Text;
 using NeuronMocap.Commands;
-using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Output;
@@ -9,19 +8,21 @@ using NeuronMocap.Tool.Watch;
 
 namespace NeuronMocap.Tool.Commands;
 
-/// <summary>--commands: asks a server's command channel, and prints what it says.</summary>
-internal sealed class CommandRun(MonitorOptions options, CommandSettings settings, StandardStreams streams)
+/// <summary>Asks a server's command channel, and prints what it says.</summary>
+internal sealed class CommandRun(CommandSettings settings, StandardStreams streams)
 {
     public async Task<int> RunAsync(CancellationToken cancelled)
     {
         try
         {
-            using DemoServer? demo = settings.Server is null ? DemoServer.Start(options.RotationOrder ?? RotationOrder.YXZ) : null;
+            using DemoServer? demo = settings.Server is null ? DemoServer.Start(RotationOrder.YXZ) : null;
             ServerAddress server = settings.Server ?? demo!.OpenCommands();
             await using var client = new NeuronCommandClient(server.Host, server.Port);
-            byte[] output = Encoding.UTF8.GetBytes(await AskAsync(client, server, cancelled));
-            await streams.Output.WriteAsync(output, CancellationToken.None);
-            await streams.Output.FlushAsync(CancellationToken.None);
+            if (settings.Question == CommandQuestion.ZeroOut)
+                await ZeroOutAsync(client, server, cancelled);
+            else
+                Write(await AskAsync(client, server, cancelled));
+
             return CommandLine.Done;
         }
         catch (NeuronException exception)
@@ -41,27 +42,44 @@ internal sealed class CommandRun(MonitorOptions options, CommandSettings setting
         }
     }
 
-    private async Task<string> AskAsync(NeuronCommandClient client, ServerAddress server, CancellationToken cancelled)
+    private async Task ZeroOutAsync(NeuronCommandClient client, ServerAddress server, CancellationToken cancelled)
     {
-        bool isJson = options.Output == OutputKind.Json;
-        if (settings.ZeroOut is { } target)
-        {
-            await (target.Avatar is { } avatar ? client.ZeroOutAsync(avatar, cancelled) : client.ZeroOutAllAsync(cancelled));
-            return isJson ? CommandJson.ZeroOut(server, target) : CommandText.ZeroOut(server, target);
-        }
+        await (settings.Avatar is { } avatar ? client.ZeroOutAsync(avatar, cancelled) : client.ZeroOutAllAsync(cancelled));
+        if (settings.Json)
+            WriteText(CommandJson.ZeroOut(server, settings.Avatar));
+        else
+            new CommandPage(streams).ZeroOut(server, settings.Avatar);
+    }
 
-        if (settings.WholeHeader)
-        {
-            string text = await client.GetBvhHeaderTextAsync(settings.Avatar, cancelled);
-            return streams.IsTerminal ? CleanLines(text) : text;
-        }
+    private async Task<CommandAnswers> AskAsync(NeuronCommandClient client, ServerAddress server, CancellationToken cancelled)
+    {
+        var answers = new CommandAnswers(server, settings.Avatar ?? 0);
+        if (settings.Question is CommandQuestion.All or CommandQuestion.Order)
+            answers = answers with { Order = await client.GetRotationOrderAsync(cancelled) };
+        if (settings.Question is CommandQuestion.All or CommandQuestion.Bones)
+            answers = answers with { Sizes = await client.GetBoneDimensionsAsync(answers.Avatar, cancelled) };
+        if (settings.Question is CommandQuestion.All or CommandQuestion.Header)
+            answers = answers with { Header = await client.GetBvhHeaderTextAsync(answers.Avatar, cancelled) };
 
-        RotationOrder order = await client.GetRotationOrderAsync(cancelled);
-        BoneDimensions sizes = await client.GetBoneDimensionsAsync(settings.Avatar, cancelled);
-        string header = await client.GetBvhHeaderTextAsync(settings.Avatar, cancelled);
-        return isJson
-            ? CommandJson.Report(server, settings.Avatar, order, sizes, header)
-            : CommandText.Report(server, settings.Avatar, order, sizes, header);
+        return answers;
+    }
+
+    private void Write(CommandAnswers answers)
+    {
+        if (settings.Json)
+            WriteText(CommandJson.Report(answers));
+        else if (settings.Question == CommandQuestion.Header)
+            WriteText(streams.IsTerminal ? CleanLines(answers.Header!) : answers.Header!);
+        else if (settings.Question == CommandQuestion.Order)
+            WriteText($"{answers.Order}\n");
+        else
+            new CommandPage(streams).Report(answers);
+    }
+
+    private void WriteText(string text)
+    {
+        streams.Output.Write(Encoding.UTF8.GetBytes(text));
+        streams.Output.Flush();
     }
 
     // A file or a program gets the header as it is; a terminal obeys what is in it.
@@ -70,7 +88,7 @@ internal sealed class CommandRun(MonitorOptions options, CommandSettings setting
 
     private async Task<int> FailAsync(string message)
     {
-        await streams.Error.WriteLineAsync($"neuron-mocap: --commands: {TerminalText.Clean(message)}");
+        await streams.ComplainAsync(message);
         return CommandLine.NothingReceived;
     }
 }

@@ -4,7 +4,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>What --convert says at its end, in one line: what the new file holds, what is missing in it, and what is doubtful.</summary>
+/// <summary>What convert says at its end, in one line: what the new file holds, what is missing in it, and what is doubtful.</summary>
 internal sealed class ConversionSummary
 {
     private const int MostNamed = 3;
@@ -80,7 +80,7 @@ internal sealed class ConversionSummary
             // A doubt is a sentence, which may have semicolons of its own.
             line += ": " + (doubts == 1 ? _doubts[0] : string.Join(", ", _doubts.Take(MostNamed).Select(static (doubt, index) => $"({index + 1}) {doubt}")));
             if (doubts > MostNamed)
-                line += $", and {doubts - MostNamed} more, which --info lists";
+                line += $", and {doubts - MostNamed} more, which info lists";
         }
 
         return line + (_losses.Count > 0 ? $"; not kept: {string.Join(", ", _losses)}." : ".");

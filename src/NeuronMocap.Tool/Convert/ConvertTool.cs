@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>--convert: writes a file as another kind of file, or a part of it.</summary>
+/// <summary>Writes a file as another kind of file, or a part of it.</summary>
 internal sealed class ConvertTool(FileSettings settings, StandardStreams streams)
 {
     private readonly TimeRange _range = new(settings.From, settings.To);
@@ -26,7 +26,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
             if (from == FileKind.Recording)
                 StreamDoubts.AddDamage(_summary, settings.Input, cancelled);
         });
-        streams.Error.WriteLine($"neuron-mocap: {TerminalText.Clean(_summary.Describe(Path.GetFileName(settings.Output!)))}");
+        streams.Complain(_summary.Describe(Path.GetFileName(settings.Output!)));
     }
 
     private void Write(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancelled)

@@ -8,7 +8,7 @@ using NeuronMocap.Tool.Watch;
 
 namespace NeuronMocap.Tool.Diagnose;
 
-/// <summary>--diagnose: one look at the stream instead of watching it.</summary>
+/// <summary>One look at the stream instead of watching it.</summary>
 internal sealed class DiagnosisRun(MonitorOptions options, StandardStreams streams)
 {
     public async Task<int> RunAsync(CancellationToken cancelled)
@@ -62,7 +62,7 @@ internal sealed class DiagnosisRun(MonitorOptions options, StandardStreams strea
 
     private async Task<int> FailAsync(string message)
     {
-        await streams.Error.WriteLineAsync($"neuron-mocap: {TerminalText.Clean(message)}");
+        await streams.ComplainAsync(message);
         return CommandLine.NothingReceived;
     }
 }

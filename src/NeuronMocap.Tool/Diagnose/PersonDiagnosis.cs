@@ -1,4 +1,3 @@
-using System.Text;
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Terminal;
@@ -7,27 +6,13 @@ using Spectre.Console;
 namespace NeuronMocap.Tool.Diagnose;
 
 /// <summary>Steps as they happen, then the paragraph: in colours and wrapped on a terminal, plain and unwrapped elsewhere.</summary>
-internal sealed class PersonDiagnosis : DiagnosisOutput
+internal sealed class PersonDiagnosis(StandardStreams streams) : DiagnosisOutput
 {
     private const int WidestText = 100;
     private const int NameWidth = 12;
 
-    private readonly IAnsiConsole _console;
-    private readonly bool _isTerminal;
-
-    public PersonDiagnosis(StandardStreams streams)
-    {
-        _isTerminal = streams.IsTerminal;
-        var writer = new StreamWriter(streams.Output, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { AutoFlush = true };
-        _console = AnsiConsole.Create(new AnsiConsoleSettings
-        {
-            Ansi = _isTerminal && Screen.IsSupported ? AnsiSupport.Yes : AnsiSupport.No,
-            Interactive = InteractionSupport.No,
-            Out = new AnsiConsoleOutput(writer),
-        });
-        _console.Profile.Capabilities.ColorSystem = _isTerminal ? AnsiConsole.Profile.Capabilities.ColorSystem : ColorSystem.NoColors;
-        _console.Profile.Width = streams.TextWidth(WidestText);
-    }
+    private readonly IAnsiConsole _console = new TextPage(streams, WidestText).Console;
+    private readonly bool _isTerminal = streams.IsTerminal;
 
     public void Begin(string target)
     {

@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Files;
 
-/// <summary>--info, --convert and --plot: one run of a tool for files.</summary>
+/// <summary>One run of info, convert or plot.</summary>
 internal sealed class FileRun(FileSettings settings, StandardStreams streams)
 {
     // For work that looks whether it shall end; what does not, as a read from a disk that hangs, is left behind.
@@ -47,7 +47,7 @@ internal sealed class FileRun(FileSettings settings, StandardStreams streams)
         }
     }
 
-    // The input is read, and the page of --info is all that goes to standard output; a file that is written has told its own fault.
+    // The input is read, and the page of info is all that goes to standard output; a file that is written has told its own fault.
     private string Describe(IOException exception) => settings.Task == FileTask.Info && FileFault.IsDiskFull(exception)
         ? FileFault.OfStandardOutput(exception)
         : FileFault.OfReading(exception, settings.Input);
@@ -76,7 +76,7 @@ internal sealed class FileRun(FileSettings settings, StandardStreams streams)
 
     private async Task<int> FailAsync(string message)
     {
-        await streams.Error.WriteLineAsync($"neuron-mocap: {TerminalText.Clean(message)}");
+        await streams.ComplainAsync(message);
         return CommandLine.NothingReceived;
     }
 }

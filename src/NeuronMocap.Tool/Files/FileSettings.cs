@@ -29,10 +29,10 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     /// <summary>Which avatar of a recording; null for the first.</summary>
     public int? Avatar { get; init; }
 
-    /// <summary>With --convert, of the output; null for the input's. Otherwise of the stream in the input, see <see cref="InputOrder"/>.</summary>
+    /// <summary>Of convert the order of the output; null for the input's. Otherwise that of the stream in the input, see <see cref="InputOrder"/>.</summary>
     public RotationOrder? RotationOrder { get; init; }
 
-    /// <summary>With --convert, of the stream in the input, whose values do not say it; null for what the file says, or YXZ.</summary>
+    /// <summary>Of convert the order of the stream in the input, whose values do not say it; null for what the file says, or YXZ.</summary>
     public RotationOrder? InputOrder { get; init; }
 
     /// <summary>Frames per second of the output; null for the input's.</summary>
@@ -47,8 +47,11 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     /// <summary>Seconds since the beginning of the input where the output ends; null for the end.</summary>
     public double? To { get; init; }
 
-    /// <summary>Whether --info is for a program.</summary>
+    /// <summary>Whether info is for a program.</summary>
     public bool Json { get; init; }
+
+    /// <summary>Whether info has told of another file before.</summary>
+    public bool FollowsAnother { get; init; }
 
     /// <summary>How a stream in the input is to be read.</summary>
     public PlaybackOptions Playback => new() { RotationOrder = Task == FileTask.Convert ? InputOrder : RotationOrder, FrameRate = InputRate };

@@ -9,15 +9,17 @@ internal static class SameFile
     private static readonly StringComparison Comparison =
         OperatingSystem.IsWindows() || OperatingSystem.IsMacOS() ? StringComparison.OrdinalIgnoreCase : StringComparison.Ordinal;
 
-    /// <summary>Adds an error where two options name one file.</summary>
+    /// <summary>Adds an error where two words of a command line name one file.</summary>
     /// <param name="result">The command line.</param>
+    /// <param name="input">The name of an argument, and the file that it names; null for none.</param>
     /// <param name="options">Options whose only argument is a file.</param>
-    public static void Reject(CommandResult result, params Option[] options)
+    public static void Reject(CommandResult result, (string Argument, string Path)? input, params Option[] options)
     {
-        (string Option, string Path)[] files =
-        [
-            .. options.Select(option => (option.Name, PathOf(result, option))).Where(static file => file.Item2.Length > 0),
-        ];
+        IEnumerable<(string Option, string Path)> named = options.Select(option => (option.Name, PathOf(result, option)));
+        if (input is { } file && !string.IsNullOrWhiteSpace(file.Path))
+            named = named.Prepend((file.Argument, Path.GetFullPath(file.Path)));
+
+        (string Option, string Path)[] files = [.. named.Where(static file => file.Path.Length > 0)];
         for (int i = 0; i < files.Length; i++)
         {
             foreach ((string option, _) in files[(i + 1)..].Where(other => string.Equals(other.Path, files[i].Path, Comparison)))

@@ -4,7 +4,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>--info: says what a file holds.</summary>
+/// <summary>Says what a file holds.</summary>
 internal sealed class InfoTool(FileSettings settings, StandardStreams streams)
 {
     public void Run(CancellationToken cancelled)
@@ -15,7 +15,7 @@ internal sealed class InfoTool(FileSettings settings, StandardStreams streams)
 
         if (!settings.Json)
         {
-            new InfoPage(streams).Write(report);
+            new InfoPage(streams).Write(report, settings.FollowsAnother);
             return;
         }
 

@@ -19,10 +19,6 @@ namespace NeuronMocap.Tool.Output;
 [SuppressMessage("Design", "CA1001", Justification = "The writer holds nothing but the buffer.")]
 internal sealed class JsonLines
 {
-    private static readonly JsonEncodedText NotANumber = JsonEncodedText.Encode("NaN");
-    private static readonly JsonEncodedText PositiveInfinity = JsonEncodedText.Encode("Infinity");
-    private static readonly JsonEncodedText NegativeInfinity = JsonEncodedText.Encode("-Infinity");
-
     private static readonly JsonEncodedText[] Orders = [.. Enum.GetNames<RotationOrder>().Select(static name => JsonEncodedText.Encode(name))];
 
     private readonly ArrayBufferWriter<byte> _buffer = new(16 * 1024);
@@ -78,9 +74,9 @@ internal sealed class JsonLines
         _json.WriteBoolean("reference"u8, frame.Header.HasReference);
         WriteOrigin(frame);
         _json.WriteString("rotationOrder"u8, Orders[(int)frame.Format.RotationOrder]);
-        WriteTimecode(frame.Timecode);
+        _json.WriteTimecode(frame.Timecode);
         WritePositions(frame);
-        WriteValues(frame.Values);
+        _json.WriteValues(frame.Values);
         return End();
     }
 
@@ -89,7 +85,7 @@ internal sealed class JsonLines
         Begin("calculation"u8);
         WriteAvatar(frame);
         WriteOrigin(frame);
-        WriteValues(frame.Values);
+        _json.WriteValues(frame.Values);
         return End();
     }
 
@@ -105,7 +101,7 @@ internal sealed class JsonLines
         if (frame.HasSkeleton)
             WriteBones(frame);
         else
-            WriteValues(frame.Values);
+            _json.WriteValues(frame.Values);
 
         return End();
     }
@@ -118,10 +114,10 @@ internal sealed class JsonLines
         _json.WriteString("format"u8, status.Format.ToString());
         _json.WriteString("reason"u8, ReasonCode.Of(status.Reason));
         _json.WriteNumber("attempt"u8, status.Attempt);
-        WriteNumber("retryIn"u8, status.RetryIn?.TotalSeconds);
-        WriteEndPoint("local"u8, status.LocalEndPoint);
-        WriteEndPoint("remote"u8, status.RemoteEndPoint);
-        WriteNumber("receiveBuffer"u8, status.ReceiveBufferSize);
+        _json.WriteNumber("retryIn"u8, status.RetryIn?.TotalSeconds);
+        _json.WriteEndPoint("local"u8, status.LocalEndPoint);
+        _json.WriteEndPoint("remote"u8, status.RemoteEndPoint);
+        _json.WriteNumber("receiveBuffer"u8, status.ReceiveBufferSize);
         WriteTime(status.Timestamp);
         return End();
     }
@@ -132,8 +128,8 @@ internal sealed class JsonLines
         _json.WriteString("kind"u8, failure.Kind);
         _json.WriteString("file"u8, failure.File);
         _json.WriteString("message"u8, failure.Reason);
-        WriteNumber("lostFrames"u8, failure.IsExport ? failure.Lost : null);
-        WriteNumber("lostPieces"u8, failure.IsExport ? null : failure.Lost);
+        _json.WriteNumber("lostFrames"u8, failure.IsExport ? failure.Lost : null);
+        _json.WriteNumber("lostPieces"u8, failure.IsExport ? null : failure.Lost);
         WriteTime(failure.Timestamp);
         return End();
     }
@@ -238,47 +234,6 @@ internal sealed class JsonLines
         _json.WriteString("utc"u8, _clock.UtcOf(timestamp));
     }
 
-    private void WriteTimecode(Timecode? timecode)
-    {
-        Span<byte> text = stackalloc byte[32];
-        if (timecode is { } time)
-            _json.WriteString("timecode"u8, text[..FormatTimecode(time, text)]);
-        else
-            _json.WriteNull("timecode"u8);
-    }
-
-    // As Timecode.ToString, without its string.
-    private static int FormatTimecode(Timecode time, Span<byte> text)
-    {
-        int length = 0;
-        foreach (int part in (ReadOnlySpan<int>)[time.Hours, time.Minutes, time.Seconds, time.Frames])
-        {
-            if (length > 0)
-                text[length++] = (byte)':';
-
-            Utf8Formatter.TryFormat(part, text[length..], out int written, new StandardFormat('D', 2));
-            length += written;
-        }
-
-        return length;
-    }
-
-    private void WriteNumber(ReadOnlySpan<byte> name, double? number)
-    {
-        if (number is { } value)
-            _json.WriteNumber(name, value);
-        else
-            _json.WriteNull(name);
-    }
-
-    private void WriteEndPoint(ReadOnlySpan<byte> name, EndPoint? endPoint)
-    {
-        if (endPoint is null)
-            _json.WriteNull(name);
-        else
-            _json.WriteString(name, endPoint.ToString());
-    }
-
     private void WritePositions(MotionFrame frame)
     {
         if (!frame.HasSkeleton)
@@ -292,31 +247,12 @@ internal sealed class JsonLines
         foreach (BoneTransform bone in _world)
         {
             Vector3 position = bone.Position;
-            WriteValue(position.X);
-            WriteValue(position.Y);
-            WriteValue(position.Z);
+            _json.WriteValue(position.X);
+            _json.WriteValue(position.Y);
+            _json.WriteValue(position.Z);
         }
 
         _json.WriteEndArray();
-    }
-
-    private void WriteValues(ReadOnlySpan<float> values)
-    {
-        _json.WriteStartArray("values"u8);
-        foreach (float value in values)
-            WriteValue(value);
-
-        _json.WriteEndArray();
-    }
-
-    private void WriteValue(float value)
-    {
-        if (value == 0 && float.IsNegative(value))
-            _json.WriteRawValue("-0.0"u8, skipInputValidation: true); // many a reader takes -0 for the integer 0
-        else if (float.IsFinite(value))
-            _json.WriteNumberValue(value);
-        else
-            _json.WriteStringValue(float.IsNaN(value) ? NotANumber : value > 0 ? PositiveInfinity : NegativeInfinity);
     }
 
     // The last of a bone's 21 values is the flag.
@@ -327,7 +263,7 @@ internal sealed class JsonLines
         for (int i = 0; i < frame.Values.Length; i++)
         {
             if (i % perBone < perBone - 1)
-                WriteValue(frame.Values[i]);
+                _json.WriteValue(frame.Values[i]);
         }
 
         _json.WriteEndArray();

@@ -36,7 +36,7 @@ internal abstract class MonitorOutput
     /// <summary>Called once at the end, when nothing more arrives.</summary>
     public abstract void Finish(ReaderStatistics statistics);
 
-    /// <summary>Keeps the reason for the end of the run. A closed pipe is none: `neuron-mocap --json | head -1` has all it wanted.</summary>
+    /// <summary>Keeps the reason for the end of the run. A closed pipe is none: `neuron-mocap watch --json | head -1` has all it wanted.</summary>
     protected void OnWriteFailed(IOException exception)
     {
         if (!IsBrokenPipe(exception))

@@ -30,10 +30,24 @@ internal sealed record PlaySettings(string File, double Speed, double? Rate, boo
         }
         catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException or ArgumentException)
         {
-            throw new PlayException($"--play: {FileFault.OfReading(exception, File)}");
+            string hint = IsOtherTake(exception) ? $" {CommandLine.Name} convert makes one of it." : string.Empty;
+            throw new PlayException(FileFault.OfReading(exception, File) + hint);
+        }
+    }
+
+    // The library says what it is, and no more.
+    private bool IsOtherTake(Exception exception)
+    {
+        try
+        {
+            return exception is NeuronException && FileKinds.Recognize(File) is FileKind.Bvh or FileKind.Calculation;
+        }
+        catch (Exception fault) when (fault is NeuronException or IOException or UnauthorizedAccessException)
+        {
+            return false;
         }
     }
 }
 
-/// <summary>The file that --play names cannot be shown; the message says why.</summary>
+/// <summary>The file cannot be shown; the message says why.</summary>
 internal sealed class PlayException(string message) : Exception(message);

@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>--plot: draws a file.</summary>
+/// <summary>Draws a file.</summary>
 internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
 {
     public void Run(OutputFile output, CancellationToken cancelled)

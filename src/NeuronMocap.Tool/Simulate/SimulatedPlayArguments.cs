@@ -11,7 +11,7 @@ internal sealed class SimulatedPlayArguments
     private readonly Option<FileInfo?> _play = new("--play")
     {
         HelpName = "FILE",
-        Description = "Play a recording (neuron-mocap --record), or the bytes of a stream that somebody wrote to a file: byte for byte as it was received, at its own "
+        Description = "Play a recording (neuron-mocap watch --record), or the bytes of a stream that somebody wrote to a file: byte for byte as it was received, at its own "
             + "times. Bytes without times are sent at --rate, or as their timecodes say, or at 120 frames per second.",
     };
 
@@ -22,11 +22,7 @@ internal sealed class SimulatedPlayArguments
         CustomParser = ParseSpeed,
     };
 
-    public void AddTo(RootCommand root)
-    {
-        root.Add(_play);
-        root.Add(_speed);
-    }
+    public Option[] All => [_play, _speed];
 
     /// <summary>Adds an error for every option that has no meaning beside another.</summary>
     /// <param name="result">The command line.</param>

@@ -3,6 +3,7 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
+using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Simulate;
 
@@ -10,58 +11,58 @@ namespace NeuronMocap.Tool.Simulate;
 internal static class SimulatorOptions
 {
     /// <summary>Makes the options.</summary>
-    /// <param name="command">The options of the program.</param>
+    /// <param name="arguments">The options.</param>
     /// <param name="result">A command line without errors.</param>
     /// <param name="sources">What to play.</param>
     /// <exception cref="UsageException">An option has no meaning here.</exception>
     /// <exception cref="SimulatorException">A host name leads nowhere.</exception>
-    public static BroadcasterOptions Create(SimulatorCommand command, ParseResult result, SimulatorSources sources)
+    public static BroadcasterOptions Create(SimulateArguments arguments, ParseResult result, SimulatorSources sources)
     {
-        string[] udp = result.GetValue(command.Udp) ?? [];
-        BroadcastFormat format = result.GetValue(command.Format) ?? BroadcastFormat.Binary;
-        int? calculationPort = GetCalculationPort(command, result, udp);
-        bool motion = result.GetValue(command.Motion) != OnOff.Off;
-        bool calculation = result.GetValue(command.Calculation) || calculationPort is not null || !motion;
-        int? port = result.GetValue(command.Port) ?? (udp.Length > 0 ? null : ProtocolConstants.DefaultPort);
-        CheckFormat(command, result, format);
-        int? commands = result.GetResult(command.Commands) is null ? null : result.GetValue(command.Commands);
+        string[] udp = result.GetValue(arguments.Udp) ?? [];
+        BroadcastFormat format = result.GetValue(arguments.Format) ?? BroadcastFormat.Binary;
+        int? calculationPort = GetCalculationPort(arguments, result, udp);
+        bool motion = result.GetValue(arguments.Motion) != OnOff.Off;
+        bool calculation = result.GetValue(arguments.Calculation) || calculationPort is not null || !motion;
+        int? port = result.GetValue(arguments.Port) ?? (udp.Length > 0 ? null : ProtocolConstants.DefaultPort);
+        CheckFormat(arguments, result, format);
+        int? commands = result.GetResult(arguments.Commands) is null ? null : result.GetValue(arguments.Commands);
         CheckPorts(("--port", port), ("--calculation-port", port is null ? null : calculationPort), ("--commands", commands));
         return new BroadcasterOptions
         {
             Sources = sources.Avatars,
-            BindAddress = result.GetValue(command.Bind) ?? IPAddress.Loopback,
+            BindAddress = result.GetValue(arguments.Bind) ?? IPAddress.Loopback,
             Port = port,
             CalculationPort = calculationPort,
             Motion = motion,
             UdpDestinations = [.. udp.Select(Resolve)],
-            Rate = result.GetValue(command.Rate),
-            FrameLimit = result.GetValue(command.Frames),
-            WaitForClient = result.GetValue(command.WaitForClient),
-            Displacement = result.GetValue(command.Displacement) is { } displacement ? displacement == OnOff.On : null,
-            Reference = result.GetValue(command.Reference) == OnOff.On,
-            RotationOrder = result.GetValue(command.Order) ?? sources.Order ?? RotationOrder.YXZ,
+            Rate = result.GetValue(arguments.Rate),
+            FrameLimit = result.GetValue(arguments.Frames),
+            WaitForClient = result.GetValue(arguments.WaitForClient),
+            Displacement = result.GetValue(arguments.Displacement) is { } displacement ? displacement == OnOff.On : null,
+            Reference = result.GetValue(arguments.Reference) == OnOff.On,
+            RotationOrder = result.GetValue(arguments.Order) ?? sources.Order ?? RotationOrder.YXZ,
             Format = format,
-            DataVersion = result.GetValue(command.Header) == HeaderLayout.Old ? DataVersion.Old : null,
-            TextDecimals = result.GetValue(command.Decimals) ?? TextEncoder.DefaultDecimals,
+            DataVersion = result.GetValue(arguments.Header) == HeaderLayout.Old ? DataVersion.Old : null,
+            TextDecimals = result.GetValue(arguments.Decimals) ?? TextEncoder.DefaultDecimals,
             Calculation = calculation && format != BroadcastFormat.Studio ? sources.WriteCalculation : null,
             CalculationValueCount = sources.CalculationValueCount,
             StudioCalculation = calculation && format == BroadcastFormat.Studio ? StudioCalculationSynthesizer.Write : null,
-            AnswerDataCommands = result.GetValue(command.DataCommands) != OnOff.Off,
-            Fragment = result.GetValue(command.Fragment),
+            AnswerDataCommands = result.GetValue(arguments.DataCommands) != OnOff.Off,
+            Fragment = result.GetValue(arguments.Fragment),
         };
     }
 
     /// <summary>Makes the options of a recording.</summary>
-    /// <param name="command">The options of the program.</param>
+    /// <param name="arguments">The options.</param>
     /// <param name="result">A command line without errors.</param>
     /// <param name="play">What to play.</param>
     /// <exception cref="UsageException">An option has no meaning here.</exception>
     /// <exception cref="SimulatorException">A host name leads nowhere.</exception>
-    public static BroadcasterOptions Create(SimulatorCommand command, ParseResult result, SimulatedPlaySettings play)
+    public static BroadcasterOptions Create(SimulateArguments arguments, ParseResult result, SimulatedPlaySettings play)
     {
-        string[] udp = result.GetValue(command.Udp) ?? [];
-        int? port = result.GetValue(command.Port) ?? (udp.Length > 0 ? null : ProtocolConstants.DefaultPort);
-        int? calculationPort = GetCalculationPort(command, result, udp);
+        string[] udp = result.GetValue(arguments.Udp) ?? [];
+        int? port = result.GetValue(arguments.Port) ?? (udp.Length > 0 ? null : ProtocolConstants.DefaultPort);
+        int? calculationPort = GetCalculationPort(arguments, result, udp);
         CheckPorts(("--port", port), ("--calculation-port", port is null ? null : calculationPort));
         return new BroadcasterOptions
         {
@@ -69,31 +70,31 @@ internal static class SimulatorOptions
             Recording = play.Path,
             RecordingSpeed = play.Speed,
             LoopRecording = play.Loop,
-            Rate = result.GetValue(command.Rate),
-            BindAddress = result.GetValue(command.Bind) ?? IPAddress.Loopback,
+            Rate = result.GetValue(arguments.Rate),
+            BindAddress = result.GetValue(arguments.Bind) ?? IPAddress.Loopback,
             Port = port,
             UdpDestinations = [.. udp.Select(Resolve)],
-            WaitForClient = result.GetValue(command.WaitForClient),
-            Fragment = result.GetValue(command.Fragment),
+            WaitForClient = result.GetValue(arguments.WaitForClient),
+            Fragment = result.GetValue(arguments.Fragment),
         };
     }
 
-    private static int? GetCalculationPort(SimulatorCommand command, ParseResult result, string[] udp)
+    private static int? GetCalculationPort(SimulateArguments arguments, ParseResult result, string[] udp)
     {
-        int? port = result.GetResult(command.CalculationPort) is null ? null : result.GetValue(command.CalculationPort);
+        int? port = result.GetResult(arguments.CalculationPort) is null ? null : result.GetValue(arguments.CalculationPort);
         return udp.Length > 0 && port == 0
             ? throw new UsageException("--calculation-port 0 takes a free port to listen on; with --udp it is a port to send to, from 1 to 65535.")
             : port;
     }
 
-    private static void CheckFormat(SimulatorCommand command, ParseResult result, BroadcastFormat format)
+    private static void CheckFormat(SimulateArguments arguments, ParseResult result, BroadcastFormat format)
     {
-        HeaderLayout? header = result.GetValue(command.Header);
+        HeaderLayout? header = result.GetValue(arguments.Header);
         if (format == BroadcastFormat.Text && header is not null)
             throw new UsageException("--format text has no headers: leave out --header.");
         if (format == BroadcastFormat.Studio && header == HeaderLayout.Old)
             throw new UsageException("--format studio has the new header; Axis Studio's old one is --format binary --header old.");
-        if (format != BroadcastFormat.Text && result.GetValue(command.Decimals) is not null)
+        if (format != BroadcastFormat.Text && result.GetValue(arguments.Decimals) is not null)
             throw new UsageException("--decimals is for --format text; packets carry every value as it is.");
     }
 
@@ -106,12 +107,18 @@ internal static class SimulatorOptions
         }
     }
 
-    private static IPEndPoint Resolve(string destination)
+    /// <summary>Takes HOST:PORT apart, without asking for the host.</summary>
+    public static bool TrySplit(string destination, out string host, out int port)
     {
         int colon = destination.LastIndexOf(':');
-        string host = colon < 0 ? string.Empty : destination[..colon].Trim('[', ']');
-        if (host.Length == 0 || !ushort.TryParse(destination.AsSpan(colon + 1), out ushort port) || port == 0)
-            throw new UsageException($"--udp {destination} is not of the form HOST:PORT.");
+        host = colon < 0 ? string.Empty : destination[..colon].Trim('[', ']');
+        port = 0;
+        return host.Length > 0 && ServerAddress.TryParsePort(destination[(colon + 1)..], out port);
+    }
+
+    private static IPEndPoint Resolve(string destination)
+    {
+        TrySplit(destination, out string host, out int port);
         if (IPAddress.TryParse(host, out IPAddress? address))
             return new IPEndPoint(address, port);
 

@@ -1,47 +1,56 @@
 using System.Globalization;
 using System.Net;
 using NeuronMocap.Server;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Output;
+using NeuronMocap.Tool.Terminal;
+using Spectre.Console;
 
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>What the program says on standard output: what it sends, where, and on a terminal how it is going.</summary>
-internal sealed class SimulatorReport(Broadcaster broadcaster, CommandServer? commands, BroadcasterOptions options, string description)
+/// <summary>What simulate says on standard output: what it sends, where, on a terminal how it is going, and at the end how it went.</summary>
+internal sealed class SimulatorReport(
+    Broadcaster broadcaster, CommandServer? commands, BroadcasterOptions options, string description, StandardStreams streams)
 {
+    private const int WidestText = 160;
+
     private static readonly TimeSpan Interval = TimeSpan.FromSeconds(1);
 
+    private readonly TextPage _page = new(streams, WidestText);
+    private bool _isGone;
+
     /// <summary>Reports until the broadcast is over.</summary>
-    /// <exception cref="SimulatorException">The file could not be read to its end.</exception>
-    public void Run()
+    /// <exception cref="SimulatorException">The file could not be read to its end, or nothing can be said.</exception>
+    public async Task RunAsync()
     {
-        Console.WriteLine(Describe());
+        Say(Describe());
 
         // Scripts wait for these lines.
         if (broadcaster.LocalEndPoint is { } endPoint)
-            Console.WriteLine($"Listening on {endPoint}");
+            Say($"Listening on {endPoint}");
         if (broadcaster.CalculationEndPoint is { } calculationPoint)
-            Console.WriteLine($"Calculation on {calculationPoint}");
+            Say($"Calculation on {calculationPoint}");
         if (commands?.LocalEndPoint is { } commandPoint)
-            Console.WriteLine($"Commands on {commandPoint}");
+            Say($"Commands on {commandPoint}");
         foreach (IPEndPoint destination in options.UdpDestinations)
         {
-            Console.WriteLine($"Sending to {destination}");
+            Say($"Sending to {destination}");
             if (options.CalculationPort is int port)
-                Console.WriteLine($"Calculation to {new IPEndPoint(destination.Address, port)}");
+                Say($"Calculation to {new IPEndPoint(destination.Address, port)}");
         }
 
-        Console.Out.Flush();
-        if (!Console.IsOutputRedirected)
-            Watch();
+        if (streams.IsTerminal && Screen.IsSupported)
+            await WatchAsync();
 
-        WaitForEnd();
-        Console.WriteLine(Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"{Count(broadcaster.Statistics.Accepted, "client")} served in all, "));
+        await WaitForEndAsync();
+        Say(Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"Served {Count(broadcaster.Statistics.Accepted, "client")}: "));
     }
 
-    private void WaitForEnd()
+    private async Task WaitForEndAsync()
     {
         try
         {
-            broadcaster.Completion.GetAwaiter().GetResult();
+            await broadcaster.Completion;
         }
         catch (Exception exception)
         {
@@ -49,12 +58,35 @@ internal sealed class SimulatorReport(Broadcaster broadcaster, CommandServer? co
         }
     }
 
-    private void Watch()
+    // Drawn again every second, and goes at the end.
+    private Task WatchAsync() => _page.Console.Live(Progress()).AutoClear(enabled: true).StartAsync(async view =>
     {
-        while (Task.WaitAny([broadcaster.Completion], Interval) < 0)
-            Console.Write($"\r{Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"{Clients()}, ")}   ");
+        while (await Task.WhenAny(broadcaster.Completion, Task.Delay(Interval)) != broadcaster.Completion)
+            view.UpdateTarget(Progress());
+    });
 
-        Console.Write('\r');
+    // Two lines: of a single one the library moves the cursor up by 0 lines, which terminals take for 1.
+    private Padder Progress() =>
+        new(new Text(Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"{Clients()}, "), Palette.DimStyle), new Padding(0, 1, 0, 0));
+
+    // Whoever reads the output may leave when he has seen where the server is.
+    private void Say(string line)
+    {
+        if (_isGone)
+            return;
+
+        try
+        {
+            _page.WriteLine(line);
+        }
+        catch (IOException exception) when (MonitorOutput.IsBrokenPipe(exception))
+        {
+            _isGone = true;
+        }
+        catch (IOException exception)
+        {
+            throw new SimulatorException(FileFault.OfStandardOutput(exception));
+        }
     }
 
     private string Describe() => options.Recording is not null ? description : string.Create(

@@ -32,9 +32,18 @@ internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsT
     /// <param name="widest">Longer lines are hard to read.</param>
     public int TextWidth(int widest) => IsTerminal ? Math.Clamp(Columns, NarrowestText, widest) : Unlimited;
 
+    /// <summary>Writes one line to standard error. Every line there begins with the name of the program.</summary>
+    /// <param name="message">A sentence; what a terminal would obey is replaced.</param>
+    public void Complain(string message) => Error.WriteLine(LineOf(message));
+
+    /// <inheritdoc cref="Complain"/>
+    public Task ComplainAsync(string message) => Error.WriteLineAsync(LineOf(message));
+
     public void Dispose() => Output.Dispose();
 
-    // The console's own stream passes over a broken pipe in silence, so that `neuron-mocap --json | head -1` would never end; a FileStream
+    private static string LineOf(string message) => $"{CommandLine.Name}: {TerminalText.Clean(message)}";
+
+    // The console's own stream passes over a broken pipe in silence, so that `neuron-mocap watch --json | head -1` would never end; a FileStream
     // throws. A regular file cannot break, and a FileStream would not move the position that the shell shares with the next program.
     private static Stream OpenOutput()
     {

@@ -3,7 +3,7 @@ using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Watch;
 
-/// <summary>The simulator behind --demo: a server inside this process, on a free TCP port of the loopback address.</summary>
+/// <summary>The source demo: a server inside this process, on a free TCP port of the loopback address.</summary>
 internal sealed class DemoServer : IDisposable
 {
     private const double FrameRate = 60;

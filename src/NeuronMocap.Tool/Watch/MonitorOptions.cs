@@ -1,7 +1,5 @@
 using System.Net;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Tool.Commands;
-using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Watch.Export;
 using NeuronMocap.Tool.Watch.Recordings;
@@ -24,8 +22,6 @@ internal enum OutputKind
 /// <summary>What the command line asks for.</summary>
 internal sealed record MonitorOptions
 {
-    private static readonly TimeSpan ShortestDiagnosis = TimeSpan.FromSeconds(1);
-    private static readonly TimeSpan LongestDiagnosis = TimeSpan.FromMinutes(5);
     private static readonly TimeSpan LongestSilence = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan LongestConnect = TimeSpan.FromSeconds(5);
 
@@ -45,10 +41,13 @@ internal sealed record MonitorOptions
     public bool IsDemo => Server is null && UdpPort is null && Play is null;
 
     /// <summary>What is received from, as a word of the command line.</summary>
-    public string Source => Play is { } play ? play.File
-        : UdpPort is { } port ? $"udp://{(LocalAddress is null ? string.Empty : new IPEndPoint(LocalAddress, 0).ToString()[..^2])}:{port}"
-        : Server is { } server ? $"tcp://{server}"
-        : "demo";
+    public string Source => this switch
+    {
+        { Play: { } play } => play.File,
+        { UdpPort: { } port } => Arguments.Source.OfUdp(port, LocalAddress).ToString(),
+        { Server: { } server } => Arguments.Source.OfServer(server).ToString(),
+        _ => Arguments.Source.Demo.ToString(),
+    };
 
     /// <summary>Null to find it out; the demo then has YXZ.</summary>
     public RotationOrder? RotationOrder { get; init; }
@@ -63,15 +62,6 @@ internal sealed record MonitorOptions
     public PlaySettings? Play { get; init; }
 
     public bool Once { get; init; }
-
-    /// <summary>Whether to say what is wrong instead of showing the stream.</summary>
-    public bool Diagnose { get; init; }
-
-    /// <summary>What to ask of a command channel instead of showing a stream; null for a stream.</summary>
-    public CommandSettings? Commands { get; init; }
-
-    /// <summary>What to do with a file instead of showing a stream; null for a stream.</summary>
-    public FileSettings? Files { get; init; }
 
     /// <summary>The BVH file to write meanwhile; null for none.</summary>
     public ExportSettings? Export { get; init; }
@@ -90,13 +80,6 @@ internal sealed record MonitorOptions
     /// <summary>What is wrong with values that are each right by themselves, in words of this program; null when nothing is.</summary>
     public string? FindFault()
     {
-        if (Files is { } files)
-            return files.From >= files.To ? "--from: the end, --to, is not later." : null;
-        if (Commands is not null)
-            return null;
-        if (Diagnose && (Duration < ShortestDiagnosis || Duration > LongestDiagnosis))
-            return $"--duration: a diagnosis takes {ShortestDiagnosis.TotalSeconds} to {LongestDiagnosis.TotalSeconds} seconds.";
-
         try
         {
             using var reader = new NeuronReader(ToReaderOptions(Server));

@@ -68,8 +68,8 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         // At the last frame that was asked for, the receive thread took the figures; what came before it stopped does not count.
         ReaderStatistics statistics = _enough.Task.IsCompleted ? await _enough.Task : reader.GetStatistics();
         output.Finish(statistics);
-        bool isExported = export.TryFinish(streams.Error);
-        bool isRecorded = await takes.FinishAsync(streams.Error);
+        bool isExported = export.TryFinish(streams);
+        bool isRecorded = await takes.FinishAsync(streams);
         if (output.Failure is { } failure)
             return await FailAsync(FileFault.OfStandardOutput(failure));
         if (!isExported || !isRecorded)
@@ -77,7 +77,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
 
         // The lines of --json say it themselves.
         if (options.Output != OutputKind.Json && _failure.DescribeReceiving() is { } doubt)
-            await streams.Error.WriteLineAsync($"neuron-mocap: {TerminalText.Clean(doubt)}");
+            await streams.ComplainAsync(doubt);
         if (asked || TakeRecorder.CountFrames(statistics) > 0)
             return CommandLine.Done;
 
@@ -86,7 +86,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
 
     private async Task<int> FailAsync(string message)
     {
-        await streams.Error.WriteLineAsync($"neuron-mocap: {TerminalText.Clean(message)}");
+        await streams.ComplainAsync(message);
         return CommandLine.NothingReceived;
     }
 
@@ -112,7 +112,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         reader.EventReported += news =>
         {
             if (FileFailure.Of(news) is { } failed && !output.OnFileFailed(failed))
-                streams.Error.WriteLine($"neuron-mocap: {failed.Text}");
+                streams.Complain(failed.Text);
         };
         reader.StatusChanged += _failure.OnStatus;
         reader.StatusChanged += output.OnStatus;

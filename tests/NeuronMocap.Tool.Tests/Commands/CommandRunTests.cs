@@ -21,7 +21,7 @@ public sealed class CommandRunTests : IDisposable
     public async Task The_report_has_sizes_order_and_what_the_header_says()
     {
         using CommandServer server = Start();
-        ToolResult result = await ToolRunner.RunAsync("--commands", AddressOf(server), "--avatar", "1");
+        ToolResult result = await ToolRunner.RunAsync("command", AddressOf(server), "--avatar", "1");
 
         Assert.Equal(0, result.ExitCode);
         Assert.Empty(result.Error);
@@ -40,7 +40,7 @@ public sealed class CommandRunTests : IDisposable
     public async Task Json_has_everything_in_one_object()
     {
         using CommandServer server = Start();
-        ToolResult result = await ToolRunner.RunAsync("--commands", AddressOf(server), "--json");
+        ToolResult result = await ToolRunner.RunAsync("command", AddressOf(server), "--json");
 
         Assert.Equal(0, result.ExitCode);
         JsonElement answer = JsonDocument.Parse(Assert.Single(result.OfType("commands"))).RootElement;
@@ -52,38 +52,66 @@ public sealed class CommandRunTests : IDisposable
         Assert.Equal(59, header.Joints.Count);
     }
 
+    [Theory]
+    [InlineData("order", "rotationOrder")]
+    [InlineData("bones", "boneSizes")]
+    [InlineData("header", "bvhHeader")]
+    public async Task One_question_has_one_answer(string question, string field)
+    {
+        using CommandServer server = Start();
+        ToolResult result = await ToolRunner.RunAsync("command", AddressOf(server), question, "--json", "--avatar", "1");
+
+        Assert.Equal(0, result.ExitCode);
+        JsonElement answer = JsonDocument.Parse(Assert.Single(result.Output)).RootElement;
+        Assert.Equal(1, answer.GetProperty("avatar").GetInt32());
+        foreach (string other in (string[])["rotationOrder", "boneSizes", "bvhHeader"])
+            Assert.Equal(other != field, answer.GetProperty(other).ValueKind == JsonValueKind.Null);
+    }
+
+    [Fact]
+    public async Task The_order_alone_is_a_word_and_the_sizes_alone_are_a_table()
+    {
+        using CommandServer server = Start();
+        Assert.Equal("ZXY", Assert.Single((await ToolRunner.RunAsync("command", $"tcp://{AddressOf(server)}", "order")).Output));
+        string[] sizes = (await ToolRunner.RunAsync("command", AddressOf(server), "bones", "--avatar", "1")).Output;
+        Assert.Equal(8, sizes.Length);
+        Assert.Equal("  head              0.170    palm          0.084", sizes[2]);
+    }
+
     [Fact]
     public async Task The_header_can_be_had_as_a_file()
     {
         using CommandServer server = Start();
         using var output = new MemoryStream();
-        await ToolRunner.RunAsync(output, ["--commands", AddressOf(server), "--bvh-header"]);
+        await ToolRunner.RunAsync(output, ["command", AddressOf(server), "header"]);
 
         Assert.Equal(59, BvhDocument.Parse(output.ToArray()).Joints.Count);
         Assert.StartsWith("HIERARCHY\r\nROOT Hips\r\n", Encoding.UTF8.GetString(output.ToArray()), StringComparison.Ordinal);
     }
 
     [Theory]
-    [InlineData("1", "Avatar 1 of ")]
-    [InlineData("all", "All avatars of ")]
-    public async Task A_zero_out_turns_and_says_so(string target, string told)
+    [InlineData("Avatar 1 of ", "1", "--avatar", "1")]
+    [InlineData("All avatars of ", "\"all\"")]
+    public async Task A_zero_out_turns_and_says_so(string told, string target, params string[] args)
     {
         using CommandServer server = Start();
-        ToolResult result = await ToolRunner.RunAsync("--commands", AddressOf(server), "--zero-out", target);
+        ToolResult result = await ToolRunner.RunAsync(["command", AddressOf(server), "zero-out", .. args]);
         Assert.Equal(0, result.ExitCode);
         Assert.StartsWith(told, Assert.Single(result.Output), StringComparison.Ordinal);
 
-        ToolResult json = await ToolRunner.RunAsync("--commands", AddressOf(server), "--zero-out", target, "--json");
-        Assert.Contains($"\"avatar\":{(target == "all" ? "\"all\"" : target)}", Assert.Single(json.OfType("zeroOut")), StringComparison.Ordinal);
+        ToolResult json = await ToolRunner.RunAsync(["command", AddressOf(server), "zero-out", .. args, "--json"]);
+        Assert.Contains($"\"avatar\":{target}", Assert.Single(json.OfType("zeroOut")), StringComparison.Ordinal);
     }
 
     [Theory]
     [InlineData("avatar 9", "--avatar", "9")]
-    [InlineData("avatar 9", "--zero-out", "9")]
+    [InlineData("avatar 9", "zero-out", "--avatar", "9")]
+    [InlineData("avatar 9", "bones", "--avatar", "9")]
+    [InlineData("avatar 9", "header", "--avatar", "9")]
     public async Task What_the_server_does_not_have_ends_with_1_and_one_line(string told, params string[] args)
     {
         using CommandServer server = Start();
-        ToolResult result = await ToolRunner.RunAsync(["--commands", AddressOf(server), .. args]);
+        ToolResult result = await ToolRunner.RunAsync(["command", AddressOf(server), .. args]);
         Assert.Equal(1, result.ExitCode);
         Assert.Contains(told, Assert.Single(result.Error), StringComparison.Ordinal);
     }
@@ -98,7 +126,7 @@ public sealed class CommandRunTests : IDisposable
             port = ((IPEndPoint)listener.LocalEndpoint).Port;
         }
 
-        ToolResult result = await ToolRunner.RunAsync("--commands", $"127.0.0.1:{port}");
+        ToolResult result = await ToolRunner.RunAsync("command", $"127.0.0.1:{port}");
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("refused the connection", Assert.Single(result.Error), StringComparison.Ordinal);
     }
@@ -106,7 +134,7 @@ public sealed class CommandRunTests : IDisposable
     [Fact]
     public async Task The_demo_has_a_command_channel_too()
     {
-        ToolResult result = await ToolRunner.RunAsync("--commands", "--demo");
+        ToolResult result = await ToolRunner.RunAsync("command", "demo");
         Assert.Equal(0, result.ExitCode);
         Assert.Contains("Rotation order     YXZ", result.Output);
     }

@@ -99,7 +99,7 @@ public sealed class ConvertTests : IDisposable
         await ConvertAsync(_folder["joints.bvh"], _folder["part.bvh"], "--from", "0.04");
         Assert.Equal([1, 10, 0, 0, 0, 0, 5, 2, 10, 0, 0, 0, 0, 10], Values(BvhDocument.Load(_folder["part.bvh"])));
 
-        ToolResult result = await ToolRunner.RunAsync("--convert", _folder["joints.bvh"], _folder["joints.nmrec"]);
+        ToolResult result = await ToolRunner.RunAsync("convert", _folder["joints.bvh"], _folder["joints.nmrec"]);
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("59 bones", Assert.Single(result.Error), StringComparison.Ordinal);
     }
@@ -238,7 +238,7 @@ public sealed class ConvertTests : IDisposable
         Takes.Actor(10).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.calc"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
-        ToolResult result = await ToolRunner.RunAsync("--convert", _folder[input], _folder[output], option, "XYZ");
+        ToolResult result = await ToolRunner.RunAsync("convert", _folder[input], _folder[output], option, "XYZ");
         Assert.Equal(1, result.ExitCode);
         Assert.Contains(option, Assert.Single(result.Error), StringComparison.Ordinal);
         Assert.False(File.Exists(_folder[output]));
@@ -324,17 +324,17 @@ public sealed class ConvertTests : IDisposable
     public async Task An_export_of_bone_ends_becomes_no_body_and_keeps_its_rows()
     {
         _folder.Write("ends.calc", BoneEnds.Write(60));
-        ToolResult refused = await ToolRunner.RunAsync("--convert", _folder["ends.calc"], _folder["ends.bvh"]);
+        ToolResult refused = await ToolRunner.RunAsync("convert", _folder["ends.calc"], _folder["ends.bvh"]);
         Assert.Equal(1, refused.ExitCode);
         Assert.Contains("the ends of the bones instead of their centres", Assert.Single(refused.Error), StringComparison.Ordinal);
-        Assert.Equal(1, (await ToolRunner.RunAsync("--plot", _folder["ends.calc"], _folder["ends.svg"])).ExitCode);
+        Assert.Equal(1, (await ToolRunner.RunAsync("plot", _folder["ends.calc"], _folder["ends.svg"])).ExitCode);
         Assert.Equal(["ends.calc"], _folder.Names);
 
         await ConvertAsync(_folder["ends.calc"], _folder["ends.nmrec"]);
         await ConvertAsync(_folder["ends.nmrec"], _folder["back.calc"]);
         AssertSame(CalculationDocument.Load(_folder["ends.calc"]), CalculationDocument.Load(_folder["back.calc"]));
 
-        ToolResult info = await ToolRunner.RunAsync("--info", _folder["ends.calc"]);
+        ToolResult info = await ToolRunner.RunAsync("info", _folder["ends.calc"]);
         Assert.Equal(0, info.ExitCode);
         Assert.Contains(info.Output, static line => line.Contains("the ends of the bones instead of their centres", StringComparison.Ordinal));
         Assert.Contains(info.Output, static line => line.Contains("0.1736 0.9848 0 in the file's axes", StringComparison.Ordinal));
@@ -347,23 +347,22 @@ public sealed class ConvertTests : IDisposable
         Takes.Actor(2).Save(_folder["a.bvh"]);
         foreach (string[] args in (string[][])
             [
-                ["--convert", _folder["a.bvh"], _folder["a.fbx"]],
-                ["--convert", _folder["a.bvh"]],
-                ["--convert", _folder["a.bvh"], _folder["b.bvh"], "--json"],
-                ["--convert", _folder["a.bvh"], _folder["b.bvh"], "--resample", "0"],
-                ["--convert", _folder["a.bvh"], _folder["b.bvh"], "--from", "2", "--to", "1"],
-                ["--convert", _folder["a.bvh"], _folder["b.bvh"], "--connect", "studio"],
-                ["--convert", _folder["a.bvh"], _folder["b.bvh"], "--info", _folder["a.bvh"]],
-                ["--plot", _folder["a.bvh"], _folder["a.png"]],
-                ["--plot", _folder["a.bvh"], _folder["a.svg"], "--resample", "60"],
-                ["--info", _folder["a.bvh"], "--overwrite"],
-                ["--info", _folder["a.bvh"], "--zero-out", "all"],
-                ["--overwrite"],
+                ["convert", _folder["a.bvh"], _folder["a.fbx"]],
+                ["convert", _folder["a.bvh"]],
+                ["convert", _folder["a.bvh"], _folder["b.bvh"], "--json"],
+                ["convert", _folder["a.bvh"], _folder["b.bvh"], "--resample", "0"],
+                ["convert", _folder["a.bvh"], _folder["b.bvh"], "--from", "2", "--to", "1"],
+                ["convert", _folder["a.bvh"], _folder["b.bvh"], "--once"],
+                ["convert", _folder["a.bvh"], _folder["b.bvh"], _folder["c.bvh"]],
+                ["plot", _folder["a.bvh"], _folder["a.png"]],
+                ["plot", _folder["a.bvh"], _folder["a.svg"], "--resample", "60"],
+                ["info", _folder["a.bvh"], "--overwrite"],
+                ["info", _folder["a.bvh"], "--quiet"],
             ])
         {
             ToolResult result = await ToolRunner.RunAsync(args);
             Assert.True(result.ExitCode == 2, string.Join(' ', args));
-            Assert.EndsWith("neuron-mocap --help lists the options.", Assert.Single(result.Error), StringComparison.Ordinal);
+            Assert.EndsWith($"neuron-mocap {args[0]} --help lists the options.", Assert.Single(result.Error), StringComparison.Ordinal);
         }
 
         Assert.Equal(["a.bvh"], _folder.Names);
@@ -377,7 +376,7 @@ public sealed class ConvertTests : IDisposable
     {
         Takes.Actor(2).Save(_folder["a.bvh"]);
         await ConvertAsync(_folder["a.bvh"], _folder["a.nmrec"]);
-        ToolResult result = await ToolRunner.RunAsync("--convert", _folder["a.nmrec"], _folder["b.nmrec"], option, value);
+        ToolResult result = await ToolRunner.RunAsync("convert", _folder["a.nmrec"], _folder["b.nmrec"], option, value);
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains(option, Assert.Single(result.Error), StringComparison.Ordinal);
@@ -390,7 +389,7 @@ public sealed class ConvertTests : IDisposable
     public async Task What_cannot_be_read_ends_with_1_and_leaves_nothing(string content)
     {
         _folder.Write("a.bvh", content);
-        ToolResult result = await ToolRunner.RunAsync("--convert", _folder["a.bvh"], _folder["b.nmrec"]);
+        ToolResult result = await ToolRunner.RunAsync("convert", _folder["a.bvh"], _folder["b.nmrec"]);
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("a.bvh", Assert.Single(result.Error), StringComparison.Ordinal);
@@ -405,7 +404,7 @@ public sealed class ConvertTests : IDisposable
         await ConvertAsync(_folder["a.bvh"], _folder["a.calc"]);
         foreach (string input in (string[])["a.bvh", "a.nmrec", "a.calc"])
         {
-            ToolResult result = await ToolRunner.RunAsync("--convert", _folder[input], _folder["b" + Path.GetExtension(input)], "--from", "9");
+            ToolResult result = await ToolRunner.RunAsync("convert", _folder[input], _folder["b" + Path.GetExtension(input)], "--from", "9");
             Assert.Equal(1, result.ExitCode);
             Assert.Contains("Nothing is left", Assert.Single(result.Error), StringComparison.Ordinal);
         }
@@ -422,7 +421,7 @@ public sealed class ConvertTests : IDisposable
     {
         Takes.Actor(10).Save(_folder["a.bvh"]);
         using var streams = new StandardStreams(Stream.Null, TextWriter.Null, IsTerminal: false);
-        Assert.Equal(130, await CommandLine.RunAsync(["--convert", _folder["a.bvh"], _folder["b" + extension]], streams, new CancellationToken(canceled: true)));
+        Assert.Equal(130, await CommandLine.RunAsync(["convert", _folder["a.bvh"], _folder["b" + extension]], streams, new CancellationToken(canceled: true)));
         Assert.Equal(["a.bvh"], _folder.Names);
     }
 
@@ -430,7 +429,7 @@ public sealed class ConvertTests : IDisposable
     public async Task A_file_may_be_replaced_by_a_part_of_itself()
     {
         Takes.Actor(60).Save(_folder["a.bvh"]);
-        Assert.Equal(1, (await ToolRunner.RunAsync("--convert", _folder["a.bvh"], _folder["a.bvh"], "--from", "0.5")).ExitCode);
+        Assert.Equal(1, (await ToolRunner.RunAsync("convert", _folder["a.bvh"], _folder["a.bvh"], "--from", "0.5")).ExitCode);
         await ConvertAsync(_folder["a.bvh"], _folder["a.bvh"], "--from", "0.5", "--overwrite");
         Assert.Equal(30, BvhDocument.Load(_folder["a.bvh"]).FrameCount);
     }
@@ -442,7 +441,7 @@ public sealed class ConvertTests : IDisposable
     // The line that says what the new file holds.
     private static async Task<string> ConvertAsync(string input, string output, params string[] options)
     {
-        ToolResult result = await ToolRunner.RunAsync(["--convert", input, output, .. options]);
+        ToolResult result = await ToolRunner.RunAsync(["convert", input, output, .. options]);
         Assert.True(result.ExitCode == 0, string.Join('\n', result.Error));
         Assert.Empty(result.Output);
         string summary = Assert.Single(result.Error);

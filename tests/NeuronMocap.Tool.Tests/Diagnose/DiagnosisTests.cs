@@ -11,7 +11,7 @@ public sealed class DiagnosisTests
     [Fact]
     public async Task A_healthy_stream_is_shown_step_by_step_with_the_code_and_ends_with_0()
     {
-        ToolResult result = await ToolRunner.RunAsync("--diagnose", "--demo", "--duration", "5");
+        ToolResult result = await ToolRunner.RunAsync("diagnose", "demo", "--duration", "5");
 
         Assert.Equal(0, result.ExitCode);
         Assert.Empty(result.Error);
@@ -30,7 +30,7 @@ public sealed class DiagnosisTests
     [InlineData(7)]
     public async Task A_terminal_that_does_not_tell_its_size_is_written_to_as_a_narrow_one(int columns)
     {
-        ToolResult result = await ToolRunner.RunOnTerminalAsync(columns, "--diagnose", "--demo", "--duration", "5");
+        ToolResult result = await ToolRunner.RunOnTerminalAsync(columns, "diagnose", "demo", "--duration", "5");
 
         Assert.Equal(0, result.ExitCode);
         Assert.StartsWith("Looking for frames from 127.0.0.1:", result.Output[0], StringComparison.Ordinal);
@@ -40,7 +40,7 @@ public sealed class DiagnosisTests
     [Fact]
     public async Task A_fault_is_told_in_one_paragraph_and_ends_with_1()
     {
-        ToolResult result = await ToolRunner.RunAsync("--diagnose", FrameServer.RefusingAddress(), "--duration", "2");
+        ToolResult result = await ToolRunner.RunAsync("diagnose", FrameServer.RefusingAddress(), "--duration", "2");
 
         Assert.Equal(1, result.ExitCode);
         Assert.Empty(result.Error);
@@ -52,7 +52,7 @@ public sealed class DiagnosisTests
     public async Task The_server_may_be_named_by_connect()
     {
         string address = FrameServer.RefusingAddress();
-        ToolResult result = await ToolRunner.RunAsync("--diagnose", "--connect", address, "--duration", "2");
+        ToolResult result = await ToolRunner.RunAsync("diagnose", address, "--duration", "2");
 
         Assert.Equal(1, result.ExitCode);
         Assert.Equal($"Looking for frames from {address} over TCP.", result.Output[0]);
@@ -64,7 +64,7 @@ public sealed class DiagnosisTests
         using var probe = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         probe.Bind(new IPEndPoint(IPAddress.Any, 0));
         string port = $"{((IPEndPoint)probe.LocalEndPoint!).Port}";
-        ToolResult result = await ToolRunner.RunAsync("--diagnose", "--udp", port, "--duration", "5");
+        ToolResult result = await ToolRunner.RunAsync("diagnose", $"udp://:{port}", "--duration", "5");
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains($"UDP port {port}", result.Output[0], StringComparison.Ordinal);
@@ -77,7 +77,7 @@ public sealed class DiagnosisTests
     public async Task Programs_get_one_object_a_line(string output)
     {
         using FrameServer server = FrameServer.Sending("SSH-2.0-Test\r\n"u8.ToArray());
-        ToolResult result = await ToolRunner.RunAsync("--diagnose", server.Address, "--duration", "5", output);
+        ToolResult result = await ToolRunner.RunAsync("diagnose", server.Address, "--duration", "5", output);
 
         Assert.Equal(1, result.ExitCode);
         Assert.Equal(output is "--json", result.OfType("step").Length > 0);
@@ -92,7 +92,7 @@ public sealed class DiagnosisTests
     public async Task Avatars_are_part_of_the_object()
     {
         using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, new float[354]));
-        ToolResult result = await ToolRunner.RunAsync("--diagnose", server.Address, "--duration", "5", "--quiet");
+        ToolResult result = await ToolRunner.RunAsync("diagnose", server.Address, "--duration", "5", "--quiet");
 
         Assert.Equal(0, result.ExitCode);
         using JsonDocument diagnosis = JsonDocument.Parse(Assert.Single(result.Output));
@@ -102,12 +102,14 @@ public sealed class DiagnosisTests
     }
 
     [Theory]
-    [InlineData("--frames", "--diagnose", "studio", "--frames", "5")]
-    [InlineData("--once", "--diagnose", "studio", "--once")]
-    [InlineData("--connect", "--diagnose", "studio", "--connect", "other")]
-    [InlineData("--demo", "--diagnose", "studio", "--demo")]
-    [InlineData("--duration", "--diagnose", "studio", "--duration", "0.5")]
-    [InlineData("--diagnose", "--diagnose", "studio:port")]
+    [InlineData("--frames", "diagnose", "studio", "--frames", "5")]
+    [InlineData("--once", "diagnose", "studio", "--once")]
+    [InlineData("'other'", "diagnose", "studio", "other")]
+    [InlineData("--server", "diagnose", "studio", "--server", "other")]
+    [InlineData("--quiet", "diagnose", "studio", "--json", "--quiet")]
+    [InlineData("info take.nmrec", "diagnose", "take.nmrec")]
+    [InlineData("--duration", "diagnose", "studio", "--duration", "0.5")]
+    [InlineData("'port'", "diagnose", "studio:port")]
     public async Task Options_that_do_not_go_with_it_are_refused(string named, params string[] args)
     {
         ToolResult result = await ToolRunner.RunAsync(args);
@@ -123,7 +125,7 @@ public sealed class DiagnosisTests
             Assert.Skip("There are no signals to send.");
 
         using FrameServer server = FrameServer.Silent();
-        using var monitor = new ToolProcess("neuron-mocap", "--diagnose", server.Address, "--duration", "300", "--json");
+        using var monitor = new ToolProcess("neuron-mocap", "diagnose", server.Address, "--duration", "300", "--json");
         string? line;
         do
             line = await monitor.Output.ReadLineAsync(TestContext.Current.CancellationToken);

@@ -8,9 +8,9 @@ public sealed class FileFaultTests
     private static readonly string LongName = new('x', 300);
 
     [Theory]
-    [InlineData("--play", "/nowhere/take.nmrec", "is not there")]
-    [InlineData("--play", "/proc", "is a folder")]
-    [InlineData("--play", "LONG", "longer than this file system allows")]
+    [InlineData("play", "/nowhere/take.nmrec", "is not there")]
+    [InlineData("play", "/proc", "is a folder")]
+    [InlineData("play", "LONG", "longer than this file system allows")]
     [InlineData("--record", "/nowhere/take.nmrec", "'/nowhere', the folder for 'take.nmrec', is not there")]
     [InlineData("--record", "/proc", "is a folder")]
     [InlineData("--record", "/proc/take.nmrec", "")]
@@ -27,11 +27,12 @@ public sealed class FileFaultTests
         if (!OperatingSystem.IsLinux())
             Assert.Skip("The places are those of Linux.");
 
-        ToolResult result = await ToolRunner.RunAsync(option, file.Replace("LONG", LongName, StringComparison.Ordinal), "--frames", "1", "--quiet");
+        ToolResult result = await ToolRunner.RunAsync(
+            [.. option == "play" ? (string[])["play"] : ["watch", option], file.Replace("LONG", LongName, StringComparison.Ordinal), "--frames", "1", "--quiet"]);
 
         Assert.Equal(1, result.ExitCode);
         string line = Assert.Single(result.Error);
-        Assert.StartsWith($"neuron-mocap: {option}: ", line, StringComparison.Ordinal);
+        Assert.StartsWith(option == "play" ? "neuron-mocap: " : $"neuron-mocap: {option}: ", line, StringComparison.Ordinal);
         Assert.Contains(said, line, StringComparison.Ordinal);
         Assert.EndsWith(".", line, StringComparison.Ordinal);
         foreach (string raw in (string[])["Access to", "Could not find", "denied", "Parameter", "System.", " : "])
@@ -39,9 +40,9 @@ public sealed class FileFaultTests
     }
 
     [Theory]
-    [InlineData("'/nowhere/take.bvh' is not there.", "--info", "/nowhere/take.bvh")]
-    [InlineData("'/nowhere/take.bvh' is not there.", "--convert", "/nowhere/take.bvh", "out.nmrec")]
-    [InlineData("longer than this file system allows.", "--info", "LONG")]
+    [InlineData("'/nowhere/take.bvh' is not there.", "info", "/nowhere/take.bvh")]
+    [InlineData("'/nowhere/take.bvh' is not there.", "convert", "/nowhere/take.bvh", "out.nmrec")]
+    [InlineData("longer than this file system allows.", "info", "LONG")]
     public async Task A_tool_says_what_is_wrong_with_its_file(string said, params string[] args)
     {
         ToolResult result = await ToolRunner.RunAsync([.. args.Select(static word => word.Replace("LONG", LongName, StringComparison.Ordinal))]);
@@ -58,7 +59,7 @@ public sealed class FileFaultTests
         if (!File.Exists("/dev/full"))
             Assert.Skip("This system has no device that is always full.");
 
-        ToolResult result = await ToolRunner.RunAsync(option, "/dev/full", "--overwrite", "--frames", "3", "--quiet");
+        ToolResult result = await ToolRunner.RunAsync("watch", option, "/dev/full", "--overwrite", "--frames", "3", "--quiet");
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains(result.Error, static line => line.Contains("/dev/full", StringComparison.Ordinal));

@@ -15,7 +15,7 @@ public sealed class OddInputTests : IDisposable
         get
         {
             var data = new TheoryData<string, string>();
-            foreach (string tool in (string[])["--info", "--convert", "--plot", "--play"])
+            foreach (string tool in (string[])["info", "convert", "plot", "play"])
             {
                 foreach (string kind in (string[])["pipe", "socket", "folder", "/dev/zero", "/dev/urandom", "/dev/full", "/dev/null", "/proc/self/status", "/proc/kmsg"])
                     data.Add(tool, kind);
@@ -39,7 +39,7 @@ public sealed class OddInputTests : IDisposable
         };
         Assert.SkipUnless(Path.Exists(input), $"There is no {input} here.");
 
-        string[] output = tool switch { "--convert" => [_folder["out.nmrec"]], "--plot" => [_folder["out.svg"]], _ => [] };
+        string[] output = tool switch { "convert" => [_folder["out.nmrec"]], "plot" => [_folder["out.svg"]], _ => [] };
         ToolResult result = await ToolRunner.RunAsync([tool, input, .. output]);
         Assert.Equal(1, result.ExitCode);
         Assert.Empty(result.Output);
@@ -49,8 +49,8 @@ public sealed class OddInputTests : IDisposable
     }
 
     [Theory]
-    [InlineData("--convert", "b.bvh")]
-    [InlineData("--plot", "b.svg")]
+    [InlineData("convert", "b.bvh")]
+    [InlineData("plot", "b.svg")]
     public async Task Only_a_regular_file_is_replaced(string tool, string name)
     {
         Assert.SkipWhen(OperatingSystem.IsWindows(), "Windows has no such files.");
@@ -76,10 +76,10 @@ public sealed class OddInputTests : IDisposable
 
     // The first look at bytes without times reads all of them: 64 GB here, none of which is on the disk.
     [Theory]
-    [InlineData(130, "--info")]
-    [InlineData(130, "--convert", "out.nmrec")]
-    [InlineData(130, "--plot", "out.svg")]
-    [InlineData(0, "--play")]
+    [InlineData(130, "info")]
+    [InlineData(130, "convert", "out.nmrec")]
+    [InlineData(130, "plot", "out.svg")]
+    [InlineData(0, "play")]
     public async Task A_signal_ends_work_that_does_not_look_for_it(int exitCode, string tool, string? output = null)
     {
         Assert.SkipUnless(OperatingSystem.IsLinux(), "Other systems may write all of the file.");
@@ -94,6 +94,19 @@ public sealed class OddInputTests : IDisposable
     }
 
     [Fact]
+    public async Task A_signal_ends_a_simulator_that_has_not_begun()
+    {
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "Other systems may write all of the file.");
+        using (FileStream file = File.Create(_folder["sparse.bin"]))
+            file.SetLength(64L << 30);
+
+        using var simulator = new ToolProcess("neuron-mocap simulate", "--port", "0", "--play", _folder["sparse.bin"]);
+        await WaitUntilReadAsync(simulator.Id, _folder["sparse.bin"]);
+        using Process kill = Process.Start("kill", ["-TERM", $"{simulator.Id}"]);
+        Assert.Equal(130, await simulator.WaitForExitAsync());
+    }
+
+    [Fact]
     public async Task The_simulator_cleans_the_text_of_a_file()
     {
         string path = _folder.Write("odd.bvh", Takes.TwoJoints.Replace("0.04", "\u009b31m\u202e", StringComparison.Ordinal));
@@ -104,8 +117,8 @@ public sealed class OddInputTests : IDisposable
     }
 
     [Theory]
-    [InlineData("--info")]
-    [InlineData("--play")]
+    [InlineData("info")]
+    [InlineData("play")]
     public async Task An_empty_name_is_told(string tool)
     {
         ToolResult result = await ToolRunner.RunAsync(tool, " ");

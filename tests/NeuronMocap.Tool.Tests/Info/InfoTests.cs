@@ -18,6 +18,21 @@ public sealed class InfoTests : IDisposable
     private readonly TemporaryFolder _folder = new();
 
     [Fact]
+    public async Task Several_files_are_told_one_after_the_other_whatever_is_wrong_with_one()
+    {
+        Takes.Actor(2).Save(_folder["a.bvh"]);
+        Takes.Actor(3).Save(_folder["b.bvh"]);
+        ToolResult page = await ToolRunner.RunAsync("info", _folder["a.bvh"], _folder["none.bvh"], _folder["b.bvh"]);
+        Assert.Equal(1, page.ExitCode);
+        Assert.Equal(["a.bvh", "b.bvh"], page.Output.Where(static line => line is "a.bvh" or "b.bvh"));
+        Assert.Contains("none.bvh", Assert.Single(page.Error), StringComparison.Ordinal);
+
+        ToolResult json = await ToolRunner.RunAsync("info", _folder["b.bvh"], _folder["a.bvh"], "--json");
+        Assert.Equal(0, json.ExitCode);
+        Assert.Equal(["b.bvh", "a.bvh"], json.Output.Select(static line => JsonDocument.Parse(line).RootElement.GetProperty("file").GetString()));
+    }
+
+    [Fact]
     public async Task A_page_for_a_person_is_plain_when_it_is_redirected()
     {
         Takes.StraightWalk(frames: 601).Save(_folder["walk.bvh"]);
@@ -42,7 +57,7 @@ public sealed class InfoTests : IDisposable
     public async Task A_terminal_that_does_not_tell_its_size_is_written_to_as_a_narrow_one(int columns)
     {
         Takes.StraightWalk(frames: 61).Save(_folder["walk.bvh"]);
-        ToolResult result = await ToolRunner.RunOnTerminalAsync(columns, "--info", _folder["walk.bvh"]);
+        ToolResult result = await ToolRunner.RunOnTerminalAsync(columns, "info", _folder["walk.bvh"]);
 
         Assert.Equal(0, result.ExitCode);
         Assert.Contains("walk.bvh", result.Output[0], StringComparison.Ordinal);
@@ -147,7 +162,7 @@ public sealed class InfoTests : IDisposable
     {
         _folder.Write("empty.bvh", Takes.TwoJoints[..Takes.TwoJoints.IndexOf("MOTION", StringComparison.Ordinal)]);
         Assert.Contains("  a skeleton without frames", await PageAsync("empty.bvh"));
-        ToolResult plot = await ToolRunner.RunAsync("--plot", _folder["empty.bvh"], _folder["empty.svg"]);
+        ToolResult plot = await ToolRunner.RunAsync("plot", _folder["empty.bvh"], _folder["empty.svg"]);
         Assert.Equal(1, plot.ExitCode);
     }
 
@@ -209,12 +224,12 @@ public sealed class InfoTests : IDisposable
             foreach (string line in await PageAsync(name))
                 Assert.Equal(line, TerminalText.Clean(line));
 
-            ToolResult json = await ToolRunner.RunAsync("--info", _folder[name], "--json");
+            ToolResult json = await ToolRunner.RunAsync("info", _folder[name], "--json");
             Assert.Equal(json.Output[0], TerminalText.Clean(json.Output[0]));
         }
 
         Assert.Equal("A" + Odd, (await JsonAsync("odd.nmrec")).GetProperty("take").GetProperty("avatarName").GetString());
-        ToolResult converted = await ToolRunner.RunAsync("--convert", _folder["odd.nmrec"], _folder["odd.calc"]);
+        ToolResult converted = await ToolRunner.RunAsync("convert", _folder["odd.nmrec"], _folder["odd.calc"]);
         Assert.Equal(Assert.Single(converted.Error), TerminalText.Clean(converted.Error[0]));
     }
 
@@ -274,7 +289,7 @@ public sealed class InfoTests : IDisposable
     public async Task A_recording_that_was_cut_says_so()
     {
         Takes.Actor(600).Save(_folder["take.bvh"]);
-        await ToolRunner.RunAsync("--convert", _folder["take.bvh"], _folder["take.nmrec"]);
+        await ToolRunner.RunAsync("convert", _folder["take.bvh"], _folder["take.nmrec"]);
         byte[] whole = await File.ReadAllBytesAsync(_folder["take.nmrec"], TestContext.Current.CancellationToken);
         await File.WriteAllBytesAsync(_folder["cut.nmrec"], whole[..(whole.Length / 2)], TestContext.Current.CancellationToken);
         JsonElement json = await JsonAsync("cut.nmrec");
@@ -296,7 +311,7 @@ public sealed class InfoTests : IDisposable
         JsonElement json = await JsonAsync("stream.bin");
         Assert.Equal("raw", json.GetProperty("kind").GetString());
         Assert.NotEmpty(json.GetProperty("stream").GetProperty("formats").EnumerateArray());
-        Assert.Equal(0, (await ToolRunner.RunAsync("--info", _folder["stream.bin"])).ExitCode);
+        Assert.Equal(0, (await ToolRunner.RunAsync("info", _folder["stream.bin"])).ExitCode);
     }
 
     // Two frames in the middle are lost: the bytes have no times, so the rate is the one that is given and not one that the loss makes up.
@@ -311,17 +326,17 @@ public sealed class InfoTests : IDisposable
             [.. Enumerable.Range(0, 20).Where(static frame => frame is not (10 or 11)).SelectMany(static frame => Packet(0, "Anna", (uint)frame))],
             TestContext.Current.CancellationToken);
         string[] option = given is null ? [] : ["--rate", given];
-        ToolResult info = await ToolRunner.RunAsync(["--info", _folder["stream.bin"], "--json", .. option]);
+        ToolResult info = await ToolRunner.RunAsync(["info", _folder["stream.bin"], "--json", .. option]);
         JsonElement take = JsonDocument.Parse(Assert.Single(info.Output)).RootElement.GetProperty("take");
         Assert.Equal((20, rate), (take.GetProperty("frames").GetInt32(), take.GetProperty("frameRate").GetDouble()));
 
-        Assert.Equal(0, (await ToolRunner.RunAsync(["--convert", _folder["stream.bin"], _folder["stream.bvh"], .. option])).ExitCode);
+        Assert.Equal(0, (await ToolRunner.RunAsync(["convert", _folder["stream.bin"], _folder["stream.bvh"], .. option])).ExitCode);
         Assert.Equal(rate, BvhDocument.Load(_folder["stream.bvh"]).FrameRate, 1e-3);
-        Assert.Equal(0, (await ToolRunner.RunAsync(["--convert", _folder["stream.bin"], _folder["stream.nmrec"], .. option])).ExitCode);
+        Assert.Equal(0, (await ToolRunner.RunAsync(["convert", _folder["stream.bin"], _folder["stream.nmrec"], .. option])).ExitCode);
         using (RecordingReader reader = RecordingReader.Open(_folder["stream.nmrec"]))
             Assert.Equal(17 / rate, reader.Duration.TotalSeconds, 1e-6);
 
-        Assert.Equal(0, (await ToolRunner.RunAsync(["--plot", _folder["stream.bin"], _folder["stream.svg"], .. option])).ExitCode);
+        Assert.Equal(0, (await ToolRunner.RunAsync(["plot", _folder["stream.bin"], _folder["stream.svg"], .. option])).ExitCode);
         Assert.Contains(FormattableString.Invariant($"20 frames at {rate:0.##} Hz"), await File.ReadAllTextAsync(_folder["stream.svg"], TestContext.Current.CancellationToken), StringComparison.Ordinal);
     }
 
@@ -329,7 +344,7 @@ public sealed class InfoTests : IDisposable
     public async Task The_rate_is_not_for_files_with_times()
     {
         Takes.StraightWalk(frames: 3).Save(_folder["walk.bvh"]);
-        ToolResult result = await ToolRunner.RunAsync("--info", _folder["walk.bvh"], "--rate", "60");
+        ToolResult result = await ToolRunner.RunAsync("info", _folder["walk.bvh"], "--rate", "60");
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("walk.bvh has times of its own", Assert.Single(result.Error), StringComparison.Ordinal);
     }
@@ -339,12 +354,12 @@ public sealed class InfoTests : IDisposable
     public async Task The_rate_of_a_calculation_export_can_be_given()
     {
         Takes.Actor(60).Save(_folder["take.bvh"]);
-        Assert.Equal(0, (await ToolRunner.RunAsync("--convert", _folder["take.bvh"], _folder["take.calc"])).ExitCode);
-        ToolResult info = await ToolRunner.RunAsync("--info", _folder["take.calc"], "--json", "--rate", "60");
+        Assert.Equal(0, (await ToolRunner.RunAsync("convert", _folder["take.bvh"], _folder["take.calc"])).ExitCode);
+        ToolResult info = await ToolRunner.RunAsync("info", _folder["take.calc"], "--json", "--rate", "60");
         Assert.Equal(60, JsonDocument.Parse(Assert.Single(info.Output)).RootElement.GetProperty("take").GetProperty("frameRate").GetDouble());
-        Assert.Equal(0, (await ToolRunner.RunAsync("--convert", _folder["take.calc"], _folder["back.bvh"], "--rate", "60")).ExitCode);
+        Assert.Equal(0, (await ToolRunner.RunAsync("convert", _folder["take.calc"], _folder["back.bvh"], "--rate", "60")).ExitCode);
         Assert.Equal(60, BvhDocument.Load(_folder["back.bvh"]).FrameRate);
-        Assert.Equal(0, (await ToolRunner.RunAsync("--convert", _folder["take.calc"], _folder["back.nmrec"], "--rate", "60")).ExitCode);
+        Assert.Equal(0, (await ToolRunner.RunAsync("convert", _folder["take.calc"], _folder["back.nmrec"], "--rate", "60")).ExitCode);
         using RecordingReader reader = RecordingReader.Open(_folder["back.nmrec"]);
         Assert.Equal(59 / 60.0, reader.Duration.TotalSeconds, 1e-6);
     }
@@ -365,7 +380,7 @@ public sealed class InfoTests : IDisposable
     [InlineData(".", "folder")]
     public async Task What_is_not_there_ends_with_1(string name, string told)
     {
-        ToolResult result = await ToolRunner.RunAsync("--info", _folder[name]);
+        ToolResult result = await ToolRunner.RunAsync("info", _folder[name]);
         Assert.Equal(1, result.ExitCode);
         Assert.Contains(told, Assert.Single(result.Error), StringComparison.Ordinal);
     }
@@ -398,7 +413,7 @@ public sealed class InfoTests : IDisposable
     {
         string line = lead + string.Join(' ', Enumerable.Range(0, 354).Select(static value => $"{value}.50")) + "||\r\n";
         await File.WriteAllTextAsync(_folder["text.bin"], string.Concat(Enumerable.Repeat(line, 5)), TestContext.Current.CancellationToken);
-        ToolResult result = await ToolRunner.RunAsync("--info", _folder["text.bin"]);
+        ToolResult result = await ToolRunner.RunAsync("info", _folder["text.bin"]);
 
         Assert.Equal(1, result.ExitCode);
         Assert.Empty(result.Output);
@@ -432,7 +447,7 @@ public sealed class InfoTests : IDisposable
 
     private async Task<string[]> PageAsync(string name, params string[] options)
     {
-        ToolResult result = await ToolRunner.RunAsync(["--info", _folder[name], .. options]);
+        ToolResult result = await ToolRunner.RunAsync(["info", _folder[name], .. options]);
         Assert.Empty(result.Error);
         Assert.Equal(0, result.ExitCode);
         return result.Output;
@@ -440,7 +455,7 @@ public sealed class InfoTests : IDisposable
 
     private async Task<JsonElement> JsonAsync(string name)
     {
-        ToolResult result = await ToolRunner.RunAsync("--info", _folder[name], "--json");
+        ToolResult result = await ToolRunner.RunAsync("info", _folder[name], "--json");
         Assert.Empty(result.Error);
         Assert.Equal(0, result.ExitCode);
         return JsonDocument.Parse(Assert.Single(result.Output)).RootElement;

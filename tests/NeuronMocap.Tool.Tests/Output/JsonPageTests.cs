@@ -4,6 +4,7 @@ using System.Text;
 using System.Text.Json;
 using System.Text.RegularExpressions;
 using NeuronMocap.Diagnostics;
+using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Commands;
@@ -22,7 +23,7 @@ public sealed partial class JsonPageTests
     [Fact]
     public async Task Every_field_of_every_line_is_on_the_page_and_no_other()
     {
-        ToolResult diagnosis = await ToolRunner.RunAsync("--diagnose", "--demo", "--quiet", "--duration", "5");
+        ToolResult diagnosis = await ToolRunner.RunAsync("diagnose", "demo", "--quiet", "--duration", "5");
         Dictionary<string, SortedSet<string>> written = [];
         foreach (string line in AllLines().Append(diagnosis.Output[^1]))
         {
@@ -57,10 +58,11 @@ public sealed partial class JsonPageTests
     }
 
     [Theory]
-    [InlineData("--demo")]
-    [InlineData("--diagnose", "--demo", "--duration", "5")]
-    [InlineData("--commands", "--demo")]
-    [InlineData("--commands", "--demo", "--zero-out", "all")]
+    [InlineData("watch")]
+    [InlineData("diagnose", "demo", "--duration", "5")]
+    [InlineData("command", "demo")]
+    [InlineData("command", "demo", "bones")]
+    [InlineData("command", "demo", "zero-out")]
     public async Task Every_line_of_a_run_parses_and_has_a_type_of_the_page(params string[] args)
     {
         ToolResult result = await ToolRunner.RunAsync([.. args, "--json", .. (string[])(args.Length == 1 ? ["--frames", "5"] : [])]);
@@ -132,8 +134,8 @@ public sealed partial class JsonPageTests
         yield return Text(_lines.Summary(default(ReaderStatistics)));
         yield return Text(_lines.Step(new DiagnosisStep("port", StepOutcome.Ok, "open", TimeSpan.Zero)));
         var server = new ServerAddress("studio", 8013);
-        yield return CommandJson.ZeroOut(server, new ZeroOutTarget(0));
-        yield return CommandJson.Report(server, 0, RotationOrder.YXZ, default, "HIERARCHY");
+        yield return CommandJson.ZeroOut(server, 0);
+        yield return CommandJson.Report(new CommandAnswers(server, 0) { Order = RotationOrder.YXZ, Sizes = default(BoneDimensions), Header = "HIERARCHY" });
     }
 
     private static string Text(ReadOnlySpan<byte> line) => Encoding.UTF8.GetString(line);

@@ -33,7 +33,7 @@ public sealed class PlayTests : IDisposable
     [InlineData(false, "--rate", "1000")]
     public async Task The_monitor_prints_every_frame_of_a_file_and_ends_with_0(bool isRecording, params string[] how)
     {
-        ToolResult result = await ToolRunner.RunAsync([.. (string[])["--play", isRecording ? _recording : _dump, "--json"], .. how]);
+        ToolResult result = await ToolRunner.RunAsync([.. (string[])["play", isRecording ? _recording : _dump, "--json"], .. how]);
         Assert.Empty(result.Error);
         Assert.Equal(0, result.ExitCode);
         Assert.Equal(
@@ -48,7 +48,7 @@ public sealed class PlayTests : IDisposable
         string target = _dump + ".bvh";
         await File.WriteAllBytesAsync(
             _dump, [.. Enumerable.Range(0, 10).SelectMany(static frame => FrameServer.Motion((uint)frame, new float[354]))], TestContext.Current.CancellationToken);
-        ToolResult result = await ToolRunner.RunAsync("--play", _dump, "--rate", "60", "--speed", "max", "--quiet", "--export", target);
+        ToolResult result = await ToolRunner.RunAsync("play", _dump, "--rate", "60", "--speed", "max", "--quiet", "--export", target);
         Assert.Equal(0, result.ExitCode);
         Assert.Contains("10 frames of Char00 at 60 Hz", Assert.Single(result.Error), StringComparison.Ordinal);
         Assert.Equal(10, BvhDocument.Load(target).FrameCount);
@@ -58,7 +58,7 @@ public sealed class PlayTests : IDisposable
     [Fact]
     public async Task The_monitor_plays_again_and_again_until_it_has_enough()
     {
-        ToolResult result = await ToolRunner.RunAsync("--play", _recording, "--loop", "--speed", "max", "--frames", "35", "--json");
+        ToolResult result = await ToolRunner.RunAsync("play", _recording, "--loop", "--speed", "max", "--frames", "35", "--json");
         Assert.Equal(0, result.ExitCode);
         Assert.Equal(35, result.OfType("frame").Length);
     }
@@ -67,28 +67,28 @@ public sealed class PlayTests : IDisposable
     public async Task A_file_that_cannot_be_played_is_named_and_ends_with_1()
     {
         await File.WriteAllTextAsync(_dump, "HIERARCHY", TestContext.Current.CancellationToken);
-        ToolResult other = await ToolRunner.RunAsync("--play", _dump);
-        Assert.Equal((1, $"neuron-mocap: --play: {_dump} is a BVH file, not a recording of a stream."), (other.ExitCode, Assert.Single(other.Error)));
-        ToolResult missing = await ToolRunner.RunAsync("--play", _dump + "x");
-        Assert.Equal((1, true), (missing.ExitCode, Assert.Single(missing.Error).StartsWith("neuron-mocap: --play:", StringComparison.Ordinal)));
-        ToolResult timed = await ToolRunner.RunAsync("--play", _recording, "--rate", "60");
+        ToolResult other = await ToolRunner.RunAsync("play", _dump);
+        Assert.Equal((1, $"neuron-mocap: {_dump} is a BVH file, not a recording of a stream. neuron-mocap convert makes one of it."), (other.ExitCode, Assert.Single(other.Error)));
+        ToolResult missing = await ToolRunner.RunAsync("play", _dump + "x");
+        Assert.Equal((1, true), (missing.ExitCode, Assert.Single(missing.Error) == $"neuron-mocap: '{_dump}x' is not there."));
+        ToolResult timed = await ToolRunner.RunAsync("play", _recording, "--rate", "60");
         Assert.Equal((1, true), (timed.ExitCode, Assert.Single(timed.Error).Contains("--rate", StringComparison.Ordinal)));
     }
 
     [Theory]
-    [InlineData("--connect", "--play", "x", "--connect", "studio")]
-    [InlineData("--udp", "--play", "x", "--udp", "7001")]
-    [InlineData("--demo", "--play", "x", "--demo")]
-    [InlineData("--once", "--play", "x", "--once")]
-    [InlineData("--diagnose", "--play", "x", "--diagnose")]
-    [InlineData("--convert", "--play", "x", "--record", "y")]
-    [InlineData("--play and --export name the same file", "--play", "x", "--export", "./x", "--overwrite")]
-    [InlineData("--export and --record name the same file", "--export", "x", "--record", "x")]
-    [InlineData("--speed", "--speed", "2")]
-    [InlineData("--speed", "--play", "x", "--speed", "0")]
-    [InlineData("--speed", "--play", "x", "--speed", "101")]
-    [InlineData("--rate", "--rate", "60")]
-    [InlineData("--loop", "--loop")]
+    [InlineData("'studio'", "play", "x", "studio")]
+    [InlineData("--calculation-port", "play", "x", "--calculation-port", "7003")]
+    [InlineData("FILE", "play")]
+    [InlineData("--once", "play", "x", "--once")]
+    [InlineData("--once", "watch", "./x", "--once")]
+    [InlineData("convert", "watch", "./x", "--record", "y")]
+    [InlineData("FILE and --export name the same file", "play", "x", "--export", "./x", "--overwrite")]
+    [InlineData("--export and --record name the same file", "watch", "--export", "x", "--record", "x")]
+    [InlineData("--speed", "watch", "--speed", "2")]
+    [InlineData("--speed", "play", "x", "--speed", "0")]
+    [InlineData("--speed", "play", "x", "--speed", "101")]
+    [InlineData("--rate", "watch", "--rate", "60")]
+    [InlineData("--loop", "watch", "--loop")]
     public async Task Contradictions_are_named_and_end_with_2(string named, params string[] args)
     {
         ToolResult result = await ToolRunner.RunAsync(args);
@@ -103,7 +103,7 @@ public sealed class PlayTests : IDisposable
         string? line = await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken);
         Assert.Equal($"Playing {Path.GetFileName(_recording)}: 0.1 s, speed 10", line);
         line = await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken);
-        ToolResult result = await ToolRunner.RunAsync("--connect", line!["Listening on ".Length..], "--once", "--json");
+        ToolResult result = await ToolRunner.RunAsync("watch", line!["Listening on ".Length..], "--once", "--json");
         Assert.Equal((0, 10), (result.ExitCode, result.OfType("frame").Length));
         Assert.Equal(0, await simulator.WaitForExitAsync());
     }

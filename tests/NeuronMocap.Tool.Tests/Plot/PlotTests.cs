@@ -159,7 +159,7 @@ public sealed partial class PlotTests : IDisposable
     public async Task A_skeleton_without_frames_is_told_and_leaves_nothing()
     {
         _folder.Write("none.bvh", Takes.TwoJoints[..Takes.TwoJoints.IndexOf("0 10 0 0", StringComparison.Ordinal)]);
-        ToolResult result = await ToolRunner.RunAsync("--plot", _folder["none.bvh"], _folder["none.svg"]);
+        ToolResult result = await ToolRunner.RunAsync("plot", _folder["none.bvh"], _folder["none.svg"]);
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("no frames", Assert.Single(result.Error), StringComparison.Ordinal);
         Assert.Equal(["none.bvh"], _folder.Names);
@@ -169,7 +169,7 @@ public sealed partial class PlotTests : IDisposable
     public async Task A_picture_that_cannot_be_written_is_told_by_its_own_name()
     {
         Takes.Actor(2).Save(_folder["a.bvh"]);
-        ToolResult result = await ToolRunner.RunAsync("--plot", _folder["a.bvh"], Path.Combine(_folder["nowhere"], "a.svg"));
+        ToolResult result = await ToolRunner.RunAsync("plot", _folder["a.bvh"], Path.Combine(_folder["nowhere"], "a.svg"));
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("a.svg", Assert.Single(result.Error), StringComparison.Ordinal);
         Assert.DoesNotContain("part", result.Error[0].Replace("part of the path", "", StringComparison.Ordinal), StringComparison.Ordinal);
@@ -217,12 +217,12 @@ public sealed partial class PlotTests : IDisposable
     {
         Takes.Actor(2).Save(_folder["a.bvh"]);
         _folder.Write("a.svg", "mine");
-        ToolResult kept = await ToolRunner.RunAsync("--plot", _folder["a.bvh"], _folder["a.svg"]);
+        ToolResult kept = await ToolRunner.RunAsync("plot", _folder["a.bvh"], _folder["a.svg"]);
         Assert.Equal(1, kept.ExitCode);
         Assert.Contains("--overwrite", Assert.Single(kept.Error), StringComparison.Ordinal);
         Assert.Equal("mine", await File.ReadAllTextAsync(_folder["a.svg"], TestContext.Current.CancellationToken));
 
-        ToolResult replaced = await ToolRunner.RunAsync("--plot", _folder["a.bvh"], _folder["a.svg"], "--overwrite");
+        ToolResult replaced = await ToolRunner.RunAsync("plot", _folder["a.bvh"], _folder["a.svg"], "--overwrite");
         Assert.Equal(0, replaced.ExitCode);
         Assert.Equal(["a.bvh", "a.svg"], _folder.Names);
         Assert.StartsWith("<?xml", await File.ReadAllTextAsync(_folder["a.svg"], TestContext.Current.CancellationToken), StringComparison.Ordinal);
@@ -233,7 +233,7 @@ public sealed partial class PlotTests : IDisposable
     private async Task<XElement> PlotAsync(string name, params string[] options)
     {
         string output = _folder[Path.ChangeExtension(name, ".svg")];
-        ToolResult result = await ToolRunner.RunAsync(["--plot", _folder[name], output, .. options]);
+        ToolResult result = await ToolRunner.RunAsync(["plot", _folder[name], output, .. options]);
         Assert.Empty(result.Error);
         Assert.Equal(0, result.ExitCode);
         return XElement.Load(output);

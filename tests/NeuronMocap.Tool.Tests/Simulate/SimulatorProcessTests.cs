@@ -38,6 +38,7 @@ public sealed class SimulatorProcessTests
     [InlineData("--calculation-port", "0", "--udp", "127.0.0.1:7002")]
     [InlineData("--motion", "perhaps")]
     [InlineData("--unknown")]
+    [InlineData("studio")]
     public async Task Bad_usage_is_one_line_that_says_where_help_is_and_ends_with_2(params string[] args)
     {
         using var simulator = new ToolProcess(Program, args);
@@ -112,7 +113,7 @@ public sealed class SimulatorProcessTests
         await ReadAddressAsync(simulator);
         string? line = await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken);
         Assert.StartsWith("Commands on ", line, StringComparison.Ordinal);
-        using var monitor = new ToolProcess("neuron-mocap", "--commands", line!["Commands on ".Length..], "--json");
+        using var monitor = new ToolProcess("neuron-mocap", "command", line!["Commands on ".Length..], "--json");
         string answer = await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
 
         Assert.Contains("\"rotationOrder\":\"XZY\"", answer, StringComparison.Ordinal);
@@ -160,16 +161,6 @@ public sealed class SimulatorProcessTests
         await AssertFailsAsync("--bind", "--bind", "192.0.2.1", "--port", "0");
 
     [Fact]
-    public async Task The_version_is_that_of_the_other_programs()
-    {
-        using var simulator = new ToolProcess(Program, "--version");
-        using var monitor = new ToolProcess("neuron-mocap", "--version");
-        Assert.Equal(
-            await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken),
-            await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken));
-    }
-
-    [Fact]
     public async Task Help_names_the_ports_and_says_which_clients_a_format_is_not_for()
     {
         using var simulator = new ToolProcess(Program, "--help");
@@ -185,7 +176,7 @@ public sealed class SimulatorProcessTests
         using var simulator = new ToolProcess(
             Program, "--port", "0", "--rate", "max", "--wait-for-client", "--frames", "300", "--avatars", "2", "--calculation", "--header", "old");
         string address = await ReadAddressAsync(simulator);
-        using var monitor = new ToolProcess("neuron-mocap", "--connect", address, "--once", "--quiet");
+        using var monitor = new ToolProcess("neuron-mocap", "watch", address, "--once", "--quiet");
         string summary = await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
 
         Assert.StartsWith(
@@ -206,7 +197,7 @@ public sealed class SimulatorProcessTests
             Program, "--port", "0", "--rate", "max", "--wait-for-client", "--frames", "100", "--avatars", "2", "--calculation", "--format", format);
         Assert.EndsWith(description, await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken), StringComparison.Ordinal);
         string address = await ReadAddressAsync(simulator);
-        using var monitor = new ToolProcess("neuron-mocap", "--connect", address, "--once", "--quiet");
+        using var monitor = new ToolProcess("neuron-mocap", "watch", address, "--once", "--quiet");
         string summary = await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
 
         Assert.StartsWith("{\"type\":\"summary\",\"frames\":200,", summary, StringComparison.Ordinal);
@@ -231,7 +222,7 @@ public sealed class SimulatorProcessTests
         long calculationBytes = await CountBytesAsync(line!["Calculation on ".Length..]);
         string report = await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
 
-        Assert.StartsWith("2 clients served in all, 200 frames and 200 calculation frames sent, 0 packets dropped", report, StringComparison.Ordinal);
+        Assert.StartsWith("Served 2 clients: 200 frames and 200 calculation frames sent, 0 packets dropped", report, StringComparison.Ordinal);
         if (format != "text")
             Assert.Equal((200L * 1480, format == "studio" ? 200L * 5020 : 200L * 3848), (motionBytes, calculationBytes));
         Assert.True(calculationBytes > motionBytes);
@@ -246,7 +237,7 @@ public sealed class SimulatorProcessTests
         string report = await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
 
         Assert.Equal(100L * 3848, bytes);
-        Assert.StartsWith("1 client served in all, 0 frames and 100 calculation frames sent", report, StringComparison.Ordinal);
+        Assert.StartsWith("Served 1 client: 0 frames and 100 calculation frames sent", report, StringComparison.Ordinal);
         Assert.Equal(0, await simulator.WaitForExitAsync());
     }
 

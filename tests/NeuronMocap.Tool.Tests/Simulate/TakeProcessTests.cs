@@ -23,7 +23,7 @@ public sealed class TakeProcessTests
             line = await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken);
         while (line?.StartsWith("Listening on ", StringComparison.Ordinal) == false);
 
-        using var monitor = new ToolProcess("neuron-mocap", "--connect", line!["Listening on ".Length..], "--once", "--json");
+        using var monitor = new ToolProcess("neuron-mocap", "watch", line!["Listening on ".Length..], "--once", "--json");
         string[] rows = [.. File.ReadLines(file).SkipWhile(row => !row.StartsWith("Frame Time", StringComparison.Ordinal)).Skip(1)];
         int frame = 0;
         while (await monitor.Output.ReadLineAsync(TestContext.Current.CancellationToken) is { } json)

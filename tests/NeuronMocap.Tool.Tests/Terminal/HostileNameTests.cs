@@ -15,20 +15,20 @@ public sealed class HostileNameTests
     {
         using FrameServer server = Serve();
         using var output = new LeavingReader("evil");
-        ToolResult result = await ToolRunner.RunAsync(output, ["--connect", server.Address]);
+        ToolResult result = await ToolRunner.RunAsync(output, ["watch", server.Address]);
 
         Assert.Equal(0, result.ExitCode);
         AssertClean(output.Text);
     }
 
     [Theory]
-    [InlineData("--diagnose", "--duration", "5")]
-    [InlineData("--json", "--frames", "5")]
-    [InlineData("--json", "--diagnose", "--duration", "5")]
-    public async Task Diagnosis_and_JSON_are_clean(params string[] args)
+    [InlineData("diagnose", "--duration", "5")]
+    [InlineData("watch", "--json", "--frames", "5")]
+    [InlineData("diagnose", "--json", "--duration", "5")]
+    public async Task Diagnosis_and_JSON_are_clean(string verb, params string[] args)
     {
         using FrameServer server = Serve();
-        ToolResult result = await ToolRunner.RunAsync(["--connect", server.Address, .. args]);
+        ToolResult result = await ToolRunner.RunAsync([verb, server.Address, .. args]);
 
         Assert.Equal(0, result.ExitCode);
         AssertClean(string.Join(' ', result.Output));
@@ -39,17 +39,19 @@ public sealed class HostileNameTests
     {
         using var folder = new TemporaryFolder();
         using FrameServer server = Serve();
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--frames", "5", "--quiet", "--export", folder["take.bvh"]);
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--frames", "5", "--quiet", "--export", folder["take.bvh"]);
 
         Assert.Equal(0, result.ExitCode);
         AssertClean(string.Join(' ', result.Error));
     }
 
     [Theory]
-    [InlineData("--connect", "\u202Eevil\u0007.invalid", "--once", "--quiet")]
-    [InlineData("--play", "/nowhere/\u202Eevil\e[2J", "--quiet")]
-    [InlineData("--record", "/nowhere/\u202Eevil\e[2J", "--quiet")]
+    [InlineData("watch", "\u202Eevil\u0007.invalid", "--once", "--quiet")]
+    [InlineData("play", "/nowhere/\u202Eevil\e[2J", "--quiet")]
+    [InlineData("watch", "--record", "/nowhere/\u202Eevil\e[2J", "--quiet")]
     [InlineData("--\u202Eevil\e[2J", "--quiet")]
+    [InlineData("watch", "--\u202Eevil\e[2J", "--quiet")]
+    [InlineData("\u202Eevil\e[2J")]
     public async Task Errors_are_clean(params string[] args)
     {
         ToolResult result = await ToolRunner.RunAsync(args);
@@ -61,7 +63,7 @@ public sealed class HostileNameTests
     [Fact]
     public async Task A_BVH_header_that_goes_to_a_terminal_is_clean()
     {
-        ToolResult result = await ToolRunner.RunOnTerminalAsync(80, "--commands", "--demo", "--bvh-header");
+        ToolResult result = await ToolRunner.RunOnTerminalAsync(80, "command", "demo", "header");
 
         Assert.Equal("HIERARCHY", result.Output[0]);
         Assert.DoesNotContain(result.Output, static line => line.Any(char.IsControl));

@@ -19,7 +19,7 @@ public sealed class ExportTests : IDisposable
     {
         using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)), FrameServer.Motion(2, Values(2)), FrameServer.Motion(4, Values(4)));
 
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", output, "--export", Target);
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--once", output, "--export", Target);
 
         Assert.Equal(0, result.ExitCode);
         string line = Assert.Single(result.Error);
@@ -33,7 +33,7 @@ public sealed class ExportTests : IDisposable
     public async Task As_many_frames_are_kept_as_asked_for()
     {
         using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, Values(1)));
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--quiet", "--frames", "7", "--export", Target);
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--quiet", "--frames", "7", "--export", Target);
 
         Assert.Equal(0, result.ExitCode);
         Assert.Equal(7, BvhDocument.Load(Target).FrameCount);
@@ -42,7 +42,7 @@ public sealed class ExportTests : IDisposable
     [Fact]
     public async Task The_demo_is_kept_too()
     {
-        ToolResult result = await ToolRunner.RunAsync("--demo", "--quiet", "--frames", "5", "--export", Target);
+        ToolResult result = await ToolRunner.RunAsync("watch", "demo", "--quiet", "--frames", "5", "--export", Target);
         Assert.Equal(0, result.ExitCode);
         Assert.Contains("5 frames of Demo at", Assert.Single(result.Error), StringComparison.Ordinal);
     }
@@ -53,12 +53,12 @@ public sealed class ExportTests : IDisposable
         await File.WriteAllTextAsync(Target, "precious", TestContext.Current.CancellationToken);
         using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)));
 
-        ToolResult refused = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--quiet", "--export", Target);
+        ToolResult refused = await ToolRunner.RunAsync("watch", server.Address, "--once", "--quiet", "--export", Target);
         Assert.Equal(1, refused.ExitCode);
         Assert.EndsWith("--overwrite replaces it.", Assert.Single(refused.Error), StringComparison.Ordinal);
         Assert.Equal("precious", await File.ReadAllTextAsync(Target, TestContext.Current.CancellationToken));
 
-        ToolResult replaced = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--quiet", "--export", Target, "--overwrite");
+        ToolResult replaced = await ToolRunner.RunAsync("watch", server.Address, "--once", "--quiet", "--export", Target, "--overwrite");
         Assert.Equal(0, replaced.ExitCode);
         Assert.Equal(1, BvhDocument.Load(Target).FrameCount);
     }
@@ -70,11 +70,11 @@ public sealed class ExportTests : IDisposable
         using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)), FrameServer.Motion(header, Values(9)));
 
         ToolResult result = await ToolRunner.RunAsync(
-            "--connect", server.Address, "--once", "--quiet", "--export", Target, "--export-avatar", "all");
+            "watch", server.Address, "--once", "--quiet", "--export", Target, "--export-avatar", "all");
         Assert.Equal(2, result.Error.Length);
         Assert.Equal(9, BvhDocument.Load(Path.Combine(_folder.FullName, "take-avatar2.bvh")).GetFrame(0)[0]);
 
-        await ToolRunner.RunAsync("--connect", server.Address, "--once", "--quiet", "--export", Target, "--export-avatar", "2");
+        await ToolRunner.RunAsync("watch", server.Address, "--once", "--quiet", "--export", Target, "--export-avatar", "2");
         Assert.Equal(9, BvhDocument.Load(Target).GetFrame(0)[0]);
     }
 
@@ -82,7 +82,7 @@ public sealed class ExportTests : IDisposable
     public async Task Without_a_frame_no_file_is_left()
     {
         using FrameServer server = FrameServer.Sending(FrameServer.Calculation(1, 2));
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--quiet", "--export", Target);
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--once", "--quiet", "--export", Target);
 
         Assert.Equal("neuron-mocap: no motion frame came, and no file was written.", Assert.Single(result.Error));
         Assert.False(File.Exists(Target));
@@ -98,7 +98,7 @@ public sealed class ExportTests : IDisposable
         Assert.SkipUnless(File.Exists("/dev/full"), "There is no /dev/full.");
         File.CreateSymbolicLink(Target, "/dev/full");
         using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)), FrameServer.Motion(2, Values(2)));
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", output, "--overwrite", "--export", Target);
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--once", output, "--overwrite", "--export", Target);
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains(result.Error, line => line.Contains($"the export ended early: '{Target}': the disk is full.", StringComparison.Ordinal));
@@ -118,21 +118,19 @@ public sealed class ExportTests : IDisposable
     {
         string recorded = Path.Combine(_folder.FullName, "take.nmrec");
         File.CreateSymbolicLink(Target, recorded);
-        ToolResult result = await ToolRunner.RunAsync("--demo", "--quiet", "--frames", "1", "--overwrite", "--export", Target, "--record", recorded);
+        ToolResult result = await ToolRunner.RunAsync("watch", "demo", "--quiet", "--frames", "1", "--overwrite", "--export", Target, "--record", recorded);
         Assert.Equal(1, result.ExitCode);
         string line = Assert.Single(result.Error);
         Assert.Contains($"'{recorded}' is being written already", line, StringComparison.Ordinal);
     }
 
     [Theory]
-    [InlineData("--diagnose and --export", "--export", "a.bvh", "--diagnose")]
-    [InlineData("--commands and --export", "--export", "a.bvh", "--commands")]
-    [InlineData("--overwrite needs --export, --record, --convert or --plot", "--overwrite")]
+    [InlineData("--overwrite needs --export or --record", "--overwrite")]
     [InlineData("--export-avatar needs --export", "--export-avatar", "1")]
     [InlineData("is not a number of an avatar", "--export", "a.bvh", "--export-avatar", "-1")]
     public async Task Contradictions_are_refused(string reason, params string[] args)
     {
-        ToolResult result = await ToolRunner.RunAsync(args);
+        ToolResult result = await ToolRunner.RunAsync(["watch", .. args]);
         Assert.Equal(2, result.ExitCode);
         Assert.Contains(result.Error, line => line.Contains(reason, StringComparison.Ordinal));
     }
@@ -147,7 +145,7 @@ public sealed class ExportTests : IDisposable
     {
         var random = new Random(seed);
         BvhDocument before;
-        using (var monitor = new ToolProcess("neuron-mocap", "--demo", "--quiet", "--export", Target))
+        using (var monitor = new ToolProcess("neuron-mocap", "watch", "demo", "--quiet", "--export", Target))
         {
             while (!File.Exists(Target) || ReadShared() is null)
                 await Task.Delay(10, TestContext.Current.CancellationToken);

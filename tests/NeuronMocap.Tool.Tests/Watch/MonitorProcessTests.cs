@@ -9,7 +9,7 @@ public sealed class MonitorProcessTests
     public async Task A_reader_of_the_output_that_leaves_ends_the_program_quietly()
     {
         using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, new float[354]));
-        using var monitor = new ToolProcess("neuron-mocap", "--connect", server.Address, "--json");
+        using var monitor = new ToolProcess("neuron-mocap", "watch", server.Address, "--json");
 
         string? line = await monitor.Output.ReadLineAsync(TestContext.Current.CancellationToken);
         monitor.Output.Close();
@@ -22,8 +22,8 @@ public sealed class MonitorProcessTests
     [Fact]
     public async Task The_exit_codes_reach_the_shell()
     {
-        using var refused = new ToolProcess("neuron-mocap", "--connect", FrameServer.RefusingAddress(), "--once", "--quiet");
-        using var wrong = new ToolProcess("neuron-mocap", "--frames", "none");
+        using var refused = new ToolProcess("neuron-mocap", "watch", FrameServer.RefusingAddress(), "--once", "--quiet");
+        using var wrong = new ToolProcess("neuron-mocap", "watch", "--frames", "none");
 
         Assert.Equal(1, await refused.WaitForExitAsync());
         Assert.Single((await refused.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
@@ -31,14 +31,13 @@ public sealed class MonitorProcessTests
     }
 
     [Fact]
-    public async Task Both_programs_say_their_version_alike()
+    public async Task The_version_is_three_numbers()
     {
-        using var monitor = new ToolProcess("neuron-mocap", "--version");
-        using var simulator = new ToolProcess("neuron-mocap simulate", "--version");
-        string version = await monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+        using var program = new ToolProcess("neuron-mocap", "--version");
+        string version = await program.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
 
         Assert.Matches("^[0-9]+\\.[0-9]+\\.[0-9]+\\s*$", version);
-        Assert.Equal(version, await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken));
+        Assert.Equal(0, await program.WaitForExitAsync());
     }
 
     [Theory]
@@ -52,7 +51,7 @@ public sealed class MonitorProcessTests
             Assert.Skip("The shell that runs the tests in the background has switched SIGINT off, and programs inherit that.");
 
         using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, 1), FrameServer.Motion(2, 2));
-        using var monitor = new ToolProcess("neuron-mocap", "--connect", server.Address, "--json");
+        using var monitor = new ToolProcess("neuron-mocap", "watch", server.Address, "--json");
         string? line;
         do
             line = await monitor.Output.ReadLineAsync(TestContext.Current.CancellationToken);
@@ -67,8 +66,8 @@ public sealed class MonitorProcessTests
     }
 
     [Theory]
-    [InlineData("neuron-mocap", "--frames", "20", "--json")]
-    [InlineData("neuron-mocap", "--frames", "20", "--quiet")]
+    [InlineData("neuron-mocap watch", "--frames", "20", "--json")]
+    [InlineData("neuron-mocap watch", "--frames", "20", "--quiet")]
     [InlineData("neuron-mocap simulate", "--port", "0", "--frames", "1")]
     public async Task A_full_disk_is_an_error_and_said_in_one_line(string program, params string[] args)
     {

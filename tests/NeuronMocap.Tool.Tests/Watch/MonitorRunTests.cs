@@ -14,7 +14,7 @@ public sealed class MonitorRunTests
         using FrameServer server = FrameServer.Sending(
             FrameServer.Motion(7, 1.5f, -0f), FrameServer.Calculation(7, 2), "noise"u8.ToArray(), FrameServer.Motion(9, 3, 4));
 
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--json");
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--once", "--json");
 
         Assert.Equal(0, result.ExitCode);
         Assert.Empty(result.Error);
@@ -48,7 +48,7 @@ public sealed class MonitorRunTests
     {
         using FrameServer server = FrameServer.Repeating([.. FrameServer.Motion(1, 1), .. FrameServer.Calculation(1, 2)]);
 
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--json", "--frames", $"{frames}");
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--json", "--frames", $"{frames}");
 
         Assert.Equal(0, result.ExitCode);
         Assert.Equal((frames + 1) / 2, result.OfType("frame").Length);
@@ -64,7 +64,7 @@ public sealed class MonitorRunTests
         using FrameServer server = FrameServer.Sending([.. Enumerable.Range(0, 3000).Select(index => FrameServer.Motion((uint)index, values))]);
         using var output = new SlowStream();
 
-        ToolResult result = await ToolRunner.RunAsync(output, ["--connect", server.Address, "--once", "--json"]);
+        ToolResult result = await ToolRunner.RunAsync(output, ["watch", server.Address, "--once", "--json"]);
 
         Assert.Equal(0, result.ExitCode);
         Assert.Equal(Enumerable.Range(0, 3000), output.FrameIndices);
@@ -75,7 +75,7 @@ public sealed class MonitorRunTests
     {
         using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, 1), FrameServer.Motion(2, 1));
 
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--quiet");
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--once", "--quiet");
 
         Assert.Equal(0, result.ExitCode);
         Assert.StartsWith("""{"type":"summary","frames":2,"calculationFrames":0,"lost":0,"dropped":0,"skippedBytes":0,"seconds":""", Assert.Single(result.Output), StringComparison.Ordinal);
@@ -92,7 +92,7 @@ public sealed class MonitorRunTests
         using var refusing = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
         refusing.Bind(new IPEndPoint(IPAddress.Loopback, 0));
         int port = ((IPEndPoint)refusing.LocalEndPoint!).Port;
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--calculation-port", $"{port}", "--duration", "6", output);
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--calculation-port", $"{port}", "--duration", "6", output);
 
         Assert.Equal(0, result.ExitCode);
         Assert.Contains("calculation", Assert.Single(result.Error), StringComparison.OrdinalIgnoreCase);
@@ -104,7 +104,7 @@ public sealed class MonitorRunTests
     public async Task The_time_of_a_quiet_summary_is_that_of_the_run()
     {
         using FrameServer server = FrameServer.Pacing(static number => FrameServer.Motion((uint)number, 1));
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--duration", "0.5", "--quiet");
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--duration", "0.5", "--quiet");
         using var summary = JsonDocument.Parse(Assert.Single(result.Output));
         double frames = summary.RootElement.GetProperty("seconds").GetDouble();
         Assert.InRange(frames, 1e-6, summary.RootElement.GetProperty("time").GetDouble());
@@ -115,7 +115,7 @@ public sealed class MonitorRunTests
     [InlineData("--quiet")]
     public async Task A_refused_connection_ends_a_single_attempt_with_1_and_one_line(string output)
     {
-        ToolResult result = await ToolRunner.RunAsync("--connect", FrameServer.RefusingAddress(), "--once", output);
+        ToolResult result = await ToolRunner.RunAsync("watch", FrameServer.RefusingAddress(), "--once", output);
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("refused", Assert.Single(result.Error), StringComparison.Ordinal);
@@ -125,7 +125,7 @@ public sealed class MonitorRunTests
     [Fact]
     public async Task A_refused_connection_is_tried_again_until_the_time_is_over()
     {
-        ToolResult result = await ToolRunner.RunAsync("--connect", FrameServer.RefusingAddress(), "--duration", "0.7", "--json");
+        ToolResult result = await ToolRunner.RunAsync("watch", FrameServer.RefusingAddress(), "--duration", "0.7", "--json");
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("refused", Assert.Single(result.Error), StringComparison.Ordinal);
@@ -137,7 +137,7 @@ public sealed class MonitorRunTests
     {
         using FrameServer server = FrameServer.Silent();
 
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--duration", "1", "--quiet");
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--duration", "1", "--quiet");
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("broadcasting", Assert.Single(result.Error), StringComparison.Ordinal);
@@ -148,7 +148,7 @@ public sealed class MonitorRunTests
     {
         using FrameServer server = FrameServer.Sending(Encoding.ASCII.GetBytes("0 Char00 0.00 93.02 ||\r\n"));
 
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--quiet");
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--once", "--quiet");
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("Binary", Assert.Single(result.Error), StringComparison.Ordinal);
@@ -161,7 +161,7 @@ public sealed class MonitorRunTests
         other.Bind(new IPEndPoint(IPAddress.Any, 0));
         int port = ((IPEndPoint)other.LocalEndPoint!).Port;
 
-        ToolResult result = await ToolRunner.RunAsync("--udp", $"{port}", "--once", "--quiet");
+        ToolResult result = await ToolRunner.RunAsync("watch", $"udp://:{port}", "--once", "--quiet");
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains($"UDP port {port} is used by another program", Assert.Single(result.Error), StringComparison.Ordinal);
@@ -174,7 +174,7 @@ public sealed class MonitorRunTests
     {
         using var sender = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         int port = FreeUdpPort();
-        Task<ToolResult> running = ToolRunner.RunAsync("--udp", $"{port}", "--allow-sender", allowed, "--allow-sender", "192.0.2.2", "--frames", "3", "--duration", "2", "--quiet");
+        Task<ToolResult> running = ToolRunner.RunAsync("watch", $"udp://:{port}", "--allow-sender", allowed, "--allow-sender", "192.0.2.2", "--frames", "3", "--duration", "2", "--quiet");
         for (int i = 0; !running.IsCompleted; i++)
         {
             sender.SendTo(FrameServer.Motion((uint)i, 1), new IPEndPoint(IPAddress.Loopback, port));
@@ -195,7 +195,7 @@ public sealed class MonitorRunTests
     {
         using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, 1));
 
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once");
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--once");
 
         Assert.Equal(0, result.ExitCode);
         Assert.StartsWith("1 motion and 0 calculation frames", result.Output[^1], StringComparison.Ordinal);
@@ -205,7 +205,7 @@ public sealed class MonitorRunTests
     [Fact]
     public async Task The_demo_sends_what_the_simulator_sends_by_default()
     {
-        ToolResult result = await ToolRunner.RunAsync("--frames", "4", "--json");
+        ToolResult result = await ToolRunner.RunAsync("watch", "--frames", "4", "--json");
 
         Assert.Equal(0, result.ExitCode);
         Assert.Equal(4, result.OfType("frame").Length);

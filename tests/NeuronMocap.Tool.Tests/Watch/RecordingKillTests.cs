@@ -47,7 +47,7 @@ public sealed class RecordingKillTests
                 return Packet(number);
             });
             using (var monitor = new ToolProcess(
-                "neuron-mocap", ["--connect", server.Address, "--quiet", "--record", Path.Combine(folder.FullName, "take.nmrec"), .. way]))
+                "neuron-mocap", ["watch", server.Address, "--quiet", "--record", Path.Combine(folder.FullName, "take.nmrec"), .. way]))
             {
                 while (folder.GetFiles().Length == 0)
                     await Task.Delay(1, TestContext.Current.CancellationToken);

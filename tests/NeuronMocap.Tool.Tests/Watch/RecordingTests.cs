@@ -19,7 +19,7 @@ public sealed class RecordingTests : IDisposable
     {
         byte[] sent = [.. FrameServer.Motion(1, new float[354]), .. "noise"u8, .. FrameServer.Calculation(2, 1, 2)];
         using FrameServer server = FrameServer.Sending(sent);
-        ToolResult result = await ToolRunner.RunAsync("--connect", server.Address, "--once", "--record", Take, option);
+        ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--once", "--record", Take, option);
 
         Assert.Equal(0, result.ExitCode);
         Assert.Equal(sent, Read(Take));
@@ -41,7 +41,7 @@ public sealed class RecordingTests : IDisposable
         byte[] frame = FrameServer.Motion(1, new float[354]);
         using FrameServer server = FrameServer.Sending([.. Enumerable.Range(0, 2000).Select(_ => frame)]);
         ToolResult result = await ToolRunner.RunAsync(
-            "--connect", server.Address, "--once", output, "--overwrite", "--record", Take, "--record-size", "2");
+            "watch", server.Address, "--once", output, "--overwrite", "--record", Take, "--record-size", "2");
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains(result.Error, line => line.Contains("the recording ended early: ", StringComparison.Ordinal));
@@ -65,14 +65,14 @@ public sealed class RecordingTests : IDisposable
         File.CreateSymbolicLink(Path.Combine(_folder.FullName, "take.0002.nmrec"), "/dev/full");
         using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, new float[354]));
         ToolResult result = await ToolRunner.RunAsync(
-            "--connect", server.Address, "--quiet", "--overwrite", "--record", Take, "--record-size", "2");
+            "watch", server.Address, "--quiet", "--overwrite", "--record", Take, "--record-size", "2");
         Assert.Equal(1, result.ExitCode);
     }
 
     [Fact]
     public async Task The_demo_is_recorded_and_its_metadata_with_it()
     {
-        ToolResult result = await ToolRunner.RunAsync("--record", Take, "--frames", "5", "--order", "ZXY", "--quiet");
+        ToolResult result = await ToolRunner.RunAsync("watch", "--record", Take, "--frames", "5", "--order", "ZXY", "--quiet");
         Assert.Equal(0, result.ExitCode);
         using RecordingReader reader = RecordingReader.Open(Take);
         Assert.True(reader.IsComplete);
@@ -88,12 +88,12 @@ public sealed class RecordingTests : IDisposable
     public async Task A_file_that_is_there_is_an_error_unless_it_may_be_replaced()
     {
         await File.WriteAllTextAsync(Take, "precious", TestContext.Current.CancellationToken);
-        ToolResult refused = await ToolRunner.RunAsync("--record", Take, "--frames", "1", "--quiet");
+        ToolResult refused = await ToolRunner.RunAsync("watch", "--record", Take, "--frames", "1", "--quiet");
         Assert.Equal(1, refused.ExitCode);
         Assert.Contains("--overwrite replaces", Assert.Single(refused.Error), StringComparison.Ordinal);
         Assert.Equal("precious", await File.ReadAllTextAsync(Take, TestContext.Current.CancellationToken));
 
-        ToolResult replaced = await ToolRunner.RunAsync("--record", Take, "--overwrite", "--frames", "1", "--quiet");
+        ToolResult replaced = await ToolRunner.RunAsync("watch", "--record", Take, "--overwrite", "--frames", "1", "--quiet");
         Assert.Equal(0, replaced.ExitCode);
         Assert.NotEmpty(Read(Take));
     }
@@ -101,7 +101,7 @@ public sealed class RecordingTests : IDisposable
     [Fact]
     public async Task A_folder_that_is_missing_is_named()
     {
-        ToolResult result = await ToolRunner.RunAsync("--record", Path.Combine(_folder.FullName, "missing", "take.nmrec"), "--frames", "1");
+        ToolResult result = await ToolRunner.RunAsync("watch", "--record", Path.Combine(_folder.FullName, "missing", "take.nmrec"), "--frames", "1");
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("missing", Assert.Single(result.Error), StringComparison.Ordinal);
         Assert.DoesNotContain("--overwrite", result.Error[0], StringComparison.Ordinal);

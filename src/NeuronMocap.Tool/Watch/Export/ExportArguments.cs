@@ -1,15 +1,15 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
+using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Watch.Export;
 
 /// <summary>The options of keeping a stream as BVH.</summary>
-/// <param name="overwrite">The option that lets a file be replaced.</param>
-internal sealed class ExportArguments(Option<bool> overwrite)
+internal sealed class ExportArguments
 {
-    private const string All = "all";
+    private const string Everyone = "all";
 
     private readonly Option<string?> _export = new("--export")
     {
@@ -35,35 +35,21 @@ internal sealed class ExportArguments(Option<bool> overwrite)
         Arity = ArgumentArity.ExactlyOne,
     };
 
+    /// <summary>The option that names the file.</summary>
     public Option File => _export;
 
-    /// <summary>The options that are about a stream.</summary>
-    public Option[] Own => [_export, _avatar];
+    public Option[] All => [_export, _avatar];
 
-    public void AddTo(RootCommand root)
+    /// <summary>Adds an error for every option that has no meaning without another.</summary>
+    public void RejectContradictions(CommandResult result)
     {
-        root.Options.Add(_export);
-        root.Options.Add(_avatar);
-    }
-
-    /// <summary>Adds an error for every option that has no meaning beside another.</summary>
-    /// <param name="result">The command line.</param>
-    /// <param name="others">Options that show no stream.</param>
-    public void RejectContradictions(CommandResult result, Option[] others)
-    {
-        if (CommandLine.IsGiven(result, _avatar) && !IsGiven(result))
+        if (Verb.IsGiven(result, _avatar) && !Verb.IsGiven(result, _export))
             result.AddError("--export-avatar needs --export: it says what is written.");
-        if (!IsGiven(result))
-            return;
 
         FileNames.Reject(result, _export, "a BVH file", ".bvh");
-        foreach (Option option in others.Where(option => CommandLine.IsGiven(result, option)))
-            result.AddError($"{option.Name} and --export exclude each other: there is no stream to write.");
     }
 
-    public bool IsGiven(CommandResult result) => CommandLine.IsGiven(result, _export);
-
-    public ExportSettings? Read(ParseResult result)
+    public ExportSettings? Read(ParseResult result, bool overwrite)
     {
         if (result.GetValue(_export) is not { } path)
             return null;
@@ -71,8 +57,8 @@ internal sealed class ExportArguments(Option<bool> overwrite)
         string? avatar = result.GetValue(_avatar);
         bool isAll = avatar is not null && IsAll(avatar);
         int? number = avatar is null || isAll ? null : int.Parse(avatar, CultureInfo.InvariantCulture);
-        return new ExportSettings(path, result.GetValue(overwrite), number, isAll);
+        return new ExportSettings(path, overwrite, number, isAll);
     }
 
-    private static bool IsAll(string text) => string.Equals(text, All, StringComparison.OrdinalIgnoreCase);
+    private static bool IsAll(string text) => string.Equals(text, Everyone, StringComparison.OrdinalIgnoreCase);
 }

@@ -33,27 +33,27 @@ internal sealed class ExportRun : IDisposable
 
     /// <summary>Completes the files and says what is in them.</summary>
     /// <returns>False when something is not.</returns>
-    public bool TryFinish(TextWriter messages)
+    public bool TryFinish(StandardStreams streams)
     {
         if (_export is null)
             return true;
 
         _export.Dispose();
         foreach (BvhExportFile file in _export.Files)
-            messages.WriteLine($"neuron-mocap: {Describe(file)}");
+            streams.Complain($"{Describe(file)}");
 
         if (_export.Files.Count == 0 && _export.Failure is null)
-            messages.WriteLine("neuron-mocap: no motion frame came, and no file was written.");
+            streams.Complain("no motion frame came, and no file was written.");
         if (_export.FramesDropped is > 0 and var missing)
         {
             string frames = missing == 1 ? "1 frame" : string.Create(CultureInfo.InvariantCulture, $"{missing} frames");
-            messages.WriteLine(_export.Failure is null
-                ? $"neuron-mocap: the export lacks {frames}: the disk was too slow."
-                : $"neuron-mocap: {frames} could not be written; later frames were not exported.");
+            streams.Complain(_export.Failure is null
+                ? $"the export lacks {frames}: the disk was too slow."
+                : $"{frames} could not be written; later frames were not exported.");
         }
 
         if (_export.Failure is { } failure)
-            messages.WriteLine($"neuron-mocap: the export ended early: {FileFault.OfWriting(failure, _export.Files is [.., var last] ? last.Path : _path)}");
+            streams.Complain($"the export ended early: {FileFault.OfWriting(failure, _export.Files is [.., var last] ? last.Path : _path)}");
 
         return _export.Failure is null;
     }

@@ -22,11 +22,7 @@ internal sealed class RecordingArguments
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    private readonly Option<bool> _compress = new("--record-compress")
-    {
-        Description = "With --record: compress the file.",
-        Arity = ArgumentArity.Zero,
-    };
+    private readonly Option<bool> _compress = new("--record-compress") { Description = "With --record: compress the file." };
 
     private readonly Option<int?> _size = new("--record-size")
     {
@@ -53,36 +49,24 @@ internal sealed class RecordingArguments
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    public Option Record => _record;
+    /// <summary>The option that names the file.</summary>
+    public Option File => _record;
 
-    public Option[] Own => [_record, _compress, _size, _time, _files];
+    public Option[] All => [_record, _compress, _size, _time, _files];
 
-    public void AddTo(RootCommand root)
+    /// <summary>Adds an error for every option that has no meaning without another.</summary>
+    public void RejectContradictions(CommandResult result)
     {
-        foreach (Option option in (Option[])[_record, _compress, _size, _time, _files])
-            root.Options.Add(option);
-    }
-
-    /// <summary>Adds an error for every option that has no meaning beside another.</summary>
-    /// <param name="result">The command line.</param>
-    /// <param name="others">Options that show no stream.</param>
-    /// <param name="play">The option that shows a file.</param>
-    public void RejectContradictions(CommandResult result, Option[] others, Option play)
-    {
-        if (!CommandLine.IsGiven(result, _record))
+        if (!Verb.IsGiven(result, _record))
         {
-            foreach (Option option in ((Option[])[_compress, _size, _time, _files]).Where(option => CommandLine.IsGiven(result, option)))
+            foreach (Option option in ((Option[])[_compress, _size, _time, _files]).Where(option => Verb.IsGiven(result, option)))
                 result.AddError($"{option.Name} needs --record: it says how to record.");
 
             return;
         }
 
         FileNames.Reject(result, _record, "a recording", ".nmrec");
-        foreach (Option option in others.Where(option => CommandLine.IsGiven(result, option)))
-            result.AddError($"{option.Name} and --record exclude each other: there is no stream to record.");
-        if (CommandLine.IsGiven(result, play))
-            result.AddError($"{play.Name} and {_record.Name} exclude each other: what is played is a file already. --convert copies it, or a part of it.");
-        if (CommandLine.IsGiven(result, _files) && !CommandLine.IsGiven(result, _size) && !CommandLine.IsGiven(result, _time))
+        if (Verb.IsGiven(result, _files) && !Verb.IsGiven(result, _size) && !Verb.IsGiven(result, _time))
             result.AddError("--record-files needs --record-size or --record-time: there is only one file without.");
         if (result.GetResult(_record)!.Tokens is [var path] && string.IsNullOrWhiteSpace(path.Value))
             result.AddError("--record: the name of the file is empty.");

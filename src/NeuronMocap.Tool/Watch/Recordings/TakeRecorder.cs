@@ -81,14 +81,14 @@ internal sealed class TakeRecorder(NeuronReader reader, RecordingSettings? setti
     }
 
     /// <summary>Closes the files and writes what became of each recording. The reader has ended by now.</summary>
-    /// <param name="messages">Receives a line for each.</param>
+    /// <param name="streams">Receives a line for each on standard error.</param>
     /// <returns>Whether all of them are whole.</returns>
-    public async Task<bool> FinishAsync(TextWriter messages)
+    public async Task<bool> FinishAsync(StandardStreams streams)
     {
         foreach (Take take in _takes)
         {
             await take.Recorder.DisposeAsync();
-            await messages.WriteLineAsync($"neuron-mocap: {RecordingSummary.Describe(take, FramesArrived)}");
+            await streams.ComplainAsync(RecordingSummary.Describe(take, FramesArrived));
         }
 
         return _takes.TrueForAll(static take => take.Recorder is { Failure: null, Completion.IsCompleted: true });

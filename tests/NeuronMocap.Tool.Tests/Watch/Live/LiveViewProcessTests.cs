@@ -19,7 +19,7 @@ public sealed class LiveViewProcessTests : IDisposable
     public async Task The_keys_record_freeze_explain_and_quit()
     {
         SkipWithoutTerminal();
-        using var terminal = new PseudoTerminal(_folder[string.Empty], "NO_COLOR=1 TERM=xterm-256color", "--connect", _server.Address, "--record", "take.nmrec");
+        using var terminal = new PseudoTerminal(_folder[string.Empty], "NO_COLOR=1 TERM=xterm-256color", "watch", _server.Address, "--record", "take.nmrec");
         await terminal.WaitForAsync("> 0 Char00");
         await terminal.WaitForAsync("● REC ");
         await terminal.WaitForAsync(" stop  ");
@@ -49,7 +49,7 @@ public sealed class LiveViewProcessTests : IDisposable
     public async Task Without_a_name_a_recording_has_the_date_and_time()
     {
         SkipWithoutTerminal();
-        using var terminal = new PseudoTerminal(_folder[string.Empty], "TERM=xterm-256color", "--connect", _server.Address);
+        using var terminal = new PseudoTerminal(_folder[string.Empty], "TERM=xterm-256color", "watch", _server.Address);
         await terminal.WaitForAsync("Char00");
         terminal.Press("r");
         await terminal.WaitForAsync("● REC ");
@@ -62,7 +62,7 @@ public sealed class LiveViewProcessTests : IDisposable
     public async Task A_terminal_without_cursor_control_gets_plain_lines()
     {
         SkipWithoutTerminal();
-        using var terminal = new PseudoTerminal(_folder[string.Empty], "TERM=dumb", "--connect", _server.Address, "--duration", "2.5");
+        using var terminal = new PseudoTerminal(_folder[string.Empty], "TERM=dumb", "watch", _server.Address, "--duration", "2.5");
         Assert.Equal(0, await terminal.WaitForExitAsync());
         Assert.Contains(" Receiving  0 Char00 motion ", terminal.Text, StringComparison.Ordinal);
         Assert.DoesNotContain('\e', terminal.Text);

@@ -1,6 +1,7 @@
 using System.Net;
 using NeuronMocap.Recording;
 using NeuronMocap.Tool.Output;
+using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.Infrastructure;
 using NeuronMocap.Tool.Watch.Recordings;
@@ -37,7 +38,8 @@ public sealed class TakeRecorderTests : IDisposable
 
         await reader.DisposeAsync();
         using var messages = new StringWriter();
-        Assert.True(await takes.FinishAsync(messages));
+        using var streams = new StandardStreams(Stream.Null, messages, IsTerminal: false);
+        Assert.True(await takes.FinishAsync(streams));
         Assert.Equal(2, messages.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries).Length);
         foreach (Take take in takes.Takes)
         {

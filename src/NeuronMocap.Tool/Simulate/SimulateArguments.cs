@@ -15,11 +15,12 @@ internal enum OnOff
     Off,
 }
 
-/// <summary>The options of the program: names, ranges and help. Other programs rely on them.</summary>
-internal sealed class SimulatorCommand : RootCommand
+/// <summary>The options of simulate: names, ranges and help. Other programs rely on them.</summary>
+internal sealed class SimulateArguments
 {
-    public SimulatorCommand()
-        : base("Broadcasts motion capture data as Axis Neuron does, without a suit: to TCP clients and UDP receivers.")
+    private static readonly string[] OnOffWords = ["on", "off"];
+
+    public SimulateArguments()
     {
         Rate.CustomParser = ParseRate;
         Order.CustomParser = ParseWord<RotationOrder>(Enum.GetNames<RotationOrder>());
@@ -28,28 +29,35 @@ internal sealed class SimulatorCommand : RootCommand
         Avatars.CustomParser = ParseNumber(1, 256);
         Frames.CustomParser = ParseNumber(1L, long.MaxValue);
         Fragment.CustomParser = ParseNumber(1, 1_048_576);
-        Displacement.CustomParser = ParseWord<OnOff>("on", "off");
-        Reference.CustomParser = ParseWord<OnOff>("on", "off");
+        Displacement.CustomParser = ParseWord<OnOff>(OnOffWords);
+        Reference.CustomParser = ParseWord<OnOff>(OnOffWords);
         Format.CustomParser = ParseWord<BroadcastFormat>("binary", "text", "studio");
         Header.CustomParser = ParseWord<HeaderLayout>("new", "old");
         Decimals.CustomParser = ParseNumber(0, TextEncoder.MaxDecimals);
-        Motion.CustomParser = ParseWord<OnOff>("on", "off");
+        Motion.CustomParser = ParseWord<OnOff>(OnOffWords);
         CalculationPort.CustomParser = ParsePort(ProtocolConstants.DefaultCalculationPort);
         Commands.CustomParser = ParsePort(ProtocolConstants.DefaultCommandPort);
-        DataCommands.CustomParser = ParseWord<OnOff>("on", "off");
-        foreach (Option option in (Option[])
+        DataCommands.CustomParser = ParseWord<OnOff>(OnOffWords);
+        Bind.Aliases.Add("--local-address");
+        foreach ((Option option, string[] words) in (IEnumerable<(Option, string[])>)
             [
-                Bvh, Calc, Synthetic, Bind, Port, Udp, Avatars, Rate, Frames, Loop, WaitForClient,
-                Displacement, Reference, Order, Format, Header, Decimals, Calculation, CalculationPort, Motion,
-                Fragment, DataCommands, Commands,
+                (Order, Enum.GetNames<RotationOrder>()), (Displacement, OnOffWords), (Reference, OnOffWords), (Motion, OnOffWords), (DataCommands, OnOffWords),
+                (Format, ["binary", "text", "studio"]), (Header, ["new", "old"]), (Rate, ["max"]),
             ])
         {
-            Add(option);
+            // Not the names of an enumeration's members.
+            option.CompletionSources.Clear();
+            option.CompletionSources.Add(words);
         }
-
-        Play.AddTo(this);
-        Validators.Add(CheckTogether);
     }
+
+    /// <summary>All options, under a title each.</summary>
+    public IReadOnlyList<(string Title, Option[] Options)> Sections =>
+    [
+        ("What is sent", [Synthetic, Bvh, Calc, .. Play.All, Avatars, Rate, Frames, Loop]),
+        ("Where it is sent", [Port, Bind, Udp, CalculationPort, WaitForClient, Commands, DataCommands, Fragment]),
+        ("How it is sent", [Format, Header, Order, Displacement, Reference, Calculation, Motion, Decimals]),
+    ];
 
     public Option<FileInfo?> Bvh { get; } = new("--bvh")
     {
@@ -123,7 +131,7 @@ internal sealed class SimulatorCommand : RootCommand
 
     public Option<RotationOrder?> Order { get; } = new("--order")
     {
-        HelpName = "YXZ",
+        HelpName = "ORDER",
         Description = "Rotation order: XYZ, XZY, YXZ, YZX, ZXY or ZYX. Default: YXZ, or the BVH file's.",
     };
 
@@ -238,12 +246,15 @@ internal sealed class SimulatorCommand : RootCommand
         return null;
     }
 
-    private void CheckTogether(CommandResult result)
+    /// <summary>Adds an error for every option that has no meaning beside another.</summary>
+    public void RejectContradictions(CommandResult result)
     {
         if (result.GetResult(Bvh) is not null && result.GetResult(Synthetic) is not null)
             result.AddError("--bvh and --synthetic exclude each other.");
         if (result.GetResult(Calc) is not null && (result.GetResult(Bvh) ?? result.GetResult(Synthetic)) is not null)
             result.AddError("--calc, --bvh and --synthetic exclude each other.");
+        foreach (Token destination in result.GetResult(Udp)?.Tokens.Where(static token => !SimulatorOptions.TrySplit(token.Value, out _, out _)) ?? [])
+            result.AddError($"--udp {destination.Value} is not of the form HOST:PORT.");
         Play.RejectContradictions(
             result,
             [

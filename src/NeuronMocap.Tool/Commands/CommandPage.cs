@@ -8,18 +8,35 @@ using NeuronMocap.Tool.Terminal;
 namespace NeuronMocap.Tool.Commands;
 
 /// <summary>The answers of a command channel for a person.</summary>
-internal static class CommandText
+internal sealed class CommandPage(StandardStreams streams)
 {
-    public static string ZeroOut(ServerAddress server, ZeroOutTarget target) => target.Avatar is { } avatar
-        ? $"Avatar {avatar} of {server} was zeroed out.\n"
-        : $"All avatars of {server} were zeroed out.\n";
+    private const int WidestText = 110;
 
-    public static string Report(ServerAddress server, int avatar, RotationOrder order, BoneDimensions sizes, string header)
+    private readonly TextPage _page = new(streams, WidestText);
+
+    public void ZeroOut(ServerAddress server, int? avatar) => _page.WriteLine(avatar is null
+        ? $"All avatars of {server} were zeroed out."
+        : Quantity.Format($"Avatar {avatar} of {server} was zeroed out."));
+
+    /// <summary>All that was asked, with a title each.</summary>
+    public void Report(CommandAnswers answers)
     {
-        var text = new StringBuilder();
-        text.Append(CultureInfo.InvariantCulture, $"Command channel of {server}\n\n");
-        text.Append(CultureInfo.InvariantCulture, $"Rotation order     {order}\n\n");
-        text.Append(CultureInfo.InvariantCulture, $"Bone sizes of avatar {avatar}, in metres\n");
+        _page.WriteLine($"Command channel of {answers.Server}", Palette.StrongStyle);
+        if (answers.Order is { } order)
+        {
+            _page.WriteLine();
+            _page.WriteLine($"Rotation order     {order}");
+        }
+
+        if (answers.Sizes is { } sizes)
+            WriteSizes(answers.Avatar, sizes);
+        if (answers.Header is { } header)
+            WriteHeader(answers, header);
+    }
+
+    private void WriteSizes(int avatar, BoneDimensions sizes)
+    {
+        WriteTitle(Quantity.Format($"Bone sizes of avatar {avatar}, in metres"));
         (string Name, float Value)[] left =
         [
             ("head", sizes.Head), ("neck", sizes.Neck), ("body", sizes.Body), ("shoulder width", sizes.ShoulderWidth),
@@ -31,20 +48,23 @@ internal static class CommandText
             ("heel height", sizes.HeelHeight), ("foot length", sizes.FootLength),
         ];
         for (int i = 0; i < left.Length; i++)
-        {
-            text.Append(
-                CultureInfo.InvariantCulture,
-                $"  {left[i].Name,-16} {left[i].Value,6:0.000}    {right[i].Name,-12} {right[i].Value,6:0.000}\n");
-        }
-
-        text.Append(CultureInfo.InvariantCulture, $"\nBVH header of avatar {avatar}, {header.Length:N0} characters\n");
-        foreach (string line in Describe(BvhDocument.Parse(Encoding.UTF8.GetBytes(header)), order))
-            text.Append(CultureInfo.InvariantCulture, $"  {line}\n");
-
-        return text.ToString();
+            _page.WriteRow(string.Empty, 0, Quantity.Format($"{left[i].Name,-16} {left[i].Value,6:0.000}    {right[i].Name,-12} {right[i].Value,6:0.000}"));
     }
 
-    private static IEnumerable<string> Describe(BvhDocument document, RotationOrder order)
+    private void WriteHeader(CommandAnswers answers, string header)
+    {
+        WriteTitle(Quantity.Format($"BVH header of avatar {answers.Avatar}, {header.Length:N0} characters"));
+        foreach (string line in Describe(BvhDocument.Parse(Encoding.UTF8.GetBytes(header)), answers.Order))
+            _page.WriteRow(string.Empty, 0, line);
+    }
+
+    private void WriteTitle(string title)
+    {
+        _page.WriteLine();
+        _page.WriteLine(title, Palette.StrongStyle);
+    }
+
+    private static IEnumerable<string> Describe(BvhDocument document, RotationOrder? order)
     {
         BvhJoint root = document.Joints[0];
         yield return string.Create(
@@ -57,7 +77,7 @@ internal static class CommandText
         }
 
         yield return $"displacement {OnOff(map.Layout.HasDisplacement)}, reference {OnOff(map.Layout.HasReference)}, bone names {map.Format.Variant}";
-        yield return map.Format.RotationOrder == order
+        yield return order is null || map.Format.RotationOrder == order
             ? $"rotation order {map.Format.RotationOrder}"
             : $"rotation order {map.Format.RotationOrder}, which is not the {order} that the server says it has";
         yield return string.Create(CultureInfo.InvariantCulture, $"hips {map[Bone.Hips].Offset.Y:0.0} cm above the ground");

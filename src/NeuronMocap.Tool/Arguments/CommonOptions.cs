@@ -1,0 +1,122 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
+using System.Net;
+
+namespace NeuronMocap.Tool.Arguments;
+
+/// <summary>Options that several verbs have, each with the same name, the same values and the same errors. Every call makes another one.</summary>
+internal static class CommonOptions
+{
+    private const double LongestTime = 1_000_000;
+
+    public static Option<bool> Json(string description) => new("--json") { Description = description };
+
+    public static Option<bool> Quiet() => new("--quiet") { Description = "Print nothing but the summary at the end, as one JSON object." };
+
+    public static Option<bool> Overwrite(string files) => new("--overwrite") { Description = $"Replace {files} if there is one; else that is an error." };
+
+    public static Option<long?> Frames() => new("--frames")
+    {
+        HelpName = "N",
+        Description = "End after N frames, motion and calculation together; N is 1 or more.",
+        CustomParser = static result =>
+        {
+            string text = result.Tokens[0].Value;
+            if (long.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out long frames) && frames > 0)
+                return frames;
+
+            result.AddError($"--frames: '{text}' is not a whole number of 1 or more.");
+            return null;
+        },
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    /// <summary>The time to end after.</summary>
+    public static Option<TimeSpan?> Duration(string description) => new("--duration")
+    {
+        HelpName = "SECONDS",
+        Description = description,
+        CustomParser = static result =>
+            NumberArgument.Parse(result, double.Epsilon, LongestTime, "a number of seconds, more than 0 and at most 1000000") is { } seconds
+                ? TimeSpan.FromSeconds(seconds)
+                : null,
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    /// <summary>A time of a take.</summary>
+    public static Option<double?> Time(string name, string description) => new(name)
+    {
+        HelpName = "SECONDS",
+        Description = description,
+        CustomParser = static result => NumberArgument.Parse(result, 0, LongestTime, "a number of seconds, 0 to 1000000"),
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    public static Option<RotationOrder?> Order(string name, string description)
+    {
+        string[] orders = Enum.GetNames<RotationOrder>();
+        var option = new Option<RotationOrder?>(name)
+        {
+            HelpName = "ORDER",
+            Description = $"{description} One of {string.Join(", ", orders)}.",
+            CustomParser = static result => RotationOrderArgument.Parse(result),
+            Arity = ArgumentArity.ExactlyOne,
+        };
+        option.CompletionSources.Add(orders);
+        return option;
+    }
+
+    /// <summary>The rate of a file without times.</summary>
+    public static Option<double?> Rate() => new("--rate")
+    {
+        HelpName = "HZ",
+        Description = "Frames of each avatar per second of a file that holds bytes without times, or of a calculation export, 0.01 to 100000. "
+            + "Default: as its timecodes say, or 120.",
+        CustomParser = static result => NumberArgument.Parse(result, 0.01, 100_000, "a number from 0.01 to 100000"),
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    /// <summary>Which avatar.</summary>
+    public static Option<int?> Avatar(string description) => new("--avatar")
+    {
+        HelpName = "N",
+        Description = description,
+        CustomParser = static result => NumberArgument.ParseWhole(result, 0, int.MaxValue, "a number of an avatar, from 0"),
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    public static Option<int?> Port(string name, string description) => new(name)
+    {
+        HelpName = "PORT",
+        Description = description,
+        CustomParser = static result => NumberArgument.ParseWhole(result, 1, IPEndPoint.MaxPort, $"a number from 1 to {IPEndPoint.MaxPort}"),
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    public static Option<IPAddress?> Address(string name, string description) => new(name)
+    {
+        HelpName = "ADDRESS",
+        Description = description,
+        CustomParser = static result => ParseAddress(result, result.Tokens[0]),
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    /// <summary>Addresses, each behind the option again.</summary>
+    public static Option<IPAddress[]> Addresses(string name, string description) => new(name)
+    {
+        HelpName = "ADDRESS",
+        Description = description,
+        CustomParser = static result => [.. result.Tokens.Select(token => ParseAddress(result, token)).OfType<IPAddress>()],
+        Arity = ArgumentArity.OneOrMore,
+    };
+
+    private static IPAddress? ParseAddress(ArgumentResult result, Token token)
+    {
+        if (IPAddress.TryParse(token.Value, out IPAddress? address))
+            return address;
+
+        result.AddError($"{((OptionResult)result.Parent!).Option.Name}: '{token.Value}' is not an IP address.");
+        return null;
+    }
+}

@@ -1,0 +1,26 @@
+namespace NeuronMocap.Tool.Arguments;
+
+/// <summary>What the help of the program says besides its verbs.</summary>
+internal static class ProgramHelp
+{
+    public const string Description =
+        "Motion of Perception Neuron suits, from Axis Neuron, Axis Studio or a simulator: watch it, record it, simulate it, convert it, and find out why none "
+        + "arrives.";
+
+    public static IReadOnlyList<HelpExample> Examples { get; } =
+    [
+        new(string.Empty, "a moving skeleton, without suit or server"),
+        new("watch 192.168.1.20", "Axis Neuron on another computer, TCP port 7001"),
+        new("diagnose 192.168.1.20", "no data? What is wrong, and which setting to change"),
+        new("simulate --avatars 2", "be the server for programs of this computer"),
+        new("convert take.nmrec take.bvh", "a recording as BVH"),
+    ];
+
+    public static IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
+    [
+        (CommandLine.Done, "done as asked"),
+        (CommandLine.NothingReceived, "nothing was received, or something could not be read or written; standard error says what to look at"),
+        (CommandLine.BadUsage, "wrong command line"),
+        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before there was a result"),
+    ];
+}

@@ -1,0 +1,100 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using NeuronMocap.Protocol;
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Commands;
+
+/// <summary>neuron-mocap command: asks a server's command channel.</summary>
+internal sealed class CommandVerb : Verb
+{
+    private static readonly (string Word, CommandQuestion Question)[] Questions =
+    [
+        ("order", CommandQuestion.Order), ("bones", CommandQuestion.Bones), ("header", CommandQuestion.Header), ("zero-out", CommandQuestion.ZeroOut),
+    ];
+
+    private readonly Argument<Source?> _server = new("HOST[:PORT]")
+    {
+        Description = "The server whose command channel is asked, which has a port of its own, or demo for the simulator inside this program. "
+            + $"Default port: {ProtocolConstants.DefaultCommandPort}.",
+        Arity = ArgumentArity.ExactlyOne,
+        CustomParser = static result => ParseServer(result),
+    };
+
+    private readonly Argument<CommandQuestion> _question = new("order|bones|header|zero-out")
+    {
+        Description = "order: the rotation order. bones: the sizes of an avatar's body, in metres. header: the avatar's BVH header, as the server sends it. "
+            + "zero-out: have the server zero out. Without it: the first three, in a report.",
+        Arity = ArgumentArity.ZeroOrOne,
+        CustomParser = static result => ParseQuestion(result),
+    };
+
+    private readonly Option<int?> _avatar = CommonOptions.Avatar(
+        "The avatar that the question is about, by its number, from 0. Default: the first; zero-out: all of them.");
+
+    private readonly Option<bool> _json = CommonOptions.Json("Print the answer as one JSON object.");
+
+    public CommandVerb()
+        : base("command", "Ask a server's command channel. It tells what most streams do not say: the rotation order and the avatars' bodies.")
+    {
+        _server.CompletionSources.Add(Source.Demo.ToString());
+        _question.CompletionSources.Clear();
+        _question.CompletionSources.Add([.. Questions.Select(static question => question.Word)]);
+        Add(_server);
+        Add(_question);
+        AddOptions("Options", _avatar, _json);
+    }
+
+    public override IReadOnlyList<HelpExample> Examples { get; } =
+    [
+        new("command 192.168.1.20", "rotation order, bone sizes and what the BVH header says; port 8013"),
+        new("command 192.168.1.20 order", "the rotation order alone"),
+        new("command 192.168.1.20:8014 header --avatar 1 > body.bvh", "the BVH header of the second avatar, from another port"),
+        new("command 192.168.1.20 zero-out --avatar 0", "zeroes out avatar 0; without --avatar all of them"),
+    ];
+
+    public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
+    [
+        (CommandLine.Done, "answered"),
+        (CommandLine.NothingReceived, "not answered; standard error says why"),
+        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before it knew"),
+    ];
+
+    public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled) => new CommandRun(
+        new CommandSettings(result.GetValue(_server)!.Server, result.GetValue(_question), result.GetValue(_avatar), result.GetValue(_json)),
+        streams).RunAsync(cancelled);
+
+    // What TCP sources are, with another port where none is given.
+    private static Source? ParseServer(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (Source.TryParse(text, out Source? source, out string? error, ProtocolConstants.DefaultCommandPort)
+            && source.Kind is SourceKind.Tcp or SourceKind.Demo)
+        {
+            return source;
+        }
+
+        result.AddError(error ?? $"'{text}' has no command channel: give HOST, HOST:PORT, tcp://HOST:PORT or demo.");
+        return null;
+    }
+
+    private static CommandQuestion ParseQuestion(ArgumentResult result)
+    {
+        if (result.Tokens.Count == 0)
+            return CommandQuestion.All;
+
+        string text = result.Tokens[0].Value;
+        foreach ((string word, CommandQuestion question) in Questions)
+        {
+            if (word.Equals(text, StringComparison.OrdinalIgnoreCase))
+                return question;
+        }
+
+        string? meant = Spelling.FindNearest(text, Questions.Select(static question => question.Word));
+        result.AddError(meant is null
+            ? $"'{text}' is not one of {string.Join(", ", Questions.Select(static question => question.Word))}."
+            : $"unknown question '{text}': did you mean {meant}?");
+        return CommandQuestion.All;
+    }
+}

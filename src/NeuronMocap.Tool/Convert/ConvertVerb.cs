@@ -1,0 +1,69 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Convert;
+
+/// <summary>neuron-mocap convert: writes a file as another kind of file, or a part of it.</summary>
+internal sealed class ConvertVerb : Verb
+{
+    private const double LowestRate = 0.01;
+    private const double HighestRate = 10_000;
+    private const string Kinds = ".bvh, .nmrec (recording), .calc (calculation export), .bin or .dat (the bytes of the stream)";
+
+    private readonly TakeArguments _take = new("OUT", $"The file to write. Its name says what it becomes: {Kinds}.");
+
+    private readonly Option<double?> _resample = new("--resample")
+    {
+        HelpName = "HZ",
+        Description = $"Make this many frames per second, {LowestRate} to {HighestRate}; what lies between two frames is interpolated. Default: as many as IN has.",
+        CustomParser = static result => NumberArgument.Parse(result, LowestRate, HighestRate, "a number from 0.01 to 10000"),
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    private readonly Option<RotationOrder?> _order = CommonOptions.Order("--order", "Order of the rotation values to write. Default: that of IN.");
+
+    private readonly Option<RotationOrder?> _inputOrder = CommonOptions.Order(
+        "--input-order",
+        "Of a recording or the bytes of a stream: the order that its rotation values have, where the file does not say it. Default: YXZ.");
+
+    public ConvertVerb()
+        : base("convert", "Write a file as another kind of file, or a part of it. A line on standard error says what the new file holds and what it lacks.")
+    {
+        foreach (Argument file in _take.Files)
+            Add(file);
+
+        AddOptions("Options", [.. _take.Options, _resample, _order, _inputOrder]);
+        Validators.Add(Reject);
+    }
+
+    public override IReadOnlyList<HelpExample> Examples { get; } =
+    [
+        new("convert take.nmrec take.bvh", "a recording as BVH; a file of any kind as any other"),
+        new("convert a.bvh b.bvh --from 2 --to 5", "a part of a take"),
+        new("convert a.bvh b.bvh --resample 60 --order XYZ", "another frame rate and another rotation order"),
+        new("convert dump.bin take.bvh --rate 60", "bytes that somebody wrote to a file, at 60 frames per second"),
+    ];
+
+    public override IReadOnlyList<(int Code, string Meaning)> ExitCodes => TakeArguments.Codes;
+
+    public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
+    {
+        FileSettings settings = _take.Read(result, FileTask.Convert) with
+        {
+            Rate = result.GetValue(_resample),
+            RotationOrder = result.GetValue(_order),
+            InputOrder = result.GetValue(_inputOrder),
+        };
+        return new FileRun(settings, streams).RunAsync(cancelled);
+    }
+
+    private void Reject(CommandResult result)
+    {
+        _take.RejectContradictions(result);
+        if (_take.FindOutput(result) is { } output && FileKinds.OfName(output) is null)
+            result.AddError($"the name '{output}' does not say what to write. Known are {Kinds}.");
+    }
+}

@@ -1,0 +1,111 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using NeuronMocap.Protocol;
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.Watch;
+
+namespace NeuronMocap.Tool.Diagnose;
+
+/// <summary>neuron-mocap diagnose: says why nothing arrives.</summary>
+internal sealed class DiagnoseVerb : Verb
+{
+    private const string ThisComputer = "127.0.0.1";
+    private const double Shortest = 1;
+    private const double Longest = 300;
+
+    private readonly SourceArgument _source = new("What to look at", "this computer, TCP port 7001");
+    private readonly ConnectionArguments _connection = new();
+    private readonly Option<bool> _json = CommonOptions.Json("Print every step and the result as one JSON object a line.");
+    private readonly Option<bool> _quiet = new("--quiet") { Description = "Print nothing but the result, as one JSON object." };
+
+    private readonly Option<TimeSpan?> _duration = new("--duration")
+    {
+        HelpName = "SECONDS",
+        Description = $"Take no longer than this, {Shortest} to {Longest} seconds. Default: 10.",
+        CustomParser = static result => NumberArgument.Parse(result, Shortest, Longest, "a number of seconds from 1 to 300") is { } seconds
+            ? TimeSpan.FromSeconds(seconds)
+            : null,
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    private readonly Option<RotationOrder?> _order = CommonOptions.Order("--order", "Order of the rotation values that the server is set to. Default: YXZ.");
+
+    private readonly Option<ServerAddress?> _server = new("--server")
+    {
+        HelpName = "HOST",
+        Description = "With udp://: the computer that should send, to look whether it offers the stream over TCP instead. Default: this computer.",
+        CustomParser = static result => ParseServer(result),
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    public DiagnoseVerb()
+        : base(
+            "diagnose",
+            "Look at a stream once, step by step, and say what is wrong and which setting of Axis Neuron or Axis Studio to change. It takes 10 seconds at most.")
+    {
+        Add(_source);
+        AddOptions("Output", _json, _quiet, _duration);
+        AddOptions("Connection", [_order, .. _connection.All, _server]);
+        Validators.Add(Reject);
+    }
+
+    public override IReadOnlyList<HelpExample> Examples { get; } =
+    [
+        new("diagnose 192.168.1.20", "no data from this computer? What is wrong, and which setting to change"),
+        new("diagnose", "the same for a server on this computer"),
+        new("diagnose udp://:7012", "the same for UDP"),
+        new("diagnose demo", "what a healthy stream looks like"),
+    ];
+
+    public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
+    [
+        (CommandLine.Done, "frames arrive"),
+        (CommandLine.NothingReceived, "a fault was found"),
+        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before it knew"),
+    ];
+
+    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
+    {
+        Source source = result.GetValue(_source) ?? Source.OfServer(new ServerAddress(ThisComputer, ProtocolConstants.DefaultPort));
+        var options = new MonitorOptions
+        {
+            Server = source.Kind == SourceKind.Udp ? result.GetValue(_server) ?? new ServerAddress(ThisComputer, ProtocolConstants.DefaultPort) : source.Server,
+            UdpPort = source.UdpPort,
+            LocalAddress = result.GetValue(_connection.LocalAddress) ?? source.LocalAddress,
+            AllowedSenders = result.GetValue(_connection.AllowSender) ?? [],
+            CommandPort = result.GetValue(_connection.CommandPort),
+            CalculationPort = result.GetValue(_connection.CalculationPort),
+            RotationOrder = result.GetValue(_order),
+            Duration = result.GetValue(_duration),
+            Output = result.GetValue(_json) ? OutputKind.Json : result.GetValue(_quiet) ? OutputKind.Quiet : OutputKind.Person,
+        };
+        return options.FindFault() is { } fault
+            ? await RefuseAsync(streams, fault)
+            : await new DiagnosisRun(options, streams).RunAsync(cancelled);
+    }
+
+    private void Reject(CommandResult result)
+    {
+        RejectBoth(result, _json, _quiet);
+        Source source = _source.Find(result) ?? Source.OfServer(default);
+        if (source.Kind == SourceKind.File)
+        {
+            result.AddError($"'{source}' is a file, and has no connection to look at; {CommandLine.Name} info {source} says what it holds.");
+            return;
+        }
+
+        _connection.RejectContradictions(result, source);
+        if (IsGiven(result, _server) && source.Kind != SourceKind.Udp)
+            result.AddError("--server needs a source udp://:PORT: any other source names the server itself.");
+    }
+
+    private static ServerAddress? ParseServer(ArgumentResult result)
+    {
+        if (ServerAddress.TryParse(result.Tokens[0].Value, out ServerAddress server, out string? error))
+            return server;
+
+        result.AddError($"--server: {error}");
+        return null;
+    }
+}

@@ -1,0 +1,66 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
+using NeuronMocap.Tool.Arguments;
+
+namespace NeuronMocap.Tool.Files;
+
+/// <summary>The arguments of verbs that make a file of another one.</summary>
+internal sealed class TakeArguments
+{
+    private readonly Argument<string> _input = new("IN")
+    {
+        Description = "A BVH file, a recording, a calculation export, or the raw bytes of a stream; its name does not matter.",
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    private readonly Argument<string> _output;
+    private readonly Option<double?> _from = CommonOptions.Time("--from", "Begin at this time of the take.");
+    private readonly Option<double?> _to = CommonOptions.Time("--to", "End at this time of the take.");
+    private readonly Option<bool> _overwrite = CommonOptions.Overwrite("the file");
+    private readonly Option<double?> _rate = CommonOptions.Rate();
+    private readonly Option<int?> _avatar = CommonOptions.Avatar("Of a recording: the avatar to take, by its number, from 0. Default: the first.");
+
+    /// <summary>Makes the arguments.</summary>
+    /// <param name="outputName">What the help calls the file to write.</param>
+    /// <param name="outputDescription">What it is.</param>
+    public TakeArguments(string outputName, string outputDescription) =>
+        _output = new Argument<string>(outputName) { Description = outputDescription, Arity = ArgumentArity.ExactlyOne };
+
+    /// <summary>What the exit codes mean.</summary>
+    public static IReadOnlyList<(int Code, string Meaning)> Codes { get; } =
+    [
+        (CommandLine.Done, "done"),
+        (CommandLine.NothingReceived, "not read or written; standard error says why"),
+        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM, nothing written"),
+    ];
+
+    public Argument[] Files => [_input, _output];
+
+    public Option[] Options => [_from, _to, _avatar, _rate, _overwrite];
+
+    /// <summary>The file to write; null when it is missing, which the parser tells.</summary>
+    public string? FindOutput(CommandResult result) => result.GetResult(_output) is { Tokens: [var output] } ? output.Value : null;
+
+    /// <summary>Adds an error where the times say nothing.</summary>
+    public void RejectContradictions(CommandResult result)
+    {
+        if (TimeOf(result, _from) >= TimeOf(result, _to))
+            result.AddError("--from: the end, --to, is not later.");
+    }
+
+    public FileSettings Read(ParseResult result, FileTask task) => new(task, result.GetValue(_input)!, result.GetValue(_output))
+    {
+        From = result.GetValue(_from),
+        To = result.GetValue(_to),
+        Avatar = result.GetValue(_avatar),
+        InputRate = result.GetValue(_rate),
+        Overwrite = result.GetValue(_overwrite),
+    };
+
+    // Null where it is wrong, which the parser tells.
+    private static double? TimeOf(CommandResult result, Option<double?> option) =>
+        result.GetResult(option) is { Tokens: [var time] } && double.TryParse(time.Value, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double seconds)
+            ? seconds
+            : null;
+}

@@ -1,0 +1,71 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Info;
+
+/// <summary>neuron-mocap info: says what files hold.</summary>
+internal sealed class InfoVerb : Verb
+{
+    private readonly Argument<string[]> _files = new("FILE")
+    {
+        Description = "A BVH file, a recording, a calculation export, or the raw bytes of a stream; its name does not matter.",
+        Arity = ArgumentArity.OneOrMore,
+    };
+
+    private readonly Option<bool> _json = CommonOptions.Json("Print one JSON object a line, one line for each file.");
+    private readonly Option<double?> _rate = CommonOptions.Rate();
+    private readonly Option<int?> _avatar = CommonOptions.Avatar("Of a recording: the avatar to look at, by its number, from 0. Default: the first.");
+
+    private readonly Option<RotationOrder?> _order = CommonOptions.Order(
+        "--order", "Of a recording or the bytes of a stream: the order that its rotation values have, where the file does not say it. Default: YXZ.");
+
+    public InfoVerb()
+        : base("info", "Say what files hold and what is odd about them.")
+    {
+        Add(_files);
+        AddOptions("Options", _json, _rate, _avatar, _order);
+    }
+
+    public override IReadOnlyList<HelpExample> Examples { get; } =
+    [
+        new("info take.bvh", "joints, frames, and what is odd about them"),
+        new("info *.nmrec --json", "a line for another program for each recording"),
+        new("info dump.bin --rate 60", "bytes that somebody wrote to a file, at 60 frames per second"),
+    ];
+
+    public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
+    [
+        (CommandLine.Done, "done"),
+        (CommandLine.NothingReceived, "a file could not be read; the others are told all the same"),
+        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM"),
+    ];
+
+    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
+    {
+        bool isJson = result.GetValue(_json);
+        string[] files = result.GetValue(_files)!;
+        int exitCode = CommandLine.Done;
+        bool isFirst = true;
+        foreach (string file in files)
+        {
+            var settings = new FileSettings(FileTask.Info, file, Output: null)
+            {
+                Json = isJson,
+                FollowsAnother = !isFirst,
+                InputRate = result.GetValue(_rate),
+                Avatar = result.GetValue(_avatar),
+                RotationOrder = result.GetValue(_order),
+            };
+            int ofFile = await new FileRun(settings, streams).RunAsync(cancelled);
+            isFirst &= ofFile != CommandLine.Done;
+            exitCode = Math.Max(exitCode, ofFile);
+            if (ofFile == CommandLine.Interrupted)
+                break;
+        }
+
+        return exitCode;
+    }
+}

@@ -1,0 +1,72 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.Watch;
+using NeuronMocap.Tool.Watch.Export;
+
+namespace NeuronMocap.Tool.Play;
+
+/// <summary>neuron-mocap play: shows a file as if it arrived now.</summary>
+internal sealed class PlayVerb : Verb
+{
+    private readonly Argument<string> _file = new("FILE")
+    {
+        Description = "A recording (.nmrec), or the bytes of a stream that somebody wrote to a file.",
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    private readonly PlaybackArguments _playback = new();
+    private readonly OutputArguments _output = new();
+    private readonly Option<RotationOrder?> _order = CommonOptions.Order(
+        "--order", "Order of the rotation values, where the file does not say it. Default: what the file says, or YXZ.");
+
+    private readonly Option<bool> _overwrite = CommonOptions.Overwrite("the file of --export");
+    private readonly ExportArguments _export = new();
+
+    public PlayVerb()
+        : base("play", "Show a recording as if it arrived now. The keys of the live view pause it, move it and change its speed.")
+    {
+        Add(_file);
+        AddOptions("Playback", [.. _playback.All, _order]);
+        AddOptions("Output", _output.All);
+        AddOptions("BVH export", [.. _export.All, _overwrite]);
+        Validators.Add(Reject);
+    }
+
+    public override IReadOnlyList<HelpExample> Examples { get; } =
+    [
+        new("play take.nmrec --speed 0.5", "half as fast"),
+        new("play take.nmrec --loop", "again and again"),
+        new("play dump.bin --rate 60 --json", "frames of bytes that somebody wrote to a file, for another program"),
+        new("play take.nmrec --speed max --quiet", "how many frames it has, and whether some are lost"),
+    ];
+
+    public override IReadOnlyList<(int Code, string Meaning)> ExitCodes => WatchVerb.Codes;
+
+    public override (string Title, IReadOnlyList<string> Lines) Notes => WatchVerb.Keys;
+
+    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
+    {
+        MonitorOptions options = _output.Read(result) with
+        {
+            Play = _playback.Read(result, result.GetValue(_file)!),
+            RotationOrder = result.GetValue(_order),
+            Export = _export.Read(result, result.GetValue(_overwrite)),
+        };
+        return options.FindFault() is { } fault
+            ? await RefuseAsync(streams, fault)
+            : await new MonitorRun(options, streams).RunAsync(cancelled);
+    }
+
+    private void Reject(CommandResult result)
+    {
+        _output.RejectContradictions(result);
+        _export.RejectContradictions(result);
+        if (IsGiven(result, _overwrite) && !IsGiven(result, _export.File))
+            result.AddError("--overwrite needs --export: there is no other file to replace.");
+
+        SameFile.Reject(result, result.GetResult(_file) is { Tokens: [var file, ..] } ? ("FILE", file.Value) : null, _export.File);
+    }
+}

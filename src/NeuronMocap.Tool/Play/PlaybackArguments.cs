@@ -1,0 +1,36 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using NeuronMocap.Recording;
+using NeuronMocap.Tool.Arguments;
+
+namespace NeuronMocap.Tool.Play;
+
+/// <summary>The options of a file that is shown as if it arrived now.</summary>
+internal sealed class PlaybackArguments
+{
+    public Option<double?> Speed { get; } = new("--speed")
+    {
+        HelpName = "N|max",
+        Description = "How many times as fast as it was recorded, 0.01 to 100, or max: as fast as it can be shown, with nothing left out. Default: 1.",
+        CustomParser = static result => string.Equals(result.Tokens[0].Value, "max", StringComparison.OrdinalIgnoreCase)
+            ? RecordingPlayer.MaxSpeed
+            : NumberArgument.Parse(result, 0.01, 100, "a number from 0.01 to 100, or max"),
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    public Option<double?> Rate { get; } = CommonOptions.Rate();
+
+    public Option<bool> Loop { get; } = new("--loop") { Description = "Start again at the end." };
+
+    public Option[] All => [Speed, Rate, Loop];
+
+    /// <summary>Adds an error for every option that is given, because the source is no file.</summary>
+    public void Reject(CommandResult result)
+    {
+        foreach (Option option in All.Where(option => Verb.IsGiven(result, option)))
+            result.AddError($"{option.Name} needs a file as the source: a live stream comes as it comes.");
+    }
+
+    public PlaySettings Read(ParseResult result, string file) =>
+        new(file, result.GetValue(Speed) ?? 1, result.GetValue(Rate), result.GetValue(Loop));
+}

@@ -1,0 +1,93 @@
+using System.CommandLine;
+using NeuronMocap.Server;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Simulate;
+
+/// <summary>One broadcast, from the options to its end.</summary>
+/// <param name="arguments">The options.</param>
+/// <param name="result">A command line without errors.</param>
+/// <param name="streams">Where to write.</param>
+internal sealed class SimulateRun(SimulateArguments arguments, ParseResult result, StandardStreams streams)
+{
+    /// <summary>Broadcasts until everything is sent, or somebody has had enough.</summary>
+    /// <exception cref="UsageException">An option has no meaning here.</exception>
+    /// <exception cref="SimulatorException">Something that the options name cannot be had.</exception>
+    /// <exception cref="OperationCanceledException">Somebody had enough before it began.</exception>
+    public async Task RunAsync(CancellationToken cancelled)
+    {
+        // A large file is read as a whole.
+        (BroadcasterOptions options, string description) = await Task.Run(CreateOptions, CancellationToken.None).WaitAsync(cancelled);
+        using Broadcaster broadcaster = OpenBroadcaster(options);
+        using CommandServer? commands = OpenCommands(broadcaster, options);
+        Start(broadcaster, options);
+        await using CancellationTokenRegistration stop = cancelled.Register(broadcaster.Stop);
+        await new SimulatorReport(broadcaster, commands, options, description, streams).RunAsync();
+    }
+
+    private static Broadcaster OpenBroadcaster(BroadcasterOptions options)
+    {
+        try
+        {
+            return new Broadcaster(options);
+        }
+        catch (ArgumentException exception) when (exception.ParamName is nameof(BroadcasterOptions.Rate))
+        {
+            throw new SimulatorException("--rate: the file's own rate is not from 0.01 to 100000 Hz; give one.");
+        }
+        catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException)
+        {
+            // It was there a moment ago.
+            throw new SimulatorException($"--play: {exception.Message}");
+        }
+    }
+
+    private static void Start(Broadcaster broadcaster, BroadcasterOptions options)
+    {
+        try
+        {
+            broadcaster.Start();
+        }
+        catch (BroadcasterException exception)
+        {
+            throw new SimulatorException(StartFailure.Describe(exception, options));
+        }
+    }
+
+    private CommandServer? OpenCommands(Broadcaster broadcaster, BroadcasterOptions options)
+    {
+        if (result.GetValue(arguments.Commands) is not { } port)
+            return null;
+
+        var server = new CommandServer(broadcaster, new CommandServerOptions { Port = port, BindAddress = options.BindAddress });
+        server.Failed += exception => streams.Complain($"--commands: a command could not be answered: {exception.Message.ReplaceLineEndings(" ")}");
+        try
+        {
+            server.Start();
+            return server;
+        }
+        catch (BroadcasterException exception)
+        {
+            throw new SimulatorException(StartFailure.DescribeCommands(exception, port, options.BindAddress));
+        }
+    }
+
+    private (BroadcasterOptions Options, string Description) CreateOptions()
+    {
+        if (arguments.Play.Read(result, result.GetValue(arguments.Rate), result.GetValue(arguments.Loop)) is { } play)
+            return (SimulatorOptions.Create(arguments, result, play), TerminalText.Clean(play.Description));
+
+        SimulatorSources sources = CreateSources();
+        return (SimulatorOptions.Create(arguments, result, sources), TerminalText.Clean(sources.Description));
+    }
+
+    private SimulatorSources CreateSources()
+    {
+        Option<FileInfo?> option = result.GetValue(arguments.Calc) is null ? arguments.Bvh : arguments.Calc;
+        var settings = new SourceSettings(
+            result.GetValue(arguments.Bvh), result.GetValue(arguments.Calc), result.GetValue(arguments.Avatars) ?? 1, result.GetValue(arguments.Loop));
+        return result.GetValue(option) is { } file
+            ? SourceFile.Read(option.Name, file, () => SourceFactory.Create(settings))
+            : SourceFactory.Create(settings);
+    }
+}

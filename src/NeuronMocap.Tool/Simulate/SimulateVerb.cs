@@ -1,0 +1,60 @@
+using System.CommandLine;
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Simulate;
+
+/// <summary>neuron-mocap simulate: is the server.</summary>
+internal sealed class SimulateVerb : Verb
+{
+    private readonly SimulateArguments _arguments = new();
+
+    public SimulateVerb()
+        : base("simulate", "Send what Axis Neuron sends, without a suit. Any number of TCP clients and of UDP receivers get it.")
+    {
+        foreach ((string title, Option[] options) in _arguments.Sections)
+            AddOptions(title, options);
+
+        Validators.Add(_arguments.RejectContradictions);
+    }
+
+    public override IReadOnlyList<HelpExample> Examples { get; } =
+    [
+        new("simulate --bind 0.0.0.0 --avatars 2", "two actors for every machine of the network that connects to port 7001"),
+        new("simulate --bvh take.bvh --loop --rate 60 --udp 127.0.0.1:7002 --fragment 1024", "a take again and again, in datagrams as Axis Neuron on macOS sends them"),
+        new("simulate --play take.nmrec --speed 2 --loop", "what watch --record wrote, byte for byte, twice as fast, again and again"),
+        new("simulate --calc take_Char00.calc --calculation --loop", "a calculation export: poses made of it, and its own values"),
+        new("simulate --calculation-port", "motion on port 7001 and calculation on port 7003, as servers normally send them"),
+        new("simulate --format text --rate 1", "lines to look at, with nc 127.0.0.1 7001"),
+        new("simulate --commands", "with a command channel on port 8013: the verb command shows what it answers"),
+    ];
+
+    public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
+    [
+        (CommandLine.Done, "done, or stopped by Ctrl+C or SIGTERM"),
+        (CommandLine.NothingReceived, "no such port, address or file"),
+        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before it began"),
+    ];
+
+    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
+    {
+        try
+        {
+            await new SimulateRun(_arguments, result, streams).RunAsync(cancelled);
+            return CommandLine.Done;
+        }
+        catch (UsageException exception)
+        {
+            return await RefuseAsync(streams, exception.Message);
+        }
+        catch (SimulatorException exception)
+        {
+            await streams.ComplainAsync(exception.Message.ReplaceLineEndings(" "));
+            return CommandLine.NothingReceived;
+        }
+        catch (OperationCanceledException)
+        {
+            return CommandLine.Interrupted;
+        }
+    }
+}

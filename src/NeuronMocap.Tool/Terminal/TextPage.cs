@@ -1,0 +1,66 @@
+using System.Text;
+using Spectre.Console;
+
+namespace NeuronMocap.Tool.Terminal;
+
+/// <summary>Text for a person: in colours and wrapped on a terminal, plain and unwrapped elsewhere, so that a search finds every phrase in one line.</summary>
+internal sealed class TextPage
+{
+    private const int Indent = 2;
+
+    private readonly bool _isTerminal;
+
+    /// <summary>Begins on standard output.</summary>
+    /// <param name="streams">Where to write. What cannot be written throws an <see cref="IOException"/>.</param>
+    /// <param name="widest">Longer lines are hard to read.</param>
+    public TextPage(StandardStreams streams, int widest)
+    {
+        _isTerminal = streams.IsTerminal;
+        Width = streams.TextWidth(widest);
+        Console = AnsiConsole.Create(new AnsiConsoleSettings
+        {
+            Ansi = _isTerminal && Screen.IsSupported ? AnsiSupport.Yes : AnsiSupport.No,
+            Interactive = InteractionSupport.No,
+            Out = new AnsiConsoleOutput(new StreamWriter(streams.Output, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), leaveOpen: true) { AutoFlush = true }),
+        });
+        Console.Profile.Capabilities.ColorSystem = _isTerminal ? AnsiConsole.Profile.Capabilities.ColorSystem : ColorSystem.NoColors;
+        Console.Profile.Width = Width;
+    }
+
+    /// <summary>The page itself.</summary>
+    public IAnsiConsole Console { get; }
+
+    /// <summary>Characters in a line.</summary>
+    public int Width { get; }
+
+    public void WriteLine() => Console.WriteLine();
+
+    public void WriteLine(string text, Style? style = null)
+    {
+        Console.Write(new Text(TerminalText.Clean(text), style));
+        Console.WriteLine();
+    }
+
+    /// <summary>A label, and beside it a text that may take several lines; without a label a text with an indent.</summary>
+    /// <param name="label">What the text is about.</param>
+    /// <param name="width">Of the label's column; 0 for none.</param>
+    /// <param name="text">The text.</param>
+    /// <param name="labelStyle">How the label looks; dim unless given.</param>
+    public void WriteRow(string label, int width, string text, Style? labelStyle = null)
+    {
+        (label, string clean) = (TerminalText.Clean(label), TerminalText.Clean(text));
+        if (!_isTerminal)
+        {
+            // A grid pads its lines to their full width.
+            Console.WriteLine(width == 0 ? $"  {clean}" : $"  {label.PadRight(width)}  {clean}");
+            return;
+        }
+
+        var grid = new Grid();
+        if (width > 0)
+            grid.AddColumn(new GridColumn { Width = width, Padding = new Padding(Indent, 0, Indent, 0), NoWrap = true });
+
+        grid.AddColumn(new GridColumn { Padding = new Padding(width > 0 ? 0 : Indent, 0, 0, 0) });
+        Console.Write(width > 0 ? grid.AddRow(new Text(label, labelStyle ?? Palette.DimStyle), new Text(clean)) : grid.AddRow(new Text(clean)));
+    }
+}

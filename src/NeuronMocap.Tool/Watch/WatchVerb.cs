@@ -1,0 +1,130 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Play;
+using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.Watch.Export;
+using NeuronMocap.Tool.Watch.Recordings;
+
+namespace NeuronMocap.Tool.Watch;
+
+/// <summary>neuron-mocap watch: shows what a source sends.</summary>
+internal sealed class WatchVerb : Verb
+{
+    private readonly SourceArgument _source = new("What to receive from", "demo");
+    private readonly ConnectionArguments _connection = new();
+    private readonly PlaybackArguments _playback = new();
+    private readonly OutputArguments _output = new();
+    private readonly ExportArguments _export = new();
+    private readonly RecordingArguments _recording = new();
+    private readonly Option<bool> _overwrite = CommonOptions.Overwrite("the files of --record and --export");
+    private readonly Option<bool> _once = new("--once") { Description = "End when the connection ends or cannot be made, instead of trying again." };
+
+    private readonly Option<RotationOrder?> _order = CommonOptions.Order(
+        "--order",
+        "Order of the rotation values, a setting of the server. Default: what the stream says, which only Axis Studio's does, or the command channel "
+            + "(--command-port), or YXZ.");
+
+    public WatchVerb()
+        : base(
+            "watch",
+            "Show what a server sends. On a terminal it is a live view, with the skeleton, rates and losses; redirected, one plain line a second. Positions are "
+            + "centimetres, angles degrees.")
+    {
+        Add(_source);
+        AddOptions("Output", [.. _output.All, _once]);
+        AddOptions("Connection", [_order, .. _connection.All]);
+        AddOptions("Recording", _recording.All);
+        AddOptions("BVH export", [.. _export.All, _overwrite]);
+        AddOptions("With a file as the source", _playback.All);
+        Validators.Add(Reject);
+    }
+
+    /// <summary>What the exit codes of this verb and of play mean.</summary>
+    public static IReadOnlyList<(int Code, string Meaning)> Codes { get; } =
+    [
+        (CommandLine.Done, "done as asked, or ended by q, Ctrl+C or SIGTERM"),
+        (CommandLine.NothingReceived, "nothing was received, or a file could not be read or written; standard error says which setting to look at"),
+    ];
+
+    /// <summary>The keys of the live view.</summary>
+    public static (string Title, IReadOnlyList<string> Lines) Keys { get; } =
+    (
+        "Keys of the live view",
+        [
+            "q quit   space pause   r reset counters   tab next avatar   b next bones   ? help",
+            "of a file, too: . , frame by frame   left, right 5 s back, forward   + - 0 speed",
+        ]
+    );
+
+    public override IReadOnlyList<HelpExample> Examples { get; } =
+    [
+        new("watch", "a moving skeleton, without suit or server"),
+        new("watch 192.168.1.20", "Axis Neuron on another computer, TCP port 7001"),
+        new("watch [::1]:7003 --order XYZ", "IPv6, another port, another rotation order"),
+        new("watch udp://:7012", "Axis Neuron set to UDP, with this computer as destination"),
+        new("watch udp://192.168.1.5:7012", "the same on one network of several; 192.168.1.5 is this computer"),
+        new("watch udp://:7012 --allow-sender 192.168.1.20", "the same, and nobody else may send"),
+        new("watch 192.168.1.20 --calculation-port 7003", "calculation data as well, from their own port"),
+        new("watch take.nmrec", "a recording, as play does"),
+        new("watch studio --record take.nmrec", "show it and keep every byte of it"),
+        new("watch studio --export take.bvh", "show it and keep it as BVH, until q or Ctrl+C"),
+        new("watch studio --json --frames 100", "100 frames for another program"),
+        new("watch studio --quiet --duration 10", "does anything arrive? The exit code tells"),
+    ];
+
+    public override IReadOnlyList<(int Code, string Meaning)> ExitCodes => Codes;
+
+    public override (string Title, IReadOnlyList<string> Lines) Notes => Keys;
+
+    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
+    {
+        bool overwrite = result.GetValue(_overwrite);
+        Source source = result.GetValue(_source) ?? Source.Demo;
+        MonitorOptions options = _output.Read(result) with
+        {
+            Server = source.Server,
+            UdpPort = source.UdpPort,
+            LocalAddress = result.GetValue(_connection.LocalAddress) ?? source.LocalAddress,
+            AllowedSenders = result.GetValue(_connection.AllowSender) ?? [],
+            CommandPort = result.GetValue(_connection.CommandPort),
+            CalculationPort = result.GetValue(_connection.CalculationPort),
+            RotationOrder = result.GetValue(_order),
+            Once = result.GetValue(_once),
+            Play = source.File is { } file ? _playback.Read(result, file) : null,
+            Recording = _recording.Read(result, overwrite),
+            Export = _export.Read(result, overwrite),
+        };
+        return options.FindFault() is { } fault
+            ? await RefuseAsync(streams, fault)
+            : await new MonitorRun(options, streams).RunAsync(cancelled);
+    }
+
+    private void Reject(CommandResult result)
+    {
+        Source source = _source.Find(result) ?? Source.Demo;
+        _output.RejectContradictions(result);
+        _connection.RejectContradictions(result, source);
+        _export.RejectContradictions(result);
+        _recording.RejectContradictions(result);
+        if (source.File is null)
+            _playback.Reject(result);
+        else
+            RejectForFile(result, source.File);
+
+        SameFile.Reject(result, null, _export.File, _recording.File);
+        if (IsGiven(result, _overwrite) && !IsGiven(result, _export.File) && !IsGiven(result, _recording.File))
+            result.AddError("--overwrite needs --export or --record: there is no other file to replace.");
+    }
+
+    private void RejectForFile(CommandResult result, string file)
+    {
+        if (IsGiven(result, _once))
+            result.AddError("--once is for a connection: a file is read to its end.");
+        if (IsGiven(result, _recording.File))
+            result.AddError($"--record: what is shown is a file already; {CommandLine.Name} convert copies it, or a part of it.");
+
+        SameFile.Reject(result, ("SOURCE", file), _export.File);
+    }
+}

@@ -1,0 +1,54 @@
+using System.Diagnostics;
+
+namespace NeuronMocap.Tool.Tests.Infrastructure;
+
+/// <summary>The program in a terminal of tmux, with a server of its own.</summary>
+internal sealed class TmuxTerminal : IAsyncDisposable
+{
+    private static readonly TimeSpan Limit = TimeSpan.FromSeconds(60);
+
+    private readonly string _name = $"neuron-mocap-{Guid.NewGuid():N}";
+
+    /// <summary>Whether there is a tmux.</summary>
+    public static bool Exists => !OperatingSystem.IsWindows()
+        && (Environment.GetEnvironmentVariable("PATH") ?? string.Empty).Split(':').Any(static folder => File.Exists(Path.Combine(folder, "tmux")));
+
+    /// <summary>Runs the program. The terminal stays when it ends, with its exit code in the last line.</summary>
+    public static async Task<TmuxTerminal> StartAsync(int columns, int rows, string args)
+    {
+        var terminal = new TmuxTerminal();
+        string host = Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet";
+        string command = $"'{host}' '{ToolProcess.PathOf("neuron-mocap")}' {args}; echo \"ended with $?\"; cat";
+        await terminal.RunAsync("-f", "/dev/null", "new-session", "-d", "-x", $"{columns}", "-y", $"{rows}", command);
+        return terminal;
+    }
+
+    public Task TypeAsync(string key) => RunAsync("send-keys", key);
+
+    /// <summary>Waits until the screen says what is wanted.</summary>
+    /// <returns>The lines of the screen.</returns>
+    public async Task<string[]> WaitForAsync(Func<string[], bool> isThere)
+    {
+        var clock = Stopwatch.StartNew();
+        while (true)
+        {
+            string[] lines = [.. (await RunAsync("capture-pane", "-p")).Split('\n').Select(static line => line.TrimEnd())];
+            if (isThere(lines))
+                return lines;
+
+            Assert.True(clock.Elapsed < Limit, string.Join('\n', lines));
+            await Task.Delay(20, TestContext.Current.CancellationToken);
+        }
+    }
+
+    public async ValueTask DisposeAsync() => await RunAsync("kill-server");
+
+    private async Task<string> RunAsync(params string[] args)
+    {
+        var start = new ProcessStartInfo("tmux", ["-L", _name, .. args]) { RedirectStandardOutput = true, RedirectStandardError = true, UseShellExecute = false };
+        using Process tmux = Process.Start(start)!;
+        string output = await tmux.StandardOutput.ReadToEndAsync(TestContext.Current.CancellationToken);
+        await tmux.WaitForExitAsync(TestContext.Current.CancellationToken);
+        return output;
+    }
+}
