@@ -1,14 +1,11 @@
 using System.Buffers;
-using System.Buffers.Text;
 using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
-using System.Net;
 using System.Numerics;
 using System.Text.Json;
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Output;
 
