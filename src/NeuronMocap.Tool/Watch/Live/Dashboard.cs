@@ -75,7 +75,7 @@ internal static class Dashboard
         return [Fixed(ProblemView.Create(problem, state, width, space), space), .. after];
     }
 
-    private static IEnumerable<Layout> CreateStream(LiveState state, int width, int height, int room)
+    private static List<Layout> CreateStream(LiveState state, int width, int height, int room)
     {
         bool framed = IsFramed(width, height);
         int rows = Math.Min(RowsOf(height), Math.Max(room - ShortestBody, 1));

@@ -56,7 +56,7 @@ internal static class SkeletonPanel
             SkeletonView.Draw(view.Pose, state.GetFeet(view), tile.Viewpoint, state.Scale, width, height - CaptionHeight));
     }
 
-    private static IRenderable Caption(LiveState state, Tile tile, int count, int width)
+    private static FixedWidth Caption(LiveState state, Tile tile, int count, int width)
     {
         AvatarView view = tile.View;
         bool isSelected = ReferenceEquals(view, state.Selected);

@@ -81,7 +81,7 @@ internal sealed class TakeRecorder(NeuronReader reader, RecordingSettings? setti
     }
 
     /// <summary>Closes the files and writes what became of each recording. The reader has ended by now.</summary>
-    /// <param name="streams">Standard error receives a line for each.</param>
+    /// <param name="streams">Receives a line for each on standard error.</param>
     /// <returns>Whether all of them are whole.</returns>
     public async Task<bool> FinishAsync(StandardStreams streams)
     {

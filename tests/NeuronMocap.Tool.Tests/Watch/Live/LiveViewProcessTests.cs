@@ -59,6 +59,20 @@ public sealed class LiveViewProcessTests : IDisposable
     }
 
     [Fact]
+    public async Task A_recording_that_cannot_begin_says_why_and_the_view_goes_on()
+    {
+        SkipWithoutTerminal();
+        DirectoryInfo gone = Directory.CreateDirectory(_folder["gone"]);
+        using var terminal = new PseudoTerminal(gone.FullName, "NO_COLOR=1 TERM=xterm-256color", "watch", _server.Address);
+        await terminal.WaitForAsync("> 0 Char00");
+        gone.Delete();
+        terminal.Press("r");
+        await terminal.WaitForAsync("RECORDING FAILED: '.' takes no new files.");
+        terminal.Press("q");
+        Assert.Equal(0, await terminal.WaitForExitAsync());
+    }
+
+    [Fact]
     public async Task A_terminal_without_cursor_control_gets_plain_lines()
     {
         SkipWithoutTerminal();
