@@ -84,7 +84,18 @@ internal static class FileFault
 
     private static string TooLong() => "The name is longer than this file system allows.";
 
-    private static string FolderOf(string path) => Path.GetDirectoryName(Path.GetFullPath(path)) ?? path;
+    private static string FolderOf(string path)
+    {
+        try
+        {
+            return Path.GetDirectoryName(Path.GetFullPath(path)) ?? path;
+        }
+        catch (IOException)
+        {
+            // The current folder was deleted.
+            return ".";
+        }
+    }
 
     private static string Quote(string path) => $"'{TerminalText.Clean(path)}'";
 }

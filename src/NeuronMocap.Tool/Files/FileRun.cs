@@ -20,7 +20,10 @@ internal sealed class FileRun(FileSettings settings, StandardStreams streams)
             Task work = Task.Run(() => Run(output, cancelled), CancellationToken.None);
             await Task.WhenAny(work, WaitForEndAsync(cancelled));
             if (!work.IsCompleted)
+            {
+                ProgressLine.Abandon(streams);
                 return CommandLine.Interrupted;
+            }
 
             await work;
             return CommandLine.Done;

@@ -50,8 +50,6 @@ internal sealed class OutputFile(string path, bool overwrite) : IDisposable
             _isGivenUp = true;
             if (_isBegun && File.Exists(_temporaryPath))
                 File.Delete(_temporaryPath);
-
-            _isBegun = false;
         }
     }
 

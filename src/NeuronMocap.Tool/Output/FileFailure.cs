@@ -13,6 +13,7 @@ namespace NeuronMocap.Tool.Output;
 internal sealed record FileFailure(string Kind, string File, string Reason, long Lost, long Timestamp)
 {
     private const string Export = "export";
+    private const string Recording = "recording";
 
     /// <summary>Whether <see cref="Lost"/> counts frames, and not pieces.</summary>
     public bool IsExport => string.Equals(Kind, Export, StringComparison.Ordinal);
@@ -20,10 +21,16 @@ internal sealed record FileFailure(string Kind, string File, string Reason, long
     /// <summary>"Recording failed: ...", the reason first: a terminal may be narrow.</summary>
     public string Text => $"{char.ToUpperInvariant(Kind[0])}{Kind[1..]} failed: {TerminalText.Clean(Reason)}";
 
+    /// <summary>"RECORDING FAILED: the disk is full.", for a line that nobody misses.</summary>
+    public string Alarm => $"{Kind.ToUpperInvariant()} FAILED: {TerminalText.Clean(Reason)}";
+
+    /// <summary>A recording that could not begin.</summary>
+    public static FileFailure OfRecording(string file, string reason) => new(Recording, file, reason, 0, Stopwatch.GetTimestamp());
+
     /// <summary>What an event says; null when it says something else.</summary>
     public static FileFailure? Of(ReaderEvent news) => news.Id switch
     {
-        ReaderEventId.RecordingFailed => new FileFailure("recording", news.Subject!, ReasonOf(news), news.Count, Stopwatch.GetTimestamp()),
+        ReaderEventId.RecordingFailed => new FileFailure(Recording, news.Subject!, ReasonOf(news), news.Count, Stopwatch.GetTimestamp()),
         ReaderEventId.ExportFailed => new FileFailure(Export, news.Subject!, ReasonOf(news), news.Count, Stopwatch.GetTimestamp()),
         _ => null,
     };

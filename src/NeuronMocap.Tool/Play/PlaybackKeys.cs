@@ -13,10 +13,11 @@ internal static class PlaybackKeys
     /// <summary>The keys, and what they do.</summary>
     public static (string Name, string Meaning)[] Entries { get; } =
     [
-        ("space", "pause and resume the playback"),
-        (". ,", "pause, and go a frame forward or back"),
-        ("← →", "5 s back or forward"),
-        ("+ -", "twice or half as fast; 0 as it was recorded"),
+        ("space", "pause or resume the playback"),
+        (". ,", "pause, and step one frame forward or back"),
+        ("← →", "jump 5 s back or forward"),
+        ("+ -", "play twice or half as fast"),
+        ("0", "play at the speed of the recording"),
     ];
 
     /// <summary>Does what a key asks for.</summary>
@@ -60,9 +61,11 @@ internal static class PlaybackKeys
     }
 
     /// <summary>The keys in a few words, for the line below the view.</summary>
-    public static (string Name, string Meaning)[] Hints { get; } = [("space", "pause"), (", .", "frame"), ("← →", "5 s"), ("+ - 0", "speed")];
+    /// <param name="isPaused">Whether the playback is paused.</param>
+    public static (string Name, string Meaning)[] Hints(bool isPaused) =>
+        [("space", isPaused ? "resume" : "pause"), (", .", "step"), ("← →", "5 s"), ("+ - 0", "speed")];
 
-    /// <summary>"0:12.3 of 1:03.2, 2x"; "0:12.345 of 1:03.2, paused", where a frame more or less shall show.</summary>
+    /// <summary>"0:12.3 of 1:03.2, 2x", or "0:12.345 of 1:03.2, paused", so that a step of one frame shows.</summary>
     /// <param name="player">The playback.</param>
     public static string Describe(RecordingPlayer player)
     {

@@ -3,8 +3,8 @@ using System.Collections.Concurrent;
 namespace NeuronMocap.Tool.Terminal;
 
 /// <summary>
-/// The keys that were pressed. A thread of its own stays inside the system's read: outside of it the terminal would show what is typed.
-/// It ends with the program.
+/// The keys that were pressed. A thread waits in the system's read all the time, because otherwise the terminal shows what is typed.
+/// The thread ends with the program.
 /// </summary>
 internal sealed class Keyboard
 {
@@ -17,11 +17,14 @@ internal sealed class Keyboard
     /// <summary>Set with every key.</summary>
     public AutoResetEvent Pressed { get; } = new(initialState: false);
 
-    /// <summary>Starts to listen; without a keyboard there are no keys.</summary>
+    /// <summary>Whether there are keys to read. There are none if standard input is redirected.</summary>
+    public static bool IsAvailable => !Console.IsInputRedirected;
+
+    /// <summary>Starts to listen.</summary>
     public static Keyboard Open()
     {
         var keyboard = new Keyboard();
-        if (!Console.IsInputRedirected)
+        if (IsAvailable)
             new Thread(keyboard.Read) { IsBackground = true, Name = "Keyboard" }.Start();
 
         return keyboard;

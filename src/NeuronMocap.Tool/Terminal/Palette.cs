@@ -3,7 +3,7 @@ using Spectre.Console;
 
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>The colours. Blue and orange are told apart by nearly everyone.</summary>
+/// <summary>The colours. Nearly everyone can tell blue from orange.</summary>
 internal static class Palette
 {
     public static Color Left => Color.DeepSkyBlue1;
@@ -21,6 +21,8 @@ internal static class Palette
     public static Color Bad => Color.Red;
 
     public static Style DimStyle { get; } = new(Color.Grey62);
+
+    public static Style WarningStyle { get; } = new(Warning);
 
     public static Style StrongStyle { get; } = new(decoration: Decoration.Bold);
 

@@ -1,41 +1,114 @@
 using System.Diagnostics;
+using Spectre.Console;
+using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Terminal;
 
 /// <summary>
-/// How far long work has come, in one line on standard error that comes after a second, and goes when the work is done. Nothing where no person
-/// looks. One thread at a time.
+/// A progress bar for long work, in one line on standard error. It comes after a second and goes when the work is done. There is none where
+/// standard error is no terminal. One thread at a time.
 /// </summary>
-internal sealed class ProgressLine(StandardStreams streams, string work) : IProgress<double>, IDisposable
+/// <param name="streams">Where the program writes to.</param>
+/// <param name="work">The work in a few words.</param>
+/// <param name="patience">When the bar comes; a second unless given.</param>
+internal sealed class ProgressLine(StandardStreams streams, string work, TimeSpan? patience = null) : IProgress<double>, IDisposable
 {
-    private const string Erase = "\r\e[K";
+    private const string ShowCursor = "\e[?25h";
+    private const double Fall = 0.25;
+    private const int WidestBar = 40;
+    private const int WidestLine = 100;
 
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(100);
 
-    private readonly string _work = TerminalText.Clean(work);
     private readonly long _start = Stopwatch.GetTimestamp();
-    private TimeSpan _next = Patience;
-    private bool _isShown;
+    private readonly ManualResetEventSlim _end = new();
+    private volatile Step _step = new(1, Stopwatch.GetTimestamp());
+    private double _value;
+    private Task? _showing;
 
-    /// <summary>Tells how far the work is; may be called for every frame.</summary>
-    /// <param name="value">The part that is done, 0 to 1.</param>
+    /// <summary>Tells how far the work is; may be called for every frame. A value far below the last one begins the next step of the work.</summary>
+    /// <param name="value">The part of the step that is done, 0 to 1.</param>
     public void Report(double value)
     {
-        TimeSpan elapsed = Stopwatch.GetElapsedTime(_start);
-        if (!streams.IsErrorTerminal || elapsed < _next)
-            return;
+        if (value < _value - Fall)
+            _step = new Step(_step.Number + 1, Stopwatch.GetTimestamp());
 
-        _next = elapsed + Interval;
-        _isShown = true;
-        TimeSpan rest = value > 0 ? elapsed * ((1 - value) / value) : TimeSpan.Zero;
-        streams.Error.Write(Quantity.Format($"{Erase}{_work} {value * 100:0} %, {Quantity.Duration(rest)} left"));
-        streams.Error.Flush();
+        Volatile.Write(ref _value, value);
+        if (_showing is null && streams.IsErrorTerminal && Stopwatch.GetElapsedTime(_start) >= (patience ?? Patience))
+            _showing = Task.Factory.StartNew(Show, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
     }
 
+    /// <summary>Takes the bar away.</summary>
     public void Dispose()
     {
-        if (_isShown)
-            streams.Error.Write(Erase);
+        _end.Set();
+        _showing?.Wait();
+        _end.Dispose();
+    }
+
+    /// <summary>Restores the terminal after work that was given up and may still show its bar.</summary>
+    public static void Abandon(StandardStreams streams)
+    {
+        if (streams.IsErrorTerminal)
+            streams.Error.WriteLine(ShowCursor);
+    }
+
+    /// <summary>The time that is left, as far as the time so far tells.</summary>
+    /// <param name="value">The part that is done, 0 to 1.</param>
+    /// <param name="elapsed">The time so far.</param>
+    public static string DescribeRest(double value, TimeSpan elapsed)
+    {
+        double seconds = value > 0 ? Math.Ceiling(elapsed.TotalSeconds * (1 - value) / value) : double.PositiveInfinity;
+        return seconds switch
+        {
+            < 60 => Quantity.Format($"{seconds:0} s left"),
+            < 1e9 => $"{Quantity.Duration(TimeSpan.FromSeconds(seconds))} left",
+            _ => string.Empty,
+        };
+    }
+
+    private void Show()
+    {
+        IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings
+        {
+            Ansi = AnsiSupport.Yes,
+            Interactive = InteractionSupport.Yes,
+            Out = new AnsiConsoleOutput(streams.Error),
+        });
+        console.Profile.Width = Math.Min(console.Profile.Width, WidestLine);
+        int bar = Math.Min(WidestBar, console.Profile.Width / 3);
+        ProgressColumn[] columns =
+            [new TaskDescriptionColumn { Alignment = Justify.Left }, new ProgressBarColumn { Width = bar }, new PercentageColumn(), new RestColumn(this)];
+        try
+        {
+            console.Progress().AutoClear(enabled: true).AutoRefresh(enabled: false).Columns(columns).Start(Follow);
+        }
+        catch (IOException)
+        {
+            // The terminal is gone. The work goes on.
+        }
+    }
+
+    private void Follow(ProgressContext context)
+    {
+        string description = Markup.Escape(TerminalText.Clean(work));
+        ProgressTask task = context.AddTask(description, maxValue: 1);
+        do
+        {
+            task.Description = _step.Number == 1 ? description : $"{description}, step {_step.Number}";
+            task.Value = Math.Clamp(Volatile.Read(ref _value), 0, 1);
+            context.Refresh();
+        }
+        while (!_end.Wait(Interval));
+    }
+
+    private sealed record Step(int Number, long Start);
+
+    // Spectre's own column counts from the moment at which the bar comes.
+    private sealed class RestColumn(ProgressLine line) : ProgressColumn
+    {
+        public override IRenderable Render(RenderOptions options, ProgressTask task, TimeSpan deltaTime) =>
+            new Text(DescribeRest(task.Value, Stopwatch.GetElapsedTime(line._step.Start)), Palette.DimStyle);
     }
 }

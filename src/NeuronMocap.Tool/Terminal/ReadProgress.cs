@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>Bytes read as a part of a file, and the end of the reading when somebody wants it.</summary>
+/// <summary>Turns the bytes read so far into a part of the file, and ends the reading when it is cancelled.</summary>
 /// <param name="length">Bytes of the file.</param>
 /// <param name="progress">Receives the part, 0 to 1.</param>
 /// <param name="cancelled">Ends the reading.</param>

@@ -5,8 +5,8 @@ using Spectre.Console.Rendering;
 namespace NeuronMocap.Tool.Terminal;
 
 /// <summary>
-/// The terminal's alternate screen. A frame is drawn into memory and only the lines that changed are sent, in one write: nothing flickers.
-/// Disposing of it brings the terminal back as it was.
+/// The terminal's alternate screen. It draws into memory and sends only the lines that changed, in one write, so nothing flickers.
+/// Disposing of it restores the terminal.
 /// </summary>
 internal sealed class Screen : IDisposable
 {
@@ -16,9 +16,12 @@ internal sealed class Screen : IDisposable
     // No cursor, no wrapping at the edge, nothing on the screen.
     private const string Clear = "\e[?25l\e[?7l\e[2J";
 
-    // Terminals that know these show what is between them at once; the others pass over them.
+    // A terminal that knows these shows what is between them at once. Others ignore them.
     private const string BeginUpdate = "\e[?2026h";
     private const string EndUpdate = "\e[?2026l";
+
+    private const int UsualWidth = 80;
+    private const int UsualHeight = 24;
 
     private readonly Stream _output;
     private readonly StringWriter _drawing = new();
@@ -42,14 +45,20 @@ internal sealed class Screen : IDisposable
         Send(Enter);
     }
 
-    /// <summary>Whether the terminal can show the view at all.</summary>
-    public static bool IsSupported => AnsiConsole.Profile.Capabilities.Ansi;
+    /// <summary>Whether the terminal can move the cursor, which the view needs.</summary>
+    public static bool IsSupported => CanMoveCursor(Console.Out);
 
-    public static int Width => Math.Max(Console.WindowWidth, 1);
+    /// <summary>Columns of the window. Some terminals do not know their size and say 0.</summary>
+    public static int Width => Console.WindowWidth is > 0 and var width ? width : UsualWidth;
 
-    public static int Height => Math.Max(Console.WindowHeight, 1);
+    /// <summary>Lines of the window.</summary>
+    public static int Height => Console.WindowHeight is > 0 and var height ? height : UsualHeight;
 
-    /// <summary>Has the next picture drawn as a whole, because somebody else wrote to the terminal. Any thread.</summary>
+    /// <summary>Whether a terminal knows the sequences that move its cursor. On Windows, this also switches them on.</summary>
+    public static bool CanMoveCursor(TextWriter terminal) => !string.Equals(Environment.GetEnvironmentVariable("TERM"), "dumb", StringComparison.Ordinal)
+        && AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(terminal) }).Profile.Capabilities.Ansi;
+
+    /// <summary>Sends the next picture as a whole, because another program wrote to the terminal. Any thread.</summary>
     public void Invalidate() => _isStale = true;
 
     public void Show(IRenderable view, int width, int height)
@@ -101,11 +110,11 @@ internal sealed class Screen : IDisposable
         }
         catch (IOException)
         {
-            // The terminal is gone; the signal that says so ends the program.
+            // The terminal is gone. The system sends a signal, which ends the program.
         }
     }
 
-    // Every line covers what was there before: erasing first would show for a moment.
+    // Each line covers the old one. Erasing first would flicker.
     private sealed class FullLines(IRenderable view) : Renderable
     {
         protected override IEnumerable<Segment> Render(RenderOptions options, int maxWidth)

@@ -16,7 +16,7 @@ internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsT
 
     private const int StandardOutput = 1;
 
-    /// <summary>Whether a person looks at standard error.</summary>
+    /// <summary>Whether a person looks at standard error, in a terminal that can move its cursor.</summary>
     public bool IsErrorTerminal { get; init; }
 
     /// <summary>Characters in a line of the terminal, as it says itself.</summary>
@@ -24,7 +24,7 @@ internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsT
 
     public static StandardStreams Open() => new(OpenOutput(), Console.Error, IsTerminal: !Console.IsOutputRedirected)
     {
-        IsErrorTerminal = !Console.IsErrorRedirected,
+        IsErrorTerminal = !Console.IsErrorRedirected && Screen.CanMoveCursor(Console.Error),
         Columns = Console.IsOutputRedirected ? 0 : Screen.Width,
     };
 

@@ -3,7 +3,7 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>One line of pieces of text, with some of them at the right edge; what does not fit is cut off, the left part first.</summary>
+/// <summary>One line of text, with some of it at the right edge. Text that does not fit is cut off, on the left part first.</summary>
 internal sealed class StyledLine : Renderable
 {
     private readonly List<Segment> _left = [];
@@ -16,13 +16,25 @@ internal sealed class StyledLine : Renderable
         return this;
     }
 
+    public StyledLine Add(Piece piece)
+    {
+        _left.AddRange(piece.Segments);
+        return this;
+    }
+
     public StyledLine AddRight(string text, Style? style = null)
     {
         _right.Add(new Segment(TerminalText.Clean(text), style ?? Style.Plain));
         return this;
     }
 
-    /// <summary>Adds what means something by its colour alone: left out where there are no colours.</summary>
+    public StyledLine AddRight(Piece piece)
+    {
+        _right.AddRange(piece.Segments);
+        return this;
+    }
+
+    /// <summary>Adds text that means something by its colour alone. A terminal without colours does not show it.</summary>
     public StyledLine AddColouredRight(string text, Style style)
     {
         _colouredRight.Add(new Segment(TerminalText.Clean(text), style));

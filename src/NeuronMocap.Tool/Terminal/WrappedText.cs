@@ -2,11 +2,11 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>Text in lines of a width, for views that have to know how many they are.</summary>
+/// <summary>Breaks text into lines, for views that need to know how many lines there are.</summary>
 internal static class WrappedText
 {
     /// <summary>
-    /// Breaks text between its words. Where there is no room for all lines the first ones are left out: the setting to change stands at the end.
+    /// Breaks text between its words. If there are too many lines, the first ones are left out: the end names the setting to change.
     /// </summary>
     /// <param name="text">One line, fit for a terminal.</param>
     /// <param name="width">Cells of a line, at least 1.</param>

@@ -43,22 +43,21 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
 
     private async Task<int> RunAsync(ServerAddress? server, RecordingPlayer? player, CancellationToken cancelled)
     {
-        string? error = null;
         NeuronReaderOptions readerOptions = options.ToReaderOptions(server);
         await using NeuronReader reader = player is null ? new NeuronReader(readerOptions) : new NeuronReader(player, readerOptions);
         using ExportRun export = ExportRun.Begin(reader, options.Export, options.Frames);
-        StreamRecorder? recorder = options.Recording?.TryStart(reader, out error);
-        if (error is not null)
-            return await FailAsync(error);
+        var takes = new TakeRecorder(reader, options.Recording);
+        if (!takes.TryBegin(out string? error))
+            return await FailAsync(error!);
 
-        MonitorOutput output = CreateOutput(reader, player, recorder);
+        MonitorOutput output = CreateOutput(reader, player, takes);
         Connect(reader, output);
 
         using var duration = new CancellationTokenSource(options.Duration ?? Timeout.InfiniteTimeSpan);
         using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancelled, duration.Token);
         reader.Start();
         Task showing = output.RunAsync(stop.Token);
-        await Task.WhenAny(showing, reader.Completion, _enough.Task, NothingToDoAsync(export, recorder));
+        await Task.WhenAny(showing, reader.Completion, _enough.Task, NothingToDoAsync(export, takes));
         bool asked = !duration.IsCancellationRequested && !reader.Completion.IsCompleted;
         ConnectionStatus status = reader.Status;
 
@@ -70,17 +69,16 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         ReaderStatistics statistics = _enough.Task.IsCompleted ? await _enough.Task : reader.GetStatistics();
         output.Finish(statistics);
         bool isExported = export.TryFinish(streams);
-        if (recorder is not null)
-            await streams.ComplainAsync(RecordingSummary.Describe(recorder));
+        bool isRecorded = await takes.FinishAsync(streams);
         if (output.Failure is { } failure)
             return await FailAsync(FileFault.OfStandardOutput(failure));
-        if (!isExported || recorder is { Failure: not null } or { Completion.IsCompleted: false })
+        if (!isExported || !isRecorded)
             return CommandLine.NothingReceived;
 
         // The lines of --json say it themselves.
         if (options.Output != OutputKind.Json && _failure.DescribeReceiving() is { } doubt)
             await streams.ComplainAsync(doubt);
-        if (asked || statistics.MotionFrames + statistics.CalculationFrames + statistics.StudioCalculationFrames > 0)
+        if (asked || TakeRecorder.CountFrames(statistics) > 0)
             return CommandLine.Done;
 
         return await FailAsync(_failure.Describe(status, statistics));
@@ -92,18 +90,18 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         return CommandLine.NothingReceived;
     }
 
-    private MonitorOutput CreateOutput(NeuronReader reader, RecordingPlayer? player, StreamRecorder? recorder) => options.Output switch
+    private MonitorOutput CreateOutput(NeuronReader reader, RecordingPlayer? player, TakeRecorder takes) => options.Output switch
     {
         OutputKind.Json => new JsonOutput(streams.Output, options.Source),
         OutputKind.Quiet => new QuietOutput(streams.Output),
-        _ when streams.IsTerminal && Screen.IsSupported => new LiveOutput(reader, player, recorder, options, streams.Output),
+        _ when streams.IsTerminal && Screen.IsSupported => new LiveOutput(reader, player, takes, options, streams.Output),
         _ => new LineOutput(reader, streams.Output),
     };
 
     // Who shows nothing, and has no file left to write. What else is shown goes on when a file fails.
-    private Task NothingToDoAsync(ExportRun export, StreamRecorder? recorder)
+    private Task NothingToDoAsync(ExportRun export, TakeRecorder takes)
     {
-        Task?[] files = [export.Broken, recorder is null ? null : ExportRun.WaitForFailureAsync(recorder.Completion, () => recorder.Failure)];
+        Task?[] files = [export.Broken, takes.Broken];
         return options.Output == OutputKind.Quiet && files.OfType<Task>().ToArray() is { Length: > 0 } asked
             ? Task.WhenAll(asked)
             : Task.Delay(Timeout.Infinite);

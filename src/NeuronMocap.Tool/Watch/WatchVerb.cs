@@ -53,8 +53,8 @@ internal sealed class WatchVerb : Verb
     (
         "Keys of the live view",
         [
-            "q quit   space pause   r reset counters   tab next avatar   b next bones   ? help",
-            "of a file, too: . , frame by frame   left, right 5 s back, forward   + - 0 speed",
+            "q quit   r record on and off   space freeze   tab next avatar   b next bones   c clear counters   ? help",
+            "of a file: space pause   . , step   left, right 5 s back, forward   + - 0 speed",
         ]
     );
 

@@ -4,20 +4,20 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>A row for each stream of each avatar, and a line of what the reader counts in all.</summary>
+/// <summary>A row for each stream of each avatar, and the totals of the reader.</summary>
 internal static class AvatarTable
 {
-    /// <summary>Lines besides the rows of avatars: head and totals.</summary>
-    public const int FixedHeight = 2;
-
+    private const int HeadHeight = 1;
+    private const int BorderHeight = 2;
     private const int Gap = 1;
     private const int Small = 72;
+    private const int Usual = 80;
     private const int Wide = 95;
     private const int Widest = 120;
     private const int WidestName = 40;
     private const string Lifted = "·";
 
-    // Their widths are fixed, so that the table stands still while its numbers change. A small screen has room for the essential ones.
+    // The widths are fixed, so that the table stands still while its numbers change. A narrow window shows the essential columns.
     private static readonly Column[] Columns =
     [
         new("stream", 6, 12, Justify.Left),
@@ -26,7 +26,7 @@ internal static class AvatarTable
         new("frames", 10, 12, Justify.Right),
         new("lost", 6, 8, Justify.Right),
         new("gaps", 6, 6, Justify.Right, From: Widest),
-        new("disordered", 6, 11, Justify.Right, From: Small),
+        new("disordered", 10, 11, Justify.Right, From: Usual),
         new("restarts", 8, 8, Justify.Right, From: Widest),
         new("age", 7, 8, Justify.Right),
         new("feet", 4, 5, Justify.Left),
@@ -34,15 +34,58 @@ internal static class AvatarTable
 
     private static readonly TimeSpan Stale = TimeSpan.FromSeconds(1);
 
-    /// <summary>Makes the table.</summary>
+    /// <summary>Lines that it takes.</summary>
     /// <param name="state">What to show.</param>
-    /// <param name="rows">Room for avatars; the last one tells how many are left out, when there are more.</param>
+    /// <param name="width">Columns of the window.</param>
+    /// <param name="rows">Most rows of avatars.</param>
+    /// <param name="framed">Whether it has a border.</param>
+    public static int HeightOf(LiveState state, int width, int rows, bool framed) =>
+        Math.Min(Math.Max(state.Counters.Avatars.Count, 1), rows) + (width < Dashboard.TableWidth ? 0 : HeadHeight) + (framed ? BorderHeight : 0);
+
+    /// <summary>Makes the table. A narrow window has no columns, and one line for each stream.</summary>
+    /// <param name="state">What to show.</param>
+    /// <param name="rows">Room for avatars. The last row tells how many are left out, if there are more.</param>
     /// <param name="width">Columns that it may take.</param>
     public static IRenderable Create(LiveState state, int rows, int width)
     {
-        bool isWide = width >= Wide;
         IReadOnlyList<AvatarStatistics> avatars = state.Counters.Avatars;
         int shown = avatars.Count <= rows ? avatars.Count : Math.Max(rows - 1, 0);
+        AvatarStatistics[] first = [.. WithSelected(state, [.. avatars.OrderBy(static avatar => (uint)avatar.AvatarIndex).ThenBy(static avatar => avatar.Kind)], shown)];
+        StyledLine? rest = shown < avatars.Count ? new StyledLine().Add(Quantity.Format($"  and {avatars.Count - shown} more"), Palette.DimStyle)
+            : avatars.Count == 0 ? new StyledLine().Add("  no avatars yet", Palette.DimStyle)
+            : null;
+        return width < Dashboard.TableWidth
+            ? new Rows([.. first.Select(avatar => MakeLine(state, avatar)), .. rest is null ? Array.Empty<IRenderable>() : [rest]])
+            : MakeTable(state, first, rest, width);
+    }
+
+    /// <summary>The reader's totals.</summary>
+    public static IReadOnlyList<StyledLine> Totals(LiveState state, int width)
+    {
+        ReaderStatistics total = state.Counters.Total;
+        return Piece.Flow(
+            [
+                new Piece($"dropped {Quantity.Count(total.Dropped)}", total.Dropped > 0 ? Palette.WarningStyle : Palette.DimStyle),
+                new Piece($"skipped {Quantity.Bytes(total.SkippedBytes)}", total.SkippedBytes > 0 ? Palette.WarningStyle : Palette.DimStyle),
+                new Piece($"{Quantity.Bytes(state.BytesPerSecond)}/s"),
+            ],
+            [
+                new Piece($"receiving allocates {Quantity.Bytes(state.BytesAllocatedByReceiving)}/s", Palette.DimStyle),
+            ],
+            " · ",
+            width);
+    }
+
+    // The rows from the first one on, unless the selected avatar would not be among them.
+    private static IEnumerable<AvatarStatistics> WithSelected(LiveState state, AvatarStatistics[] avatars, int shown)
+    {
+        int selected = Array.FindIndex(avatars, avatar => IsSelected(state, avatar));
+        return avatars.Skip(Math.Max(selected - shown + 1, 0)).Take(shown);
+    }
+
+    private static Table MakeTable(LiveState state, AvatarStatistics[] avatars, StyledLine? rest, int width)
+    {
+        bool isWide = width >= Wide;
         Column[] columns = [.. Columns.Where(column => width >= column.From)];
         Table table = new Table().Border(TableBorder.None);
         int nameWidth = Math.Min(width - Gap - columns.Sum(column => Gap + column.WidthWhen(isWide)), WidestName);
@@ -50,17 +93,26 @@ internal static class AvatarTable
         foreach (Column column in columns)
             table.AddColumn(MakeColumn(column.TitleWhen(isWide), column.WidthWhen(isWide), column.Alignment));
 
-        foreach (AvatarStatistics avatar in avatars.OrderBy(avatar => (uint)avatar.AvatarIndex).ThenBy(avatar => avatar.Kind).Take(shown))
+        foreach (AvatarStatistics avatar in avatars)
             table.AddRow(MakeRow(state, avatar, width));
-        if (shown < avatars.Count)
-            table.AddRow(new Text(Quantity.Format($"  and {avatars.Count - shown} more"), Palette.DimStyle));
-        else if (avatars.Count == 0)
-            table.AddRow(new Text("  none yet", Palette.DimStyle));
+        if (rest is not null)
+            table.AddRow(rest);
 
-        return new Rows(table, Totals(state));
+        return table;
     }
 
-    public static int CountRows(LiveState state) => Math.Max(state.Counters.Avatars.Count, 1);
+    // "> 0 Demo          60.0 Hz  lost 0  L R"
+    private static StyledLine MakeLine(LiveState state, AvatarStatistics avatar)
+    {
+        bool isStale = avatar.GetAge(state.TakenAt) > Stale;
+        string kind = avatar.Kind == PacketKind.Motion ? string.Empty : $" {NameOf(avatar.Kind, isWide: false)}";
+        return new StyledLine()
+            .Add(NameOf(state, avatar) + kind, IsSelected(state, avatar) ? Palette.StrongStyle : Style.Plain)
+            .AddRight(isStale ? $"no data for {Quantity.Age(avatar.GetAge(state.TakenAt))}" : $"{DescribeRate(avatar)} Hz", isStale ? new Style(Palette.Bad) : Style.Plain)
+            .AddRight($"  lost {Quantity.Count(avatar.Lost)}", avatar.Lost > 0 ? Palette.WarningStyle : Style.Plain)
+            .AddRight("  ")
+            .AddRight(FeetOf(state, avatar));
+    }
 
     private static TableColumn MakeColumn(string title, int width, Justify alignment) => new(new Text(title, Palette.DimStyle))
     {
@@ -76,12 +128,16 @@ internal static class AvatarTable
         .. MakeCells(state, avatar, width >= Wide).Zip(Columns).Where(pair => width >= pair.Second.From).Select(pair => pair.First),
     ];
 
-    private static StyledLine MakeName(LiveState state, AvatarStatistics avatar)
+    private static StyledLine MakeName(LiveState state, AvatarStatistics avatar) =>
+        new StyledLine().Add(NameOf(state, avatar), IsSelected(state, avatar) ? Palette.StrongStyle : Style.Plain);
+
+    private static bool IsSelected(LiveState state, AvatarStatistics avatar) =>
+        avatar.Kind == PacketKind.Motion && avatar.AvatarIndex == state.Selected?.Avatar;
+
+    private static string NameOf(LiveState state, AvatarStatistics avatar)
     {
-        bool isSelected = avatar.Kind == PacketKind.Motion && avatar.AvatarIndex == state.Avatar;
         string sender = avatar.Sender > 0 ? Quantity.Format($" (sender {avatar.Sender})") : string.Empty;
-        string name = Quantity.Format($"{(isSelected ? '>' : ' ')} {(uint)avatar.AvatarIndex} {avatar.AvatarName}{sender}");
-        return new StyledLine().Add(name, isSelected ? Palette.StrongStyle : Style.Plain);
+        return Quantity.Format($"{(IsSelected(state, avatar) ? '>' : ' ')} {(uint)avatar.AvatarIndex} {avatar.AvatarName}{sender}");
     }
 
     // One for each of the columns.
@@ -100,7 +156,7 @@ internal static class AvatarTable
             Alarm(avatar.Disordered),
             new Text(Quantity.Count(avatar.Restarts)),
             new Text(Quantity.Age(age), isStale ? new Style(Palette.Bad) : Style.Plain),
-            DescribeFeet(state, avatar),
+            new StyledLine().Add(FeetOf(state, avatar)),
         ];
     }
 
@@ -117,36 +173,23 @@ internal static class AvatarTable
 
     private static Text Alarm(long count) => new(Quantity.Count(count), count > 0 ? new Style(Palette.Warning) : Style.Plain);
 
-    // Calculation data says it; motion is drawn of one avatar only, and estimated for that one.
-    private static IRenderable DescribeFeet(LiveState state, AvatarStatistics avatar) => avatar.Kind switch
+    // Calculation data has the contacts. Those of motion data are estimated.
+    private static Piece FeetOf(LiveState state, AvatarStatistics avatar) => avatar.Kind switch
     {
         PacketKind.Calculation => Feet(state.GetContacts(avatar.AvatarIndex)),
-        PacketKind.Motion when avatar.AvatarIndex == state.Avatar => Feet(state.EstimatedContacts),
-        _ => Text.Empty,
+        PacketKind.Motion => Feet(state.Views.FirstOrDefault(view => view.Avatar == avatar.AvatarIndex)?.Contacts),
+        _ => new Piece("   "),
     };
 
-    private static Paragraph Feet(FootContacts? contacts)
+    private static Piece Feet(FootContacts? contacts)
     {
         if (contacts is not { } feet)
-            return new Paragraph("-");
+            return new Piece("-  ");
 
-        // Letters, and not colours alone: NO_COLOR switches those off.
-        return new Paragraph()
-            .Append(feet.Left ? "L" : Lifted, feet.Left ? new Style(Color.Black, Palette.Left) : Palette.DimStyle)
-            .Append(" ")
-            .Append(feet.Right ? "R" : Lifted, feet.Right ? new Style(Color.Black, Palette.Right) : Palette.DimStyle);
-    }
-
-    private static StyledLine Totals(LiveState state)
-    {
-        ReaderStatistics total = state.Counters.Total;
-        return new StyledLine()
-            .Add($"dropped {Quantity.Count(total.Dropped)}", total.Dropped > 0 ? new Style(Palette.Warning) : Palette.DimStyle)
-            .Add(" · ", Palette.DimStyle)
-            .Add($"skipped {Quantity.Bytes(total.SkippedBytes)}", total.SkippedBytes > 0 ? new Style(Palette.Warning) : Palette.DimStyle)
-            .Add(" · ", Palette.DimStyle)
-            .Add($"{Quantity.Bytes(state.BytesPerSecond)}/s")
-            .AddRight($"receiving allocates {Quantity.Bytes(state.BytesAllocatedByReceiving)}/s", Palette.DimStyle);
+        // Letters, and not only colours: NO_COLOR switches those off, and not everyone can tell them apart.
+        return new Piece(feet.Left ? "L" : Lifted, feet.Left ? new Style(Color.Black, Palette.Left) : Palette.DimStyle)
+            .Add(" ")
+            .Add(feet.Right ? "R" : Lifted, feet.Right ? new Style(Color.Black, Palette.Right) : Palette.DimStyle);
     }
 
     private readonly record struct Column(string Title, int Narrow, int Wide, Justify Alignment, int From = 0)

@@ -5,7 +5,7 @@ namespace NeuronMocap.Tool.Watch.Live;
 /// <summary>A page of the bone table.</summary>
 internal readonly record struct BonePage(string Title, IReadOnlyList<Bone> Bones);
 
-/// <summary>Which bones the table shows together.</summary>
+/// <summary>The bones that the table shows together.</summary>
 internal static class BoneSets
 {
     private static readonly BonePage[] LongSets =
@@ -26,14 +26,19 @@ internal static class BoneSets
         new("left hand", Range(Bone.LeftHand, Bone.LeftHandPinky3)),
     ];
 
-    /// <summary>Finds a page; a set with more bones than there are rows takes several.</summary>
-    /// <param name="page">Counted from 0, round and round.</param>
+    /// <summary>Finds a page. A set with more bones than there are rows takes several pages.</summary>
+    /// <param name="page">Counted from 0, round and round, also below 0.</param>
     /// <param name="rows">Rows of a page, at least 1.</param>
-    public static BonePage GetPage(int page, int rows)
+    /// <returns>The page. After the last one comes null: no table.</returns>
+    public static BonePage? GetPage(int page, int rows)
     {
         BonePage[] sets = rows >= CalculationOrder.BodyBoneCount ? LongSets : ShortSets;
         BonePage[] pages = [.. sets.SelectMany(set => Split(set, Math.Max(rows, 1)))];
-        int index = page % pages.Length;
+        int count = pages.Length + 1;
+        int index = ((page % count) + count) % count;
+        if (index == pages.Length)
+            return null;
+
         return pages[index] with { Title = $"{pages[index].Title} ({index + 1}/{pages.Length})" };
     }
 

@@ -5,7 +5,7 @@ using Spectre.Console;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>Numbers of a page of bones: where they are in the world, and their rotation as the stream has it.</summary>
+/// <summary>A page of bones in numbers: their positions in the world, and their rotations as they are in the stream.</summary>
 internal sealed class BoneTable
 {
     public const int HeadHeight = 1;
@@ -29,7 +29,7 @@ internal sealed class BoneTable
         _nameWidth = bones.Max(bone => NameOf(bone).Length);
     }
 
-    /// <summary>Columns that it takes. It depends on the bones only, not on the numbers: the skeleton beside it stands still.</summary>
+    /// <summary>Columns that it takes. The numbers do not change it, so that the skeleton beside it stands still.</summary>
     public int Width => _nameWidth + Gap + (3 * (PositionWidth + Gap)) + (3 * (AngleWidth + Gap));
 
     private int PositionWidth => _isWide ? 8 : 6;
@@ -72,7 +72,7 @@ internal sealed class BoneTable
         ];
     }
 
-    // Colours tell left from right, so that little is lost.
+    // L. and R. stand for Left and Right.
     private string NameOf(Bone bone)
     {
         string name = BoneHierarchy.GetName(bone, _pose.Format.Variant);
@@ -84,6 +84,6 @@ internal sealed class BoneTable
         };
     }
 
-    // Ten metres and more are shown without decimals: the column stays as narrow as it is.
+    // From ten metres on there are no decimals, so that the column keeps its width.
     private static Text Number(float value, int decimals) => new(Quantity.Fixed(value, Math.Abs(value) < 999.9f ? decimals : 0));
 }

@@ -5,8 +5,8 @@ using Spectre.Console.Rendering;
 namespace NeuronMocap.Tool.Watch.Live;
 
 /// <summary>
-/// A drawing of dots, two wide and four high in each character cell, which makes them about square in most terminals. A cell has one
-/// colour: that of what was drawn last.
+/// A drawing of dots. A character cell holds 2 by 4 of them, which makes them about square in most terminals. A cell has one colour, the last
+/// that was drawn in it.
 /// </summary>
 internal sealed class BrailleCanvas : Renderable
 {
@@ -35,6 +35,12 @@ internal sealed class BrailleCanvas : Renderable
 
     public int Height => Rows * DotsPerRow;
 
+    /// <summary>The column of a dot.</summary>
+    public static int ColumnOf(float x) => Round(x) / DotsPerColumn;
+
+    /// <summary>The row of a dot.</summary>
+    public static int RowOf(float y) => Round(y) / DotsPerRow;
+
     /// <summary>Sets a dot; one outside the canvas is left out.</summary>
     /// <param name="x">From the left.</param>
     /// <param name="y">From the top.</param>
@@ -57,7 +63,7 @@ internal sealed class BrailleCanvas : Renderable
         if (!float.IsFinite(longest))
             return;
 
-        // What is far outside shall not cost time: a broken pose may have any size.
+        // A broken pose may have any size. Dots far outside must not cost time.
         int steps = (int)Math.Min(MathF.Ceiling(longest), 4 * (Width + Height));
         for (int i = 0; i <= steps; i++)
         {
@@ -125,6 +131,6 @@ internal sealed class BrailleCanvas : Renderable
 
     private static int Round(float value) => (int)Math.Clamp(MathF.Round(value), -1_000_000, 1_000_000);
 
-    // Unicode numbers the dots down the left column, down the right one, and the lowest two last.
+    // Unicode numbers the dots down the left column, then down the right one, and the lowest two last.
     private static int DotBit(int x, int y) => y == 3 ? 0x40 << x : 1 << (y + (3 * x));
 }

@@ -1,45 +1,125 @@
-using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Terminal;
 using Spectre.Console;
 using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>Puts the views together for a size of the terminal: bare at 80 x 24, framed when there is room.</summary>
+/// <summary>
+/// Puts the views together for the size of the window. What explains is never cut: it is wrapped, and a view that has no room is left out as a
+/// whole, the least important one first.
+/// </summary>
 internal static class Dashboard
 {
-    public const int SmallestWidth = 60;
-    public const int SmallestHeight = 16;
+    /// <summary>The narrowest window with a table of bones, and with whole columns for the avatars.</summary>
+    public const int TableWidth = 60;
 
     private const int FramedWidth = 100;
     private const int FramedHeight = 32;
     private const int WideWidth = 150;
     private const int FooterHeight = 1;
+    private const int BorderHeight = 2;
+    private const int BorderWidth = 4;
+    private const int ShortestBody = 5;
 
-    private static readonly (string Key, string Action)[] Keys =
-        [("q", "quit"), ("space", "pause"), ("r", "reset"), ("tab", "avatar"), ("b", "bones"), ("?", "help")];
+    // Lines that the drawing keeps before something else is shown beside it.
+    private const int BodyBesideTotals = 7;
+    private const int BodyBesideDetails = 9;
+    private const int BodyBesideEvents = 11;
 
     public static IRenderable Create(LiveState state, int width, int height)
     {
-        if (width < SmallestWidth || height < SmallestHeight)
-            return CompactView.Create(state, width, height);
+        IReadOnlyList<StyledLine> head = HeaderView.Essentials(state, width);
+        int room = height - head.Count - FooterHeight;
+        if (room < 1)
+            return new Rows(head.Take(height));
 
-        bool framed = width >= FramedWidth && height >= FramedHeight;
-        int border = framed ? 2 : 0;
-        int avatarRows = Math.Min(AvatarTable.CountRows(state), Math.Max(2, height / 6));
-        int avatarHeight = avatarRows + AvatarTable.FixedHeight + border;
-        int eventRows = framed ? Math.Max(3, height / 8) : height >= 30 ? 4 : 2;
-        int headerHeight = HeaderView.HeightOf(state, width);
-        int bodyHeight = height - headerHeight - avatarHeight - eventRows - border - FooterHeight;
-        return new Layout().SplitRows(
-            Fixed(HeaderView.Create(state, width), headerHeight),
-            Fixed(Frame("avatars", AvatarTable.Create(state, avatarRows, framed ? width - 4 : width), framed), avatarHeight),
-            CreateBody(state, width, bodyHeight, framed),
-            Fixed(Frame("events", CreateEvents(state.Events, eventRows), framed), eventRows + border),
-            Fixed(CreateFooter(isPlayback: state.Player is not null), FooterHeight));
+        List<Layout> parts = [Lines(head)];
+        if (state.HelpPage is { } page)
+            parts.Add(Fixed(HelpView.Create(state.Player is not null, page, width, room), room));
+        else if (ProblemView.FindInPlaceOfSkeleton(state) is { } problem)
+            parts.AddRange(CreateProblem(problem, state, width, height, room));
+        else
+            parts.AddRange(CreateStream(state, width, height, room));
+
+        parts.Add(Fixed(Footer.Create(state, width), FooterHeight));
+        return new Layout().SplitRows([.. parts]);
     }
 
+    /// <summary>How many pages the help has in this window.</summary>
+    public static int CountHelpPages(LiveState state, int width, int height) => HelpView.CountPages(
+        state.Player is not null, width, height - HeaderView.Essentials(state, width).Count - FooterHeight);
+
+    // The reason first; the figures that were there stay, as far as there is room.
+    private static IEnumerable<Layout> CreateProblem(Problem problem, LiveState state, int width, int height, int room)
+    {
+        int body = ProblemView.HeightOf(problem, state, width);
+        bool framed = IsFramed(width, height);
+        var after = new List<Layout>();
+        int rest = room - Math.Min(body, room);
+        int avatars = state.Counters.Avatars.Count == 0 ? 0 : AvatarTable.HeightOf(state, width, RowsOf(height), framed);
+        if (avatars > 0 && avatars <= rest)
+        {
+            after.Add(Avatars(state, width, RowsOf(height), framed));
+            rest -= avatars;
+        }
+
+        // The box has empty lines around it, before it has events below it.
+        int events = Math.Min(EventRows(height, framed), rest - ProblemView.SpaceAround - (framed ? BorderHeight : 0));
+        if (events > 0)
+        {
+            after.Add(Events(state, width, events, framed));
+            rest -= events + (framed ? BorderHeight : 0);
+        }
+
+        int space = Math.Min(body, room) + rest;
+        return [Fixed(ProblemView.Create(problem, state, width, space), space), .. after];
+    }
+
+    private static List<Layout> CreateStream(LiveState state, int width, int height, int room)
+    {
+        bool framed = IsFramed(width, height);
+        int rows = Math.Min(RowsOf(height), Math.Max(room - ShortestBody, 1));
+        int body = room - AvatarTable.HeightOf(state, width, rows, framed);
+        IReadOnlyList<StyledLine> totals = Grant(AvatarTable.Totals(state, framed ? width - BorderWidth : width), BodyBesideTotals, ref body);
+        IReadOnlyList<StyledLine> sentence = Grant(HeaderView.Sentence(state, width), BodyBesideDetails, ref body);
+        IReadOnlyList<StyledLine> stream = Grant(HeaderView.Stream(state, width), BodyBesideDetails, ref body);
+        int border = framed ? BorderHeight : 0;
+        int events = Math.Min(EventRows(height, framed), body - BodyBesideEvents - border);
+        if (events > 0)
+            body -= events + border;
+
+        var parts = new List<Layout>();
+        if (sentence.Count + stream.Count > 0)
+            parts.Add(Lines([.. sentence, .. stream]));
+
+        parts.Add(Avatars(state, width, rows, framed, totals));
+        if (body > 0)
+            parts.Add(CreateBody(state, width, body, framed));
+        if (events > 0)
+            parts.Add(Events(state, width, events, framed));
+
+        return parts;
+    }
+
+    // Lines are shown when the drawing keeps enough of its own.
+    private static IReadOnlyList<StyledLine> Grant(IReadOnlyList<StyledLine> lines, int least, ref int body)
+    {
+        if (body - lines.Count < least)
+            return [];
+
+        body -= lines.Count;
+        return lines;
+    }
+
+    private static bool IsFramed(int width, int height) => width >= FramedWidth && height >= FramedHeight;
+
+    private static int RowsOf(int height) => Math.Max(2, height / 6);
+
+    private static int EventRows(int height, bool framed) => framed ? Math.Max(3, height / 8) : height >= 30 ? 4 : 2;
+
     private static Layout Fixed(IRenderable content, int height) => new Layout(content).Size(height);
+
+    private static Layout Lines(IReadOnlyList<StyledLine> lines) => Fixed(new Rows(lines), lines.Count);
 
     private static IRenderable Frame(string title, IRenderable content, bool framed)
     {
@@ -51,58 +131,34 @@ internal static class Dashboard
         return panel;
     }
 
+    private static Layout Avatars(LiveState state, int width, int rows, bool framed, IReadOnlyList<StyledLine>? totals = null)
+    {
+        IRenderable table = AvatarTable.Create(state, rows, framed ? width - BorderWidth : width);
+        return Fixed(
+            Frame("avatars", new Rows([table, .. totals ?? []]), framed), AvatarTable.HeightOf(state, width, rows, framed) + (totals?.Count ?? 0));
+    }
+
+    private static Layout Events(LiveState state, int width, int rows, bool framed) => Fixed(
+        Frame("events", new Rows(EventList.Create(state.Events, framed ? width - BorderWidth : width, rows)), framed), rows + (framed ? BorderHeight : 0));
+
     private static Layout CreateBody(LiveState state, int width, int height, bool framed)
     {
-        if (state.ShowsHelp)
-            return Fixed(Frame("help", HelpView.Create(state.Player is not null), framed), height);
-        if (state.Pose is not { HasSkeleton: true } pose || state.Status.State != ConnectionState.Receiving)
-            return Fixed(ProblemView.Create(ProblemView.Find(state) ?? default, state, width, height), height);
+        int inner = height - (framed ? BorderHeight : 0);
+        int border = framed ? BorderWidth : 0;
+        BonePage? page = width < TableWidth ? null : BoneSets.GetPage(state.BonePage, inner - BoneTable.HeadHeight - (framed ? 0 : 1));
+        if (page is not { } bones || state.Pose is not { HasSkeleton: true } pose)
+            return Fixed(Frame("skeleton", SkeletonPanel.Create(state, width - border, inner), framed), height);
 
-        int inner = height - (framed ? 2 : 0);
-        BonePage page = BoneSets.GetPage(state.BonePage, inner - BoneTable.HeadHeight - (framed ? 0 : 1));
-        var boneTable = new BoneTable(pose, page.Bones, isWide: width >= WideWidth);
-        int tableSpace = boneTable.Width + (framed ? 4 : 0);
-        int drawingWidth = width - tableSpace - (framed ? 4 : 1);
+        var boneTable = new BoneTable(pose, bones.Bones, isWide: width >= WideWidth);
+        int tableSpace = boneTable.Width + border;
+        int drawingWidth = width - tableSpace - (framed ? BorderWidth : 1);
+        string title = state.Views.Count > 1 ? Quantity.Format($"bones of {state.Selected?.Avatar}: {bones.Title}") : $"bones: {bones.Title}";
         IRenderable table = boneTable.Create();
         if (!framed)
-            table = new Rows(new StyledLine().Add($"bones: {page.Title}", Palette.DimStyle), table);
+            table = new Rows(new StyledLine().Add(title, Palette.DimStyle), table);
 
         return Fixed(Text.Empty, height).SplitColumns(
-            new Layout(Frame("skeleton", CreateDrawing(state, pose, drawingWidth, inner), framed)),
-            new Layout(Frame($"bones: {page.Title}", table, framed)).Size(tableSpace));
-    }
-
-    private static Columns CreateDrawing(LiveState state, Pose pose, int width, int height)
-    {
-        int half = (width - 1) / 2;
-        return new Columns(
-            SkeletonView.Draw(pose, Viewpoint.Front, state.Scale, half, height),
-            SkeletonView.Draw(pose, Viewpoint.Side, state.Scale, half, height))
-        {
-            Expand = false,
-            Padding = new Padding(0, 0, 1, 0),
-        };
-    }
-
-    private static Rows CreateEvents(EventLog log, int rows)
-    {
-        IEnumerable<IRenderable> lines = log.Newest(rows).Select(entry => new StyledLine()
-            .Add($"{entry.Time:HH:mm:ss} ", Palette.DimStyle)
-            .Add("● ", new Style(entry.Color))
-            .Add(entry.Count > 1 ? $"{entry.Count} times: " : string.Empty)
-            .Add(entry.Text, Palette.DimStyle));
-        return new Rows(lines);
-    }
-
-    /// <summary>The keys, and what each does in a word.</summary>
-    public static IEnumerable<(string Key, string Action)> KeysOf(bool isPlayback) => isPlayback ? [Keys[0], .. PlaybackKeys.Hints, .. Keys[2..]] : Keys;
-
-    private static StyledLine CreateFooter(bool isPlayback)
-    {
-        var line = new StyledLine();
-        foreach ((string key, string action) in KeysOf(isPlayback))
-            line.Add(key, Palette.StrongStyle).Add($" {action}   ", Palette.DimStyle);
-
-        return line.AddColouredRight("■ left ", new Style(Palette.Left)).AddColouredRight("■ right", new Style(Palette.Right));
+            new Layout(Frame("skeleton", SkeletonPanel.Create(state, drawingWidth, inner), framed)),
+            new Layout(Frame(title, table, framed)).Size(tableSpace));
     }
 }

@@ -4,10 +4,10 @@ using Spectre.Console;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>A change of the connection's state or a file that failed, and how often it came in a row.</summary>
+/// <summary>A change of the connection's state, a file that failed or what a key did, and how often it came in a row.</summary>
 internal readonly record struct LoggedEvent(DateTime Time, string Text, Color Color, int Count);
 
-/// <summary>The last changes of the connection's state, and the files that failed. Any thread.</summary>
+/// <summary>The last events. Any thread.</summary>
 internal sealed class EventLog
 {
     private const int Capacity = 100;
@@ -17,7 +17,7 @@ internal sealed class EventLog
 
     public void Add(DateTime time, ConnectionStatus status)
     {
-        // One attempt after the other would push out everything else.
+        // Repeated attempts would push out everything else.
         if (status is { State: ConnectionState.Connecting, Attempt: > 1 })
             return;
 
@@ -25,6 +25,9 @@ internal sealed class EventLog
     }
 
     public void Add(DateTime time, FileFailure failure) => Add(time, failure.Text, Palette.Bad);
+
+    /// <summary>Adds what a key did.</summary>
+    public void Add(DateTime time, string text) => Add(time, TerminalText.Clean(text), Palette.Middle);
 
     private void Add(DateTime time, string text, Color color)
     {

@@ -4,23 +4,57 @@ using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Terminal;
 using Spectre.Console;
-using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>Where from, in which state and since when, why, and what kind of stream.</summary>
+/// <summary>The lines at the top, the most important first: state, source, recording, what is wrong, and the kind of stream.</summary>
 internal static class HeaderView
 {
-    // Besides the reason, which has one line, and more where a file failed, or the skeleton is shown and something is wrong all the same.
-    private const int OtherLines = 2;
-    private const int MostReasonLines = 3;
+    private const string Gap = "  ";
 
-    /// <summary>Lines that it takes.</summary>
-    public static int HeightOf(LiveState state, int width) => OtherLines + Reason(state, width).Count;
+    private static readonly Style RecordingStyle = new(Palette.Bad, decoration: Decoration.Bold);
 
-    public static IRenderable Create(LiveState state, int width) => new Rows([Connection(state), .. Reason(state, width), Stream(state)]);
+    /// <summary>What every window shows: the state, the source, the recording, and files that failed.</summary>
+    public static IReadOnlyList<StyledLine> Essentials(LiveState state, int width)
+    {
+        ConnectionStatus status = state.Status;
+        TimeSpan since = Stopwatch.GetElapsedTime(status.Timestamp, state.Now);
+        string time = (DateTime.Now - since).ToString("HH:mm:ss", provider: null);
+        IReadOnlyList<StyledLine> lines = Piece.Flow(
+            [.. Connection(state), .. Recording(state)],
+            [new Piece($"since {time} ({Quantity.Duration(since)})", Palette.DimStyle), new Piece($"up {state.Uptime:hh\\:mm\\:ss}", Palette.DimStyle)],
+            Gap,
+            width);
+        return [.. lines, .. Alarms(state, width)];
+    }
 
-    /// <summary>"next attempt in 2.1 s", or nothing.</summary>
+    /// <summary>What the status says while frames arrive, and nothing is wrong with them.</summary>
+    public static IReadOnlyList<StyledLine> Sentence(LiveState state, int width) =>
+        state.Status is { State: ConnectionState.Receiving, Reason: ConnectionReason.None } ? Wrap(state.Status.Describe(), width, Palette.DimStyle) : [];
+
+    /// <summary>The kind of the stream.</summary>
+    public static IReadOnlyList<StyledLine> Stream(LiveState state, int width)
+    {
+        if (state.Pose is not { } pose)
+            return [];
+
+        MotionHeader header = pose.Header;
+        string version = header.Version == DataVersion.None ? "text" : $"{header.Version} {(header.Layout == HeaderLayout.New ? "NEW" : "OLD")}";
+        List<Piece> pieces =
+        [
+            new Piece("stream ", Palette.DimStyle).Add(version),
+            new Piece($"{header.ValueCount} values"),
+            new Piece($"displacement {OnOff(header.HasDisplacement)}", Palette.DimStyle),
+            new Piece($"reference {OnOff(header.HasReference)}", Palette.DimStyle),
+            new Piece(DescribeOrder(state, pose), Palette.DimStyle),
+        ];
+        if (header.Timecode is { } timecode)
+            pieces.Add(new Piece($"timecode {timecode}"));
+
+        return Piece.Flow(pieces, " · ", width);
+    }
+
+    /// <summary>"attempt 2 failed, next in 2.1 s", or nothing.</summary>
     public static string DescribeRetry(ConnectionStatus status, long now)
     {
         if (status.RetryIn is not { } delay)
@@ -30,97 +64,63 @@ internal static class HeaderView
         return Quantity.Format($"attempt {status.Attempt} failed, next in {Math.Max(left.TotalSeconds, 0):0.0} s");
     }
 
-    private static StyledLine Connection(LiveState state)
+    private static IEnumerable<Piece> Connection(LiveState state)
     {
-        ConnectionStatus status = state.Status;
-        TimeSpan since = Stopwatch.GetElapsedTime(status.Timestamp, state.Now);
-        string time = (DateTime.Now - since).ToString("HH:mm:ss", provider: null);
-        var line = new StyledLine()
-            .Add($" {status.State.ToString().ToUpperInvariant()} ", new Style(Color.Black, Palette.Of(status.State), Decoration.Bold))
-            .Add(" ")
-            .Add(DescribeSource(state), Palette.StrongStyle)
-            .Add($"  since {time} ({Quantity.Duration(since)})", Palette.DimStyle);
+        yield return Badge(state.Status.State.ToString().ToUpperInvariant(), Palette.Of(state.Status.State));
+        foreach (string words in DescribeSource(state))
+            yield return new Piece(words, Palette.StrongStyle);
+
         if (state.IsPaused)
-            line.AddRight(" PAUSED ", new Style(Color.Black, Palette.Warning, Decoration.Bold)).AddRight(" ");
-
-        AddRecording(line, state.Recorder);
-        return line.AddRight($"up {state.Uptime:hh\\:mm\\:ss}", Palette.DimStyle);
+            yield return Badge("PAUSED", Palette.Warning);
     }
 
-    // " REC 12.3 MB ", and what is missing; red when it is over.
-    private static void AddRecording(StyledLine line, StreamRecorder? recorder)
-    {
-        if (recorder is null)
-            return;
-
-        RecordingStatistics statistics = recorder.GetStatistics();
-        if (recorder.Failure is not null)
-            line.AddRight(" RECORDING FAILED ", new Style(Color.Black, Palette.Bad, Decoration.Bold));
-        else
-            line.AddRight($"● REC {Quantity.Bytes(statistics.Bytes)}", new Style(Palette.Bad, decoration: Decoration.Bold));
-        if (statistics.LostBytes > 0)
-            line.AddRight($" {Quantity.Bytes(statistics.LostBytes)} lost", new Style(Palette.Warning));
-
-        line.AddRight("  ");
-    }
-
-    /// <summary>What is received from, in a few words.</summary>
-    public static string DescribeSource(LiveState state)
+    private static IEnumerable<string> DescribeSource(LiveState state)
     {
         if (state.Player is { } player)
-            return $"{TerminalText.Clean(player.FileName)}  {PlaybackKeys.Describe(player)}";
+            return [player.FileName, PlaybackKeys.Describe(player)];
         if (state.Options.UdpPort is { } port)
-            return state.Status.ReceiveBufferSize is { } buffer ? $"UDP port {port}, buffer {Quantity.Memory(buffer)}" : $"UDP port {port}";
+            return state.Status.ReceiveBufferSize is { } buffer ? [$"UDP port {port}", $"receive buffer {Quantity.Memory(buffer)}"] : [$"UDP port {port}"];
 
-        return state.Options.Server is { } server ? $"TCP {server}" : $"TCP {state.Status.RemoteEndPoint?.ToString() ?? "loopback"} (demo)";
+        return [state.Options.Server is { } server ? $"TCP {server}" : $"TCP {state.Status.RemoteEndPoint?.ToString() ?? "loopback"} (demo)"];
     }
 
-    // A file that is not written any more must not be found out at the end.
-    private static IReadOnlyList<StyledLine> Reason(LiveState state, int width) =>
-    [
-        .. state.FileFailures.SelectMany(failure => Wrap(failure.Text, width, new Style(Palette.Bad, decoration: Decoration.Bold))),
-        .. StatusLines(state, width),
-    ];
-
-    private static IReadOnlyList<StyledLine> StatusLines(LiveState state, int width)
+    private static IEnumerable<Piece> Recording(LiveState state)
     {
-        ConnectionStatus status = state.Status;
-        if (status.State != ConnectionState.Receiving)
+        if (state.Takes is not { Current: { } take } takes)
+            yield break;
+
+        RecordingStatistics statistics = take.Recorder.GetStatistics();
+        yield return new Piece(
+            Quantity.Format($"● REC {Quantity.Duration(statistics.Duration)}, {take.CountFrames(takes.FramesArrived):#,0} frames, {Quantity.Bytes(statistics.Bytes)}"),
+            RecordingStyle);
+        yield return new Piece($"to {take.Recorder.CurrentPath}", Palette.DimStyle);
+        if (statistics.LostBytes > 0)
+            yield return new Piece($"{Quantity.Bytes(statistics.LostBytes)} lost: the disk is too slow", Palette.WarningStyle);
+    }
+
+    // A file that failed must not come as a surprise at the end.
+    private static IEnumerable<StyledLine> Alarms(LiveState state, int width)
+    {
+        foreach (FileFailure failure in state.FileFailures)
         {
-            return
-            [
-                new StyledLine().Add(status.Describe(), new Style(Palette.Of(status.State)))
-                    .AddRight(DescribeRetry(status, state.Now), new Style(Palette.Warning)),
-            ];
+            foreach (StyledLine line in Wrap(failure.Alarm, width, RecordingStyle))
+                yield return line;
         }
 
-        if (status.Reason == ConnectionReason.None)
-            return [new StyledLine().Add(status.Describe(), Palette.DimStyle)];
+        foreach (StyledLine line in state.Notice is { } notice ? Wrap(notice, width, Palette.StrongStyle) : [])
+            yield return line;
 
-        return Wrap(status.Describe(), width, new Style(Palette.Warning));
+        bool isDoubtful = state.Status is { State: ConnectionState.Receiving, Reason: not ConnectionReason.None };
+        foreach (StyledLine line in isDoubtful ? Wrap(state.Status.Describe(), width, Palette.WarningStyle) : [])
+            yield return line;
     }
+
+    private static Piece Badge(string text, Color color) => new($" {text} ", new Style(Color.Black, color, Decoration.Bold));
 
     private static IReadOnlyList<StyledLine> Wrap(string text, int width, Style style) =>
-        [.. WrappedText.Break(text, width, MostReasonLines).Select(line => new StyledLine().Add(line, style))];
+        [.. WrappedText.Break(TerminalText.Clean(text), width, int.MaxValue).Select(line => new StyledLine().Add(line, style))];
 
-    private static StyledLine Stream(LiveState state)
-    {
-        if (state.Pose is not { } pose)
-            return new StyledLine().Add("stream: no motion frame yet", Palette.DimStyle);
-
-        MotionHeader header = pose.Header;
-        string version = header.Version == DataVersion.None ? "text" : $"{header.Version} {(header.Layout == HeaderLayout.New ? "NEW" : "OLD")}";
-        StyledLine line = new StyledLine()
-            .Add("stream ", Palette.DimStyle)
-            .Add(version)
-            .Add(" · ", Palette.DimStyle)
-            .Add($"{header.ValueCount} values")
-            .Add($" · displacement {OnOff(header.HasDisplacement)} · reference {OnOff(header.HasReference)}", Palette.DimStyle)
-            .Add($" · {DescribeOrder(state, pose)}", Palette.DimStyle);
-        return header.Timecode is { } timecode ? line.AddRight($"timecode {timecode}") : line;
-    }
-
-    // Axis Studio's stream says its order; a wrong guess is what makes a body fold up. Where others may say it, the status tells whether they did.
+    // A stream of Axis Studio says its order. A wrong guess makes the body fold up. Where the command channel may say it, the status tells whether it did.
     private static string DescribeOrder(LiveState state, Pose pose)
     {
         RotationOrder order = pose.Format.RotationOrder;

@@ -5,35 +5,87 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>The keys, and what the words of the view mean.</summary>
+/// <summary>The keys, and what the words of the view mean. In a small window they take several pages.</summary>
 internal static class HelpView
 {
-    private static readonly (string Name, string Meaning)[] Entries =
+    private const int WidestText = 100;
+    private const int NameWidth = 12;
+
+    private static readonly (string Name, string Meaning)[] CommonKeys =
     [
         ("q", "quit"),
-        ("space", "pause the figures and the skeleton; frames still arrive"),
-        ("r", "reset the counters and the scale of the drawing"),
-        ("tab", "draw the next avatar"),
-        ("b", "next bones in the table"),
-        ("Hz", "frames per second; 30.0/2: the server sends every second frame (frequency reducing)"),
-        ("jitter", "standard deviation of the time between frames"),
-        ("lost, gaps", "frames that the server sent and that did not arrive, and rows of them"),
-        ("disordered", "frames that came twice or after a later one"),
-        ("restarts", "times that the server began to count frames anew"),
-        ("age", "time since the newest frame"),
-        ("dropped", "frames that found a queue of this program full"),
-        ("skipped", "bytes that belong to no packet"),
-        ("feet", "L, R: this foot stands on the ground; a dot: it does not; -: not known"),
-        ("ground", "the line at y = 0, with a mark every 50 cm"),
+        ("?", "next page of this help; esc closes it"),
     ];
 
-    public static IRenderable Create(bool isPlayback)
-    {
-        Grid grid = new Grid().AddColumn().AddColumn();
-        (string Name, string Meaning)[] entries = isPlayback ? [.. PlaybackKeys.Entries, .. Entries.Where(static entry => !entry.Name.Equals("space", StringComparison.Ordinal))] : Entries;
-        foreach ((string name, string meaning) in entries)
-            grid.AddRow(new Text(name, Palette.StrongStyle), new Text(meaning).Ellipsis());
+    private static readonly (string Name, string Meaning)[] LiveKeys =
+    [
+        ("r", "start or stop a recording. It never replaces a file"),
+        ("space", "freeze or resume the figures and the skeleton; frames still arrive, and a recording goes on"),
+    ];
 
-        return Align.Center(grid, VerticalAlignment.Middle);
+    private static readonly (string Name, string Meaning)[] Rest =
+    [
+        ("tab", "select the next avatar"),
+        ("b  B", "next or previous bones in the table, or no table"),
+        ("c", "clear the counters and the scale of the drawing"),
+        ("Hz", "frames per second. 30.0/2: the server sends every second frame"),
+        ("jitter", "standard deviation of the time between two frames"),
+        ("lost", "frames that the server sent and that did not arrive"),
+        ("gaps", "rows of lost frames"),
+        ("disordered", "frames that came twice, or after a later one"),
+        ("restarts", "how often the server began to count its frames anew"),
+        ("age", "time since the newest frame arrived"),
+        ("latency", "not shown: a frame does not say when it was sent, so the time in transit cannot be known"),
+        ("feet", "L and R: the left or right foot is on the ground. ·: it is not. -: not known"),
+        ("dropped", "frames that found a queue of this program full"),
+        ("skipped", "bytes that are part of no packet"),
+        ("buffer", "datagrams that the system keeps until this program reads them. 4 MiB are asked for; 'diagnose' says how to get more"),
+        ("allocates", "memory that receiving takes. The drawing has a thread of its own, which is not counted"),
+        ("front, side", "the drawing as seen from +Z, and from -X"),
+        ("ground", "the line at y = 0, with a mark every 50 cm, and L and R below the feet that stand on it"),
+    ];
+
+    /// <summary>Shows a page.</summary>
+    /// <param name="isPlayback">Whether a file is played.</param>
+    /// <param name="page">The page, from 0.</param>
+    /// <param name="width">Columns that there are.</param>
+    /// <param name="height">Lines that there are, at least 2.</param>
+    public static IRenderable Create(bool isPlayback, int page, int width, int height)
+    {
+        IRenderable[][] pages = [.. Pages(isPlayback, Math.Min(width, WidestText), Math.Max(height - 1, 1))];
+        int shown = Math.Min(page, pages.Length - 1);
+        string number = pages.Length > 1 ? Quantity.Format($" ({shown + 1}/{pages.Length})") : string.Empty;
+        return new Rows([new StyledLine().Add($"HELP{number}", Palette.StrongStyle), .. pages[shown]]);
+    }
+
+    /// <summary>How many pages there are.</summary>
+    public static int CountPages(bool isPlayback, int width, int height) => Pages(isPlayback, Math.Min(width, WidestText), Math.Max(height - 1, 1)).Count();
+
+    // An entry is not divided, unless it is longer than a page.
+    private static IEnumerable<IRenderable[]> Pages(bool isPlayback, int width, int height)
+    {
+        var page = new List<IRenderable>();
+        foreach ((string name, string meaning) in (IEnumerable<(string, string)>)[.. CommonKeys, .. isPlayback ? PlaybackKeys.Entries : LiveKeys, .. Rest])
+        {
+            IReadOnlyList<StyledLine> lines = MakeEntry(name, meaning, width);
+            if (page.Count > 0 && page.Count + lines.Count > height)
+            {
+                yield return [.. page];
+                page.Clear();
+            }
+
+            page.AddRange(lines);
+        }
+
+        yield return [.. page];
+    }
+
+    private static IReadOnlyList<StyledLine> MakeEntry(string name, string meaning, int width)
+    {
+        int indent = width > NameWidth * 2 ? NameWidth : 2;
+        IReadOnlyList<string> lines = WrappedText.Break(indent == NameWidth ? meaning : $"{name}: {meaning}", Math.Max(width - indent, 1), int.MaxValue);
+        return [.. lines.Select((line, index) => new StyledLine()
+            .Add(index == 0 && indent == NameWidth ? name.PadRight(indent) : new string(' ', indent), Palette.StrongStyle)
+            .Add(line))];
     }
 }

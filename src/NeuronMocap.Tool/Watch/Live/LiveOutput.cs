@@ -4,15 +4,16 @@ using NeuronMocap.Recording;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>The live view: looks at the reader ten times a second and with every key, and draws. All of it on one thread.</summary>
-internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, StreamRecorder? recorder, MonitorOptions options, Stream output) : MonitorOutput
+/// <summary>The live view. It looks at the reader ten times a second and with every key, and draws. All of that is on one thread.</summary>
+internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, TakeRecorder takes, MonitorOptions options, Stream output) : MonitorOutput
 {
     private static readonly TimeSpan Period = TimeSpan.FromMilliseconds(100);
 
-    private readonly LiveState _state = new(options) { Player = player, Recorder = recorder };
+    private readonly LiveState _state = new(options) { Player = player, Takes = takes, HasKeyboard = Keyboard.IsAvailable };
     private bool _quit;
 
     public override void OnStatus(ConnectionStatus status) => _state.Events.Add(DateTime.Now, status);
@@ -74,20 +75,67 @@ internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, S
                 _state.IsPaused = !_state.IsPaused;
                 break;
             case { KeyChar: 'r' or 'R' }:
+                SwitchRecording();
+                break;
+            case { KeyChar: 'c' or 'C' }:
                 _state.ResetCounters(reader);
                 break;
-            case { KeyChar: 'b' or 'B' }:
+            case { KeyChar: 'b' }:
                 _state.BonePage++;
                 break;
-            case { KeyChar: '?' or 'h' }:
-                _state.ShowsHelp = !_state.ShowsHelp;
+            case { KeyChar: 'B' }:
+                _state.BonePage--;
+                break;
+            case { KeyChar: '?' or 'h' or 'H' }:
+                TurnHelpPage();
                 break;
             case { Key: ConsoleKey.Tab }:
                 _state.SelectNextAvatar();
                 break;
             case { Key: ConsoleKey.Escape }:
-                _state.ShowsHelp = false;
+                _state.HelpPage = null;
                 break;
         }
+    }
+
+    private void TurnHelpPage()
+    {
+        int next = _state.HelpPage is { } page ? page + 1 : 0;
+        _state.HelpPage = next < Dashboard.CountHelpPages(_state, Screen.Width, Screen.Height) ? next : null;
+    }
+
+    private void SwitchRecording()
+    {
+        if (player is not null)
+        {
+            _state.Say("A file that is played is not recorded again.");
+            return;
+        }
+
+        if (takes.Current is not { } take)
+        {
+            Begin();
+            return;
+        }
+
+        _ = EndAsync(take);
+    }
+
+    // The disk may be slow; the view goes on.
+    private async Task EndAsync(Take take)
+    {
+        long arrived = takes.FramesArrived;
+        await take.StopAsync(arrived).ConfigureAwait(false);
+        if (take.Recorder.Failure is null)
+            _state.Say(TakeRecorder.DescribeEnd(take, arrived));
+    }
+
+    private void Begin()
+    {
+        _state.ForgetLastRecording();
+        if (takes.Begin(DateTime.Now) is { } failure)
+            _state.AddFailure(failure);
+        else
+            _state.Events.Add(DateTime.Now, $"Recording to {takes.Current?.Recorder.CurrentPath}.");
     }
 }

@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>What the view shows of one motion frame, copied out of it.</summary>
+/// <summary>A copy of the parts of a motion frame that the view shows.</summary>
 internal sealed class Pose
 {
     private readonly BoneTransform[] _world = new BoneTransform[BoneHierarchy.BoneCount];
@@ -16,10 +16,10 @@ internal sealed class Pose
 
     public SkeletonFormat Format { get; private set; }
 
-    /// <summary>Whether the frame's values were those of the 59 bones; if not, there is nothing but the header.</summary>
+    /// <summary>Whether the frame has the values of the 59 bones. If not, only the header is set.</summary>
     public bool HasSkeleton { get; private set; }
 
-    /// <summary>Gives what the stream does not carry: where bones end, and without displacement where they begin.</summary>
+    /// <summary>Supplies what the stream does not carry: where bones end and, without displacement, where they begin.</summary>
     public SkeletonBody Body { get; private set; } = SkeletonBody.Default();
 
     /// <summary>Where the 59 bones are in the world.</summary>

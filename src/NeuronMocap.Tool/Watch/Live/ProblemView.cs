@@ -5,60 +5,72 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>In place of the skeleton when there is none to show: why, in a box that cannot be missed.</summary>
+/// <summary>Says why there is no skeleton to show, and what to do about it.</summary>
 internal static class ProblemView
 {
+    /// <summary>Lines that the box takes besides the text.</summary>
+    public const int SpaceAround = 5;
+
     private const int WidestText = 76;
     private const int BorderWidth = 6;
-    private const int BorderHeight = 2;
 
-    // Title, retry and the empty lines between.
-    private const int LinesBesides = 4;
+    /// <summary>Lines that it takes without a box.</summary>
+    public static int HeightOf(in Problem problem, LiveState state, int width) =>
+        1 + WrappedText.Break(problem.Message, TextWidth(width), int.MaxValue).Count + (HeaderView.DescribeRetry(state.Status, state.Now).Length > 0 ? 1 : 0);
 
-    /// <summary>Makes the box; in a low window it gives up its empty lines, and then its border.</summary>
-    /// <param name="problem">What <see cref="Find"/> found.</param>
+    /// <summary>Shows the problem: in a box where there is room, or else in plain lines.</summary>
+    /// <param name="problem">What <see cref="FindInPlaceOfSkeleton"/> found.</param>
     /// <param name="state">What the view shows.</param>
     /// <param name="width">Columns that there are.</param>
     /// <param name="height">Lines that there are.</param>
     public static IRenderable Create(in Problem problem, LiveState state, int width, int height)
     {
-        int outer = Math.Min(width, WidestText);
+        bool isFramed = HeightOf(problem, state, width) + SpaceAround <= height && width > WidestText;
         string retry = HeaderView.DescribeRetry(state.Status, state.Now);
-        IReadOnlyList<string> lines = WrappedText.Break(problem.Message, outer - BorderWidth, int.MaxValue);
-        bool isFramed = lines.Count + LinesBesides + BorderHeight <= height;
+        Style title = new(problem.Color, decoration: Decoration.Bold);
+        int room = height - (retry.Length > 0 ? 1 : 0);
+
+        // In a very low window the sentences matter more than their title.
+        IReadOnlyList<string> lines = WrappedText.Break(problem.Message, TextWidth(width), Math.Max(room, 1));
+        bool hasTitle = lines.Count < room;
         if (!isFramed)
-            lines = WrappedText.Break(problem.Message, width, Math.Max(height - (retry.Length > 0 ? 2 : 1), 1));
+        {
+            return new Rows(
+            [
+                .. hasTitle ? [new StyledLine().Add(problem.Title, title)] : Array.Empty<StyledLine>(),
+                .. lines.Select(static line => new StyledLine().Add(line)),
+                .. retry.Length > 0 ? [new StyledLine().Add(retry, Palette.WarningStyle)] : Array.Empty<StyledLine>(),
+            ]);
+        }
 
-        var rows = new List<IRenderable> { new Text(problem.Title, new Style(problem.Color, decoration: Decoration.Bold)).Centered() };
-        if (isFramed)
-            rows.Add(Text.Empty);
-
-        rows.AddRange(lines.Select(static line => new Text(line).Centered()));
-        if (isFramed)
-            rows.Add(Text.Empty);
-        if (isFramed || retry.Length > 0)
-            rows.Add(new Text(retry, new Style(Palette.Warning)).Centered());
-        if (!isFramed)
-            return new Rows(rows);
-
-        Panel panel = new Panel(new Rows(rows)).Border(BoxBorder.Heavy).BorderColor(problem.Color).Padding(2, 0);
-        panel.Width = outer;
+        Panel panel = new Panel(new Rows(
+        [
+            new Text(problem.Title, title).Centered(),
+            Text.Empty,
+            .. lines.Select(static line => new Text(line).Centered()),
+            Text.Empty,
+            new Text(retry, Palette.WarningStyle).Centered(),
+        ])).Border(BoxBorder.Heavy).BorderColor(problem.Color).Padding(2, 0);
+        panel.Width = WidestText;
         return Align.Center(panel, VerticalAlignment.Middle);
     }
 
-    /// <summary>Finds why there is no skeleton to show, or what is wrong with the one that is shown.</summary>
-    /// <returns>Null when there is nothing to say.</returns>
-    public static Problem? Find(LiveState state)
+    /// <summary>Finds why there is no skeleton to show.</summary>
+    /// <returns>Null when there is one.</returns>
+    public static Problem? FindInPlaceOfSkeleton(LiveState state)
     {
         ConnectionStatus status = state.Status;
         if (status.State != ConnectionState.Receiving)
             return new(TitleOf(status), status.Describe(), Palette.Of(status.State));
         if (state.Pose is { HasSkeleton: true })
-            return status.Reason == ConnectionReason.None ? null : new("RECEIVING", status.Describe(), Palette.Warning);
+            return null;
 
         (string title, string message, Color color) = Explain(state);
         return new(title, message, color);
     }
+
+    // A box is as wide as its text and a border; plain lines take the window.
+    private static int TextWidth(int width) => Math.Max(width > WidestText ? WidestText - BorderWidth : width, 1);
 
     private static (string Title, string Message, Color Color) Explain(LiveState state)
     {
@@ -66,7 +78,7 @@ internal static class ProblemView
         {
             return (
                 "FRAMES WITHOUT A SKELETON",
-                $"A frame carries {pose.Header.ValueCount} values; the 59 bones have 180, 186, 354 or 360. --json shows the values.",
+                $"A frame has {pose.Header.ValueCount} values. A skeleton of 59 bones has 180, 186, 354 or 360. The option --json shows the values.",
                 Palette.Warning);
         }
 
@@ -74,9 +86,9 @@ internal static class ProblemView
         return hasCalculation
             ? (
                 "CALCULATION DATA ONLY",
-                "The skeleton is drawn from BVH data. In the server's broadcasting settings, switch BVH on for this port.",
+                "The skeleton needs BVH data. Switch BVH on for this port in the server's broadcasting settings.",
                 Palette.Warning)
-            : ("RECEIVING", "The first frame is on its way.", Palette.Of(ConnectionState.Receiving));
+            : ("RECEIVING", "The first frame has not arrived yet.", Palette.Of(ConnectionState.Receiving));
     }
 
     private static string TitleOf(ConnectionStatus status) => (status.State, status.Reason) switch

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>What receiving allocates, by the thread that receives: the library's share alone, without what drawing costs.</summary>
+/// <summary>What the receive thread allocates. Drawing has a thread of its own and is not counted.</summary>
 internal sealed class ReceiveAllocations
 {
     private int _thread;

@@ -6,20 +6,28 @@ namespace NeuronMocap.Tool.Watch.Live;
 /// <summary>Where the viewer stands.</summary>
 internal enum Viewpoint
 {
-    /// <summary>Before the world, looking along -Z: the left of a person who faces +Z is on the right, as face to face.</summary>
+    /// <summary>Looks along -Z, as face to face with a person who faces +Z: that person's left is on the right.</summary>
     Front,
 
-    /// <summary>Looking along +X: a person who faces +Z shows the right side and looks to the right.</summary>
+    /// <summary>Looks along +X: a person who faces +Z shows the right side and looks to the right.</summary>
     Side,
 }
 
-/// <summary>Draws a pose as seen from one side, with the hips in the middle and the ground at y = 0.</summary>
+/// <summary>Draws a pose from one side, with the hips in the middle and the ground at y = 0.</summary>
 internal static class SkeletonView
 {
     private const float GroundMark = 50;
-    private const int RoomForLongName = 15;
+    private const char LeftMark = 'L';
+    private const char RightMark = 'R';
 
-    public static BrailleCanvas Draw(Pose pose, Viewpoint viewpoint, ViewScale scale, int columns, int rows)
+    /// <summary>Draws a pose.</summary>
+    /// <param name="pose">The pose.</param>
+    /// <param name="feet">The feet on the ground, marked with letters on its line; null where that is not known.</param>
+    /// <param name="viewpoint">Where the viewer stands.</param>
+    /// <param name="scale">How much of the world the view shows.</param>
+    /// <param name="columns">Columns of the drawing.</param>
+    /// <param name="rows">Lines of the drawing.</param>
+    public static BrailleCanvas Draw(Pose pose, FootContacts? feet, Viewpoint viewpoint, ViewScale scale, int columns, int rows)
     {
         var canvas = new BrailleCanvas(columns, rows);
         if (columns < 1 || rows < 1)
@@ -28,12 +36,25 @@ internal static class SkeletonView
         var projection = new Projection(canvas, scale, viewpoint, pose.GetPosition(Bone.Hips));
         DrawGround(canvas, projection);
         DrawLines(canvas, projection, pose);
-        (string name, string from) = viewpoint == Viewpoint.Front ? ("front", " (from +Z)") : ("side", " (from -X)");
-        canvas.Write(0, 0, columns >= RoomForLongName ? name + from : name, Palette.Dim);
+        MarkFeet(canvas, projection, pose, feet ?? default);
         return canvas;
     }
 
-    // The marks stand still in the world, so that a walk shows although the view follows it.
+    // A letter on the ground below each foot that stands, so that contacts show without colours. Feet in one column have their letters side by side.
+    private static void MarkFeet(BrailleCanvas canvas, Projection projection, Pose pose, FootContacts feet)
+    {
+        int row = BrailleCanvas.RowOf(projection.Vertical(0));
+        int left = BrailleCanvas.ColumnOf(projection.Project(pose.GetPosition(Bone.LeftFoot)).X);
+        int right = BrailleCanvas.ColumnOf(projection.Project(pose.GetPosition(Bone.RightFoot)).X);
+        if (feet.Left && feet.Right && left == right)
+            left++;
+        if (feet.Left)
+            canvas.Write(left, row, LeftMark.ToString(), Palette.Left);
+        if (feet.Right)
+            canvas.Write(right, row, RightMark.ToString(), Palette.Right);
+    }
+
+    // The marks stand still in the world, so that a walk shows although the view follows the hips.
     private static void DrawGround(BrailleCanvas canvas, Projection projection)
     {
         float y = projection.Vertical(0);
@@ -43,7 +64,7 @@ internal static class SkeletonView
             canvas.DrawLine(projection.Horizontal(mark), y, projection.Horizontal(mark), y + 2, Palette.Ground);
     }
 
-    // What is nearer is drawn later and wins the colour of a cell.
+    // The nearest lines come last and give a cell its colour.
     private static void DrawLines(BrailleCanvas canvas, Projection projection, Pose pose)
     {
         WireframeLine[] lines = Wireframe.Lines(pose.Format.Variant).ToArray();
@@ -69,7 +90,7 @@ internal static class SkeletonView
         private readonly float _centre = viewpoint == Viewpoint.Front ? hips.X : hips.Z;
         private readonly float _middle = (canvas.Width - 1) / 2f;
 
-        // Below the ground stays what the scale asks for; room that is left over goes above the head.
+        // The room below the ground is what the scale asks for. The rest goes above the head.
         private readonly float _ground = canvas.Height - 1 + (scale.Bottom * scale.DotsPerCentimetre(canvas));
 
         public float Scale { get; } = scale.DotsPerCentimetre(canvas);

@@ -3,12 +3,12 @@ using System.Numerics;
 namespace NeuronMocap.Tool.Watch.Live;
 
 /// <summary>
-/// How much of the world a view shows. It grows, in steps, to hold all poses it has seen and never shrinks by itself: a scale that follows
-/// every frame makes the skeleton breathe.
+/// How much of the world a view shows. It grows in steps to hold all poses it has seen, and never shrinks by itself, because a scale that
+/// follows every frame makes the skeleton breathe.
 /// </summary>
 internal sealed class ViewScale
 {
-    // A broken value in one frame shall not make the person a dot for good.
+    // A broken value in one frame must not make the person a dot for good.
     private const float Limit = 1000;
     private const float Step = 10;
 

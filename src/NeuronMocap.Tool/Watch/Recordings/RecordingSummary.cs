@@ -4,16 +4,23 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Watch.Recordings;
 
-/// <summary>What a recording has become, in one line for standard error.</summary>
+/// <summary>Describes a recording at the end of the run, in one line for standard error.</summary>
 internal static class RecordingSummary
 {
-    public static string Describe(StreamRecorder recorder)
+    /// <summary>Describes a recording.</summary>
+    /// <param name="take">The recording.</param>
+    /// <param name="arrived">Frames that arrived in the whole run.</param>
+    public static string Describe(Take take, long arrived)
     {
+        StreamRecorder recorder = take.Recorder;
         RecordingStatistics statistics = recorder.GetStatistics();
         string path = TerminalText.Clean(recorder.CurrentPath);
         string files = statistics.Files == 1 ? path : Quantity.Format($"{statistics.Files} files, the last one {path}");
+
+        // How many frames a file holds that could not be written to its end, only the file can tell.
+        string frames = recorder.Failure is null ? Quantity.Format($"{take.CountFrames(arrived):#,0} frames, ") : string.Empty;
         string text = Quantity.Format(
-            $"recorded {statistics.Duration.TotalSeconds:0.0} s, {statistics.Bytes:#,0} bytes in {statistics.Pieces:#,0} pieces, to {files}; lost {statistics.LostPieces:#,0} pieces");
+            $"recorded {statistics.Duration.TotalSeconds:0.0} s, {frames}{statistics.Bytes:#,0} bytes in {statistics.Pieces:#,0} pieces, to {files}; lost {statistics.LostPieces:#,0} pieces");
         return recorder.Failure is { } failure ? $"{text}; the recording ended early: {FileFault.OfWriting(failure, recorder.CurrentPath)}"
             : recorder.Completion.IsCompleted ? text + "."
             : text + "; the disk does not take the rest.";

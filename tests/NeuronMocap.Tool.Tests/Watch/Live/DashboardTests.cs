@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Text.RegularExpressions;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Output;
@@ -99,11 +100,10 @@ public sealed partial class DashboardTests
     {
         LiveState state = WithPose();
         state.AddFailure(new FileFailure("recording", "take.nmrec", "the disk is full.", 7, 0));
-        Assert.Contains("Recording failed: the disk is full.", string.Concat(Draw(state, width, height)), StringComparison.Ordinal);
+        Assert.Contains("RECORDING FAILED: the disk is full.", string.Concat(Draw(state, width, height)), StringComparison.Ordinal);
     }
 
     [Theory]
-    [InlineData(60, 16)]
     [InlineData(80, 24)]
     [InlineData(140, 40)]
     public void Two_files_that_failed_are_both_told_and_the_status_stays(int width, int height)
@@ -113,7 +113,7 @@ public sealed partial class DashboardTests
         state.AddFailure(new FileFailure("export", "take.bvh", "the disk is full.", 7, 0));
         string[] lines = Draw(state, width, height);
         string text = string.Concat(lines);
-        foreach (string part in (string[])["Recording failed: the disk is full.", "Export failed: the disk is full.", "Receiving from studio:7001."])
+        foreach (string part in (string[])["RECORDING FAILED: the disk is full.", "EXPORT FAILED: the disk is full.", "Receiving from studio:7001."])
             Assert.Contains(part, text, StringComparison.Ordinal);
 
         // In the events as well, with their time.
@@ -141,7 +141,7 @@ public sealed partial class DashboardTests
     public void A_name_from_the_network_cannot_command_the_terminal(int width, int height)
     {
         LiveState state = State(Receiving);
-        state.Counters.Take(default, [new AvatarStatistics { AvatarName = "\e[2J\u009b2J\u202Eevil\u200B\u2066", LastTimestamp = state.Now }]);
+        state.Counters.Take(default, [new AvatarStatistics { AvatarName = "\e[2J\u202Eevil\u009b\u200B\u2066", LastTimestamp = state.Now }]);
         string text = string.Concat(Draw(state, width, height));
         Assert.Contains("evil", text, StringComparison.Ordinal);
         Assert.Equal(-1, text.IndexOfAny(['\e', '\u009b', '\u202E', '\u200B', '\u2066']));
@@ -189,11 +189,11 @@ public sealed partial class DashboardTests
 
     [Theory]
     [InlineData(40, 12)]
-    [InlineData(50, 15)]
+    [InlineData(50, 20)]
     public void A_small_window_shows_who_is_there(int width, int height)
     {
         string text = string.Join('\n', Draw(WithPose(), width, height));
-        foreach (string part in (string[])["RECEIVING", "studio:7001", "0 Char00", "0.0 Hz, lost 0", "skeleton from 60 x 16"])
+        foreach (string part in (string[])["RECEIVING", "studio:7001", "0 Char00", "0.0 Hz  lost 0", "front", "side", "q quit"])
             Assert.Contains(part, text, StringComparison.Ordinal);
     }
 
@@ -218,9 +218,120 @@ public sealed partial class DashboardTests
     [Fact]
     public void A_small_window_shows_the_keys()
     {
-        string text = string.Join('\n', Draw(WithHelp(), 40, 12));
-        foreach (string key in (string[])["q     quit", "space pause", "tab   avatar"])
-            Assert.Contains(key, text, StringComparison.Ordinal);
+        string text = string.Join('\n', Draw(WithPose(), 40, 12));
+        Assert.EndsWith("q quit  ? help  r record  space freeze", text.TrimEnd(), StringComparison.Ordinal);
+    }
+
+    // Every word of every page, at every size.
+    [Theory]
+    [InlineData(40, 12)]
+    [InlineData(50, 20)]
+    [InlineData(80, 24)]
+    [InlineData(132, 43)]
+    public void The_help_is_never_cut(int width, int height)
+    {
+        LiveState state = WithHelp();
+        int pages = Dashboard.CountHelpPages(state, width, height);
+        string text = string.Empty;
+        for (int page = 0; page < pages; page++)
+        {
+            state.HelpPage = page;
+            string[] lines = Draw(state, width, height);
+            Assert.DoesNotContain('…', string.Concat(lines));
+            text += Words(lines);
+        }
+
+        foreach (string sentence in (string[])["start or stop a recording. It never replaces a file", "so the time in transit cannot be known", "and L and R below the feet that stand on it", "'diagnose' says how to get more"])
+            Assert.Contains(sentence, text, StringComparison.Ordinal);
+    }
+
+    // The demo's or a server's sentence: an ellipsis would hide what the order comes from.
+    [Theory]
+    [InlineData(40, 12)]
+    [InlineData(50, 20)]
+    [InlineData(60, 16)]
+    [InlineData(80, 24)]
+    [InlineData(132, 43)]
+    public void Nothing_is_cut_while_frames_arrive(int width, int height)
+    {
+        LiveState state = WithPose();
+        state.Status = Receiving with { Message = "Receiving from 192.168.100.200:7001: binary format; rotation order YXZ assumed, the stream does not say." };
+        state.Events.Add(DateTime.UnixEpoch, state.Status);
+        string[] lines = Draw(state, width, height);
+        Assert.DoesNotContain('…', string.Concat(lines));
+        Assert.StartsWith(" RECEIVING ", lines[0], StringComparison.Ordinal);
+        Assert.StartsWith("q quit", lines[^1], StringComparison.Ordinal);
+        Assert.Equal(height > 12, Words(lines).Contains(state.Status.Describe(), StringComparison.Ordinal));
+    }
+
+    [Theory]
+    [InlineData(40, 12, 2)]
+    [InlineData(80, 24, 2)]
+    [InlineData(132, 43, 3)]
+    public void Several_avatars_stand_side_by_side(int width, int height, int expected)
+    {
+        LiveState state = WithThreePeople();
+        string captions = Draw(state, width, height).Single(static line => line.Contains("front", StringComparison.Ordinal));
+        Assert.Equal(expected, captions.Split("front").Length - 1);
+        Assert.Contains("> 0 Actor0 front", captions, StringComparison.Ordinal);
+        Assert.Contains("  1 Actor1 front", captions, StringComparison.Ordinal);
+
+        // The last one comes into view when it is selected, in the drawing and in the table.
+        state.SelectNextAvatar();
+        state.SelectNextAvatar();
+        string[] lines = Draw(state, width, height);
+        Assert.Equal(2, lines.Count(static line => line.Contains("> 2 Actor2", StringComparison.Ordinal)));
+        Assert.Equal(2, state.Selected?.Avatar);
+    }
+
+    [Fact]
+    public void The_table_of_bones_gives_its_place_to_more_avatars()
+    {
+        LiveState state = WithThreePeople();
+        state.BonePage = -1;
+        string text = string.Join('\n', Draw(state, 80, 24));
+        Assert.DoesNotContain("bones:", text, StringComparison.Ordinal);
+        Assert.Contains("  2 Actor2 front", text, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void An_avatar_that_sends_no_more_says_so()
+    {
+        LiveState state = WithPose();
+        state.TakenAt += 100 * Stopwatch.Frequency;
+        Assert.Contains("no data for 1 min", string.Concat(Draw(state, 100, 30)), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Feet_on_the_ground_have_a_letter_on_its_line()
+    {
+        LiveState state = WithPose();
+        state.BonePage = -1;
+        state.Take(Poses.Upright(index: 1));
+        string ground = Draw(state, 40, 24).Last(static line => line.Contains('L', StringComparison.Ordinal));
+        Assert.Matches("R.*L.*RL|R.*L.*LR|R.*L.*L", ground);
+
+        state.Take(Poses.Upright(index: 2, height: 50));
+        Assert.DoesNotContain(Draw(state, 40, 24), static line => line.Contains('⠤', StringComparison.Ordinal) && line.Contains('L', StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Without_a_keyboard_no_keys_are_offered()
+    {
+        var state = new LiveState(new MonitorOptions()) { Status = Receiving, HasKeyboard = false };
+        string last = Draw(state, 80, 24)[^1];
+        Assert.StartsWith("Ctrl-C quits", last, StringComparison.Ordinal);
+        Assert.DoesNotContain("record", last, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void What_a_key_did_is_said_at_the_top_and_stays_in_the_events()
+    {
+        LiveState state = WithPose();
+        state.Say("Recorded 2.1 s, 121 frames, 179.1 kB to take.nmrec.");
+        string[] lines = Draw(state, 80, 24);
+        Assert.Equal("Recorded 2.1 s, 121 frames, 179.1 kB to take.nmrec.", lines[1].TrimEnd());
+        Assert.Contains("● Recorded 2.1 s", lines[^2], StringComparison.Ordinal);
     }
 
     [Fact]
@@ -256,6 +367,19 @@ public sealed partial class DashboardTests
         return state;
     }
 
+    private static LiveState WithThreePeople()
+    {
+        LiveState state = State(Receiving);
+        for (int avatar = 0; avatar < 3; avatar++)
+            state.Take(Poses.Upright(x: 100 * avatar, avatar: avatar));
+
+        state.Counters.Take(default, [.. Enumerable.Range(0, 3).Select(index => new AvatarStatistics
+        {
+            AvatarIndex = index, AvatarName = $"Actor{index}", Kind = PacketKind.Motion, LastTimestamp = state.Now,
+        })]);
+        return state;
+    }
+
     private static LiveState WithManyAvatars()
     {
         LiveState state = WithPose();
@@ -266,7 +390,7 @@ public sealed partial class DashboardTests
     private static LiveState WithHelp()
     {
         LiveState state = WithPose();
-        state.ShowsHelp = true;
+        state.HelpPage = 0;
         return state;
     }
 

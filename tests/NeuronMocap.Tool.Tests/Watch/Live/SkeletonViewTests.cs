@@ -72,7 +72,7 @@ public sealed class SkeletonViewTests
         var scale = new ViewScale();
         var pose = new Pose(frame);
         scale.Include(pose.Points);
-        BrailleCanvas canvas = SkeletonView.Draw(pose, viewpoint, scale, Columns, Rows);
+        BrailleCanvas canvas = SkeletonView.Draw(pose, feet: null, viewpoint, scale, Columns, Rows);
         return [.. Enumerable.Range(0, Rows).Select(canvas.GetRow)];
     }
 }

@@ -1,0 +1,104 @@
+using System.Diagnostics;
+using NeuronMocap.Recording;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Output;
+using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.Watch.Export;
+
+namespace NeuronMocap.Tool.Watch.Recordings;
+
+/// <summary>The recordings of a run: that of --record, and those that the key of the live view begins. One thread at a time.</summary>
+/// <param name="reader">What to record.</param>
+/// <param name="settings">What --record asks for; null without it.</param>
+internal sealed class TakeRecorder(NeuronReader reader, RecordingSettings? settings)
+{
+    private readonly List<Take> _takes = [];
+
+    /// <summary>The recordings, in the order in which they began.</summary>
+    public IReadOnlyList<Take> Takes => _takes;
+
+    /// <summary>The recording that runs; null for none.</summary>
+    public Take? Current => _takes is [.., { IsRecording: true } last] ? last : null;
+
+    /// <summary>Completes when the recording of --record has failed. Null without one.</summary>
+    public Task? Broken { get; private set; }
+
+    /// <summary>Frames of all kinds that have arrived in the run.</summary>
+    public long FramesArrived => CountFrames(reader.GetStatistics());
+
+    public static long CountFrames(ReaderStatistics statistics) =>
+        statistics.MotionFrames + statistics.CalculationFrames + statistics.StudioCalculationFrames;
+
+    /// <summary>Begins what --record asks for.</summary>
+    /// <param name="error">Why it cannot begin.</param>
+    public bool TryBegin(out string? error)
+    {
+        error = null;
+        if (settings is null)
+            return true;
+        if (settings.TryStart(reader, out error) is not { } recorder)
+            return false;
+
+        _takes.Add(new Take(recorder, FramesArrived));
+        Broken = ExportRun.WaitForFailureAsync(recorder.Completion, () => recorder.Failure);
+        return true;
+    }
+
+    /// <summary>Begins another recording, in a file that was not there before.</summary>
+    /// <param name="now">The time of this computer, for the name of the file.</param>
+    /// <returns>Null, or why it cannot begin.</returns>
+    public FileFailure? Begin(DateTime now)
+    {
+        var options = new RecordingOptions
+        {
+            Compress = settings?.Options.Compress ?? false,
+            MaxFileSize = settings?.Options.MaxFileSize,
+            MaxFileDuration = settings?.Options.MaxFileDuration,
+            MaxFiles = settings?.Options.MaxFiles,
+        };
+        foreach (string path in TakeNames.After(settings?.Path, now))
+        {
+            try
+            {
+                _takes.Add(new Take(reader.StartRecording(path, options), FramesArrived));
+                return null;
+            }
+            catch (IOException exception) when (FileFault.IsExisting(exception))
+            {
+                // The next name may be free.
+            }
+            catch (ObjectDisposedException)
+            {
+                return FileFailure.OfRecording(path, "the stream has ended.");
+            }
+            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or ArgumentException)
+            {
+                return FileFailure.OfRecording(path, FileFault.OfWriting(exception, path));
+            }
+        }
+
+        throw new UnreachableException();
+    }
+
+    /// <summary>Closes the files and writes what became of each recording. The reader has ended by now.</summary>
+    /// <param name="streams">Receives a line for each on standard error.</param>
+    /// <returns>Whether all of them are whole.</returns>
+    public async Task<bool> FinishAsync(StandardStreams streams)
+    {
+        foreach (Take take in _takes)
+        {
+            await take.Recorder.DisposeAsync();
+            await streams.ComplainAsync(RecordingSummary.Describe(take, FramesArrived));
+        }
+
+        return _takes.TrueForAll(static take => take.Recorder is { Failure: null, Completion.IsCompleted: true });
+    }
+
+    /// <summary>"Recorded 12.3 s, 738 frames, 1.1 MB to take.nmrec."</summary>
+    public static string DescribeEnd(Take take, long arrived)
+    {
+        RecordingStatistics statistics = take.Recorder.GetStatistics();
+        return Quantity.Format(
+            $"Recorded {Quantity.Duration(statistics.Duration)}, {take.CountFrames(arrived):#,0} frames, {Quantity.Bytes(statistics.Bytes)} to {TerminalText.Clean(take.Recorder.CurrentPath)}.");
+    }
+}

@@ -1,0 +1,21 @@
+using NeuronMocap.Tool.Files;
+
+namespace NeuronMocap.Tool.Tests.Files;
+
+public sealed class OutputFileTests
+{
+    // The thread that writes may come to the file just after the run was given up.
+    [Fact]
+    public void A_file_that_is_made_after_the_run_was_given_up_does_not_stay()
+    {
+        using var folder = new TemporaryFolder();
+        using var output = new OutputFile(folder["take.bvh"], overwrite: false);
+        Assert.Throws<OperationCanceledException>(() => output.Write(path =>
+        {
+            output.Dispose();
+            File.WriteAllText(path, "half of it");
+        }));
+
+        Assert.Empty(folder.Names);
+    }
+}

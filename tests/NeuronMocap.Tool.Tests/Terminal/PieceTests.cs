@@ -1,0 +1,37 @@
+using NeuronMocap.Tool.Terminal;
+using Spectre.Console;
+
+namespace NeuronMocap.Tool.Tests.Terminal;
+
+public sealed class PieceTests
+{
+    [Fact]
+    public void Pieces_stay_whole_and_lines_do_not_begin_with_a_separator() => Assert.Equal(
+        ["one two · three", "four"],
+        Flow(["one two", "three", "four"], width: 16),
+        StringComparer.Ordinal);
+
+    [Fact]
+    public void A_piece_that_is_too_wide_is_broken_between_its_words() => Assert.Equal(
+        ["a", "long piece", "b"],
+        Flow(["a", "long piece", "b"], width: 10),
+        StringComparer.Ordinal);
+
+    [Fact]
+    public void Optional_pieces_take_no_line_of_their_own()
+    {
+        Assert.Equal(["one · two"], Lines(Piece.Flow([new Piece("one")], [new Piece("two"), new Piece("three")], " · ", 12), 12), StringComparer.Ordinal);
+        Assert.Equal(["one"], Lines(Piece.Flow([new Piece("one")], [new Piece("a longer one")], " · ", 12), 12), StringComparer.Ordinal);
+    }
+
+    private static string[] Flow(string[] pieces, int width) => Lines(Piece.Flow(pieces.Select(static piece => new Piece(piece)), " · ", width), width);
+
+    private static string[] Lines(IReadOnlyList<StyledLine> lines, int width)
+    {
+        using var text = new StringWriter();
+        IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings { Ansi = AnsiSupport.No, ColorSystem = ColorSystemSupport.NoColors, Out = new AnsiConsoleOutput(text) });
+        console.Profile.Width = width;
+        console.Write(new Rows(lines));
+        return [.. text.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries).Select(static line => line.TrimEnd())];
+    }
+}
