@@ -6,7 +6,7 @@ namespace NeuronMocap.Server;
 public sealed partial class Broadcaster
 {
     /// <summary>
-    /// Starts a server that needs no suit and no file: <see cref="SyntheticActor"/>s on a free TCP port of this computer, which
+    /// Starts a server that needs no suit and no file: <see cref="SyntheticSource"/>s on a free TCP port of this computer, which
     /// <see cref="LocalEndPoint"/> tells. The first frame is sent when the first client has connected.
     /// </summary>
     /// <param name="avatars">Number of actors, 1 to 256; each walks a ring of its own.</param>
@@ -21,7 +21,7 @@ public sealed partial class Broadcaster
 
         var demo = new Broadcaster(new BroadcasterOptions
         {
-            Sources = [.. Enumerable.Range(0, avatars).Select(avatar => new SyntheticActor(frameRate, avatar))],
+            Sources = [.. Enumerable.Range(0, avatars).Select(avatar => new SyntheticSource(frameRate, avatar))],
             AvatarNames = [.. Enumerable.Range(1, avatars).Select(number => avatars == 1 ? "Demo" : FormattableString.Invariant($"Demo {number}"))],
             BindAddress = IPAddress.Loopback,
             Port = 0,

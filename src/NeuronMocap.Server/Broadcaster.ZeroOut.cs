@@ -14,28 +14,28 @@ public sealed partial class Broadcaster
     /// the vertical through its hips. Of a motion packet only the hips' values change; calculation packets follow. May be repeated, and called at any time.
     /// What real servers change, the direction, the position or both, is not documented.
     /// </summary>
-    /// <param name="avatar">Index of the avatar, from 0.</param>
+    /// <param name="avatarIndex">Index of the avatar, from 0.</param>
     /// <returns>False when there is no such avatar, or when its hips are nowhere: not a number, or too far away to compute with.</returns>
-    public bool ZeroOut(int avatar)
+    public bool ZeroOut(int avatarIndex)
     {
-        if ((uint)avatar >= (uint)_actors.Length)
+        if ((uint)avatarIndex >= (uint)_actors.Length)
             return false;
 
-        return _actors[avatar].FaceFront(_plan!.FrameCount);
+        return _actors[avatarIndex].FaceFront(_plan!.FrameCount);
     }
 
     /// <summary>Does what <see cref="ZeroOut"/> does, for all avatars.</summary>
     public void ZeroOutAll()
     {
-        foreach (TurnableSource actor in _actors)
+        foreach (ZeroOutSource actor in _actors)
             actor.FaceFront(_plan!.FrameCount);
     }
 
     // What is computed from a frame and its neighbours sees one turn in all of them: the body is turned between two frames, which no sensor would feel.
     // A writer is given the very source that the options hold for as long as it is not turned.
-    private TurnableSource[] UseTurnableSources()
+    private ZeroOutSource[] UseZeroOutSources()
     {
-        TurnableSource[] actors = [.. _options.Sources.Select(static source => new TurnableSource(source))];
+        ZeroOutSource[] actors = [.. _options.Sources.Select(static source => new ZeroOutSource(source))];
         _options.Sources = actors;
         if (_options.Calculation is { } calculate)
             _options.Calculation = (source, frame, values) => calculate(source.At(frame), frame, values);

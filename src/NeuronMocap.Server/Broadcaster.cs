@@ -24,7 +24,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     private readonly object _gate = new();
     private readonly FaultReport _report = new(nameof(Broadcaster));
     private readonly BroadcasterOptions _options;
-    private readonly TurnableSource[] _actors;
+    private readonly ZeroOutSource[] _actors;
     private readonly FramePlan? _plan;
     private readonly RecordingContent? _recording;
     private readonly DataCommandReplies? _replies;
@@ -43,9 +43,9 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <summary>Makes a broadcaster that does nothing yet.</summary>
     /// <param name="options">The settings; copied.</param>
     /// <exception cref="ArgumentException">A setting is out of its range; the message names it.</exception>
-    /// <exception cref="NeuronException">The file of <see cref="BroadcasterOptions.Recording"/> is none that can be played.</exception>
-    /// <exception cref="IOException">The file of <see cref="BroadcasterOptions.Recording"/> cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file of <see cref="BroadcasterOptions.Recording"/> may not be read.</exception>
+    /// <exception cref="NeuronException">The file of <see cref="BroadcasterOptions.RecordingPath"/> is none that can be played.</exception>
+    /// <exception cref="IOException">The file of <see cref="BroadcasterOptions.RecordingPath"/> cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The file of <see cref="BroadcasterOptions.RecordingPath"/> may not be read.</exception>
     public Broadcaster(BroadcasterOptions options)
         : this(options, time: null)
     {
@@ -55,9 +55,9 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     internal Broadcaster(BroadcasterOptions options, PacerTime? time)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).CopyChecked();
-        _actors = UseTurnableSources();
+        _actors = UseZeroOutSources();
         Rate = _options.Rate ?? (_options.Sources.Count > 0 ? _options.Sources[0].FrameRate : 0);
-        if (_options.Recording is not null)
+        if (_options.RecordingPath is not null)
         {
             bool hasOnePort = _options.CalculationPort is null;
             _recording = new RecordingContent(_options, hasMotion: true, hasCalculation: hasOnePort);
@@ -73,7 +73,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         FramePlan[] plans = CreatePlans(_options, Rate);
         _plan = plans[0];
         _replies = new DataCommandReplies(_plan, _options.DataCommandLength);
-        _isPacketwise = IsPaced && new PacketSpread(Rate, plans.Max(static plan => plan.PacketsPerFrame)).IsPacketwise;
+        _isPacketwise = IsPaced && new PacketSpacing(Rate, plans.Max(static plan => plan.PacketsPerFrame)).IsPacketwise;
         _streams = [CreateStream(_plan, _options.AnswerDataCommands ? _replies : null), .. plans[1..].Select(plan => CreateStream(plan, isBeside: true))];
         _pacer = IsPaced ? new FramePacer([.. _streams.Select(static stream => ((FramePlan)stream.Content, stream.Log!))], Rate, OnPacerEnded, _report, time) : null;
     }
@@ -129,28 +129,28 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     }
 
     /// <summary>Tells which sensors an avatar wears.</summary>
-    /// <param name="avatar">Number of the avatar, from 0.</param>
+    /// <param name="avatarIndex">Number of the avatar, from 0.</param>
     /// <returns>What <see cref="SetCombinationMode"/> set last; <see cref="SensorCombination.FullBody"/> at first.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such avatar.</exception>
-    public SensorCombination GetCombinationMode(int avatar) => GetReplies(avatar).GetMode(avatar);
+    public SensorCombination GetCombinationMode(int avatarIndex) => GetReplies(avatarIndex).GetMode(avatarIndex);
 
     /// <summary>
     /// Changes which sensors an avatar is said to wear, which is what <see cref="DataCommandId.CombinationMode"/> tells clients; the frames stay as
     /// they are. Clients that registered for it are sent the new value, unless it is the old one. That a server sends a registered value when it
     /// changes is documented, and that it does so at once, here also upon the registration, is inferred (protocol.md section 7).
     /// </summary>
-    /// <param name="avatar">Number of the avatar, from 0.</param>
+    /// <param name="avatarIndex">Number of the avatar, from 0.</param>
     /// <param name="mode">What the avatar wears; any number, for tests of clients.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such avatar.</exception>
-    public void SetCombinationMode(int avatar, SensorCombination mode)
+    public void SetCombinationMode(int avatarIndex, SensorCombination mode)
     {
-        if (!GetReplies(avatar).SetMode(avatar, mode))
+        if (!GetReplies(avatarIndex).SetMode(avatarIndex, mode))
             return;
 
         lock (_gate)
         {
             foreach (TcpClientSession client in _recipients.OfType<TcpClientSession>())
-                client.Push(DataCommandId.CombinationMode, avatar);
+                client.Push(DataCommandId.CombinationMode, avatarIndex);
         }
     }
 
@@ -201,14 +201,14 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     public ValueTask DisposeAsync() => new(Task.Run(Stop));
 
     // A recording has none that could be asked for.
-    private DataCommandReplies GetReplies(int avatar) => (uint)avatar < (uint)_actors.Length
+    private DataCommandReplies GetReplies(int avatarIndex) => (uint)avatarIndex < (uint)_actors.Length
         ? _replies!
-        : throw new ArgumentOutOfRangeException(nameof(avatar), avatar, $"The number of avatars is {_actors.Length}; the first is 0.");
+        : throw new ArgumentOutOfRangeException(nameof(avatarIndex), avatarIndex, $"The number of avatars is {_actors.Length}; the first is 0.");
 
     private bool IsPaced => !double.IsPositiveInfinity(Rate);
 
     private BroadcastStream CreateStream(BroadcastContent content, DataCommandReplies? replies = null, bool isBeside = false) =>
-        new(content, IsPaced ? new FrameLog(_options.QueueLength, content.PacketsPerFrame) : null, replies)
+        new(content, IsPaced ? new FrameLog(_options.QueueCapacity, content.PacketsPerFrame) : null, replies)
         {
             IsBeside = isBeside,
             IsPacketwise = _isPacketwise,
@@ -227,7 +227,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         double frameRate = double.IsPositiveInfinity(rate) ? options.Sources[0].FrameRate : rate;
         bool hasCalculation = options.Calculation is not null || options.StudioCalculation is not null;
         return options.CalculationPort is null
-            ? [new FramePlan(options, names, frameRate, options.Motion, hasCalculation)]
+            ? [new FramePlan(options, names, frameRate, options.SendMotion, hasCalculation)]
             : [
                 new FramePlan(options, names, frameRate, hasMotion: true, hasCalculation: false),
                 new FramePlan(options, names, frameRate, hasMotion: false, hasCalculation: true),

@@ -231,10 +231,10 @@ public sealed partial class NeuronReader
         if (status.State == ConnectionState.Connected)
             _discovery?.Begin();
 
-        if (_jointStatus is null)
+        if (_combinedStatus is null)
             OnStatusChanged(status);
         else
-            _jointStatus.OnFirst(status);
+            _combinedStatus.OnFirst(status);
     }
 
     private void OnStatusChanged(ConnectionStatus status)

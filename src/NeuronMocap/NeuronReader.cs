@@ -49,7 +49,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly ConnectionSupervisor _supervisor;
     private readonly UdpServers? _servers;
     private readonly object? _receiveLock;
-    private readonly JointStatus? _jointStatus;
+    private readonly CombinedStatus? _combinedStatus;
     private readonly CalculationConnection? _calculation;
     private readonly ServerDiscovery? _discovery;
     private readonly ReaderRecordings _recordings;
@@ -110,7 +110,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         {
             _receiveLock = new object();
             _servers = new UdpServers();
-            _jointStatus = new JointStatus(OnStatusChanged, second.Port);
+            _combinedStatus = new CombinedStatus(OnStatusChanged, second.Port);
         }
 
         _status = new StatusBoard(OnFirstStatusChanged);
@@ -138,8 +138,8 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 
         _pipeline = new ReceivePipeline(
             _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player?.BackPressure, _receiveLock);
-        if (_jointStatus is not null)
-            _calculation = CreateCalculationConnection(_options.CalculationLink!, _jointStatus);
+        if (_combinedStatus is not null)
+            _calculation = CreateCalculationConnection(_options.CalculationLink!, _combinedStatus);
 
         _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke) { Patience = _options.StopTimeout / 2 };
     }
@@ -186,7 +186,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     public string Name => _metrics.Name;
 
     /// <summary>State of the connection, with the reason of its last change.</summary>
-    public ConnectionStatus Status => _jointStatus?.Current ?? _status.Current;
+    public ConnectionStatus Status => _combinedStatus?.Current ?? _status.Current;
 
     /// <summary>
     /// State of the connection to <see cref="NeuronReaderOptions.CalculationPort"/>; null where the reader has none. <see cref="Status"/> tells it in words,
@@ -229,7 +229,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 
     private Link CreateLink(LinkOptions link) => _options.Transport == TransportKind.Tcp ? new TcpLink(link) : new UdpLink(link, _senders, _servers, _receiveLock);
 
-    private CalculationConnection CreateCalculationConnection(LinkOptions link, JointStatus status) => new(
+    private CalculationConnection CreateCalculationConnection(LinkOptions link, CombinedStatus status) => new(
         _options, _format, _pipeline, _options.Transport == TransportKind.Udp ? _senders : null, () => CreateLink(link), status.OnCalculation);
 
     private void OnCallbackFailed(Exception exception)

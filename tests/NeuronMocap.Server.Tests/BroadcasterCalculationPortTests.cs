@@ -60,7 +60,7 @@ public sealed class BroadcasterCalculationPortTests
     {
         BroadcasterOptions options = Options(rate, BroadcastFormat.Binary);
         options.CalculationPort = null;
-        options.Motion = false;
+        options.SendMotion = false;
         options.Fragment = fragment;
         await using Broadcaster broadcaster = Started(options);
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
@@ -83,7 +83,7 @@ public sealed class BroadcasterCalculationPortTests
         options.WaitForClient = false;
         options.UdpDestinations = [(IPEndPoint)motion.LocalEndPoint!];
         options.CalculationPort = ((IPEndPoint)calculation.LocalEndPoint!).Port;
-        options.FrameLimit = 10;
+        options.MaxFrames = 10;
         await using Broadcaster broadcaster = Started(options);
         (List<byte[]> motionPackets, HashSet<EndPoint> motionSenders) = await ReceiveAsync(motion, 20);
         (List<byte[]> calculationPackets, HashSet<EndPoint> calculationSenders) = await ReceiveAsync(calculation, 20);
@@ -105,7 +105,7 @@ public sealed class BroadcasterCalculationPortTests
         options.WaitForClient = false;
         options.UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!];
         options.CalculationPort = ((IPEndPoint)receiver.LocalEndPoint!).Port;
-        options.FrameLimit = 10;
+        options.MaxFrames = 10;
         await using Broadcaster broadcaster = Started(options);
         (List<byte[]> packets, HashSet<EndPoint> senders) = await ReceiveAsync(receiver, 40);
 
@@ -119,7 +119,7 @@ public sealed class BroadcasterCalculationPortTests
     {
         BroadcasterOptions options = Options(2000, BroadcastFormat.Binary);
         options.WaitForClient = false;
-        options.FrameLimit = null;
+        options.MaxFrames = null;
         options.MaxClients = 1;
         await using Broadcaster broadcaster = Started(options);
         using TestClient calculation = await TestClient.ConnectAsync(broadcaster.CalculationEndPoint, allowsCutEnd: true);
@@ -158,11 +158,11 @@ public sealed class BroadcasterCalculationPortTests
     public async Task An_avatar_that_is_turned_is_turned_on_both_ports_from_the_same_frame_on()
     {
         BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, BroadcastFormat.Binary);
-        var actor = new SyntheticActor();
+        var actor = new SyntheticSource();
         options.Sources = [actor];
         options.Calculation = CalculationSynthesizer.Write;
         options.Rate = 500;
-        options.FrameLimit = 40;
+        options.MaxFrames = 40;
         await using Broadcaster broadcaster = Started(options);
         using TestClient motion = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         using TestClient calculation = await TestClient.ConnectAsync(broadcaster.CalculationEndPoint);
@@ -201,10 +201,10 @@ public sealed class BroadcasterCalculationPortTests
     {
         AssertRefused("CalculationPort", options => options.CalculationPort = 65_536);
         AssertRefused("CalculationPort", options => options.Calculation = null);
-        AssertRefused("CalculationPort", options => options.Motion = false);
+        AssertRefused("CalculationPort", options => options.SendMotion = false);
         AssertRefused("CalculationPort", options => options.CalculationPort = options.Port = 7001);
         AssertRefused("CalculationPort", options => options.UdpDestinations = [new IPEndPoint(IPAddress.Loopback, 7001)]);
-        AssertRefused("Motion", options => (options.Motion, options.CalculationPort, options.Calculation) = (false, null, null));
+        AssertRefused("SendMotion", options => (options.SendMotion, options.CalculationPort, options.Calculation) = (false, null, null));
     }
 
     private static void AssertRefused(string setting, Action<BroadcasterOptions> change)
@@ -221,16 +221,16 @@ public sealed class BroadcasterCalculationPortTests
         options.Format = format;
         options.CalculationPort = 0;
         options.WaitForClient = true;
-        options.QueueLength = 1000;
+        options.QueueCapacity = 1000;
         if (format == BroadcastFormat.Studio)
             options.StudioCalculation = static (_, frame, payload) => payload.Fill((byte)frame);
         else
             options.Calculation = format == BroadcastFormat.Text ? CalculationSynthesizer.Write : TestSource.WriteCalculation;
 
         if (format == BroadcastFormat.Text)
-            options.Sources = [.. Enumerable.Range(0, 2).Select(avatar => new SyntheticActor(avatar: avatar))];
+            options.Sources = [.. Enumerable.Range(0, 2).Select(avatar => new SyntheticSource(avatarIndex: avatar))];
 
-        options.FrameLimit = Frames;
+        options.MaxFrames = Frames;
         return options;
     }
 

@@ -102,8 +102,8 @@ public sealed class BroadcasterClientTests
         BroadcasterOptions options = Expect.Options();
         options.Rate = rate;
         options.WaitForClient = true;
-        options.FrameLimit = double.IsPositiveInfinity(rate) ? Frames : Frames / 4;
-        options.QueueLength = Frames;
+        options.MaxFrames = double.IsPositiveInfinity(rate) ? Frames : Frames / 4;
+        options.QueueCapacity = Frames;
         return options;
     }
 
@@ -111,15 +111,15 @@ public sealed class BroadcasterClientTests
     private static BroadcasterOptions EndlessOptions(double rate)
     {
         BroadcasterOptions options = Options(rate);
-        options.FrameLimit = null;
-        options.QueueLength = 20_000;
+        options.MaxFrames = null;
+        options.QueueCapacity = 20_000;
         return options;
     }
 
     private static async Task AssertGetsTheRestAsync(TestClient client, byte[] first, BroadcasterOptions options)
     {
         List<byte[]> rest = await client.ReadToEndAsync();
-        Expect.Frames([first, .. rest], options, options.FrameLimit!.Value);
+        Expect.Frames([first, .. rest], options, options.MaxFrames!.Value);
         client.Dispose();
     }
 

@@ -148,7 +148,7 @@ public sealed class BroadcasterCommandTests
     {
         const int Flood = 5000;
         BroadcasterOptions options = Options(300);
-        options.QueueLength = 20_000;
+        options.QueueCapacity = 20_000;
         await using Broadcaster broadcaster = Started(options);
         using TestClient witness = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
         using TestClient flooder = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
@@ -210,7 +210,7 @@ public sealed class BroadcasterCommandTests
     {
         BroadcasterOptions options = Options(300);
         options.Format = BroadcastFormat.Text;
-        options.FrameLimit = 60;
+        options.MaxFrames = 60;
         await using Broadcaster broadcaster = Started(options);
         using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
         await socket.ConnectAsync(broadcaster.LocalEndPoint!, TestContext.Current.CancellationToken).AsTask().Soon();
@@ -245,7 +245,7 @@ public sealed class BroadcasterCommandTests
         Assert.True(reader.DataCommands.TryRegister(DataCommandId.CombinationMode));
         broadcaster.SetCombinationMode(2, SensorCombination.UpperBody);
         await Limits.UntilAsync(() => modes.Contains((2, SensorCombination.UpperBody)));
-        Assert.Equal(0, reader.GetStatistics().SkippedBytes);
+        Assert.Equal(0, reader.GetStatistics().BytesSkipped);
     }
 
     [Fact]
@@ -269,10 +269,10 @@ public sealed class BroadcasterCommandTests
     private static BroadcasterOptions Options(double rate, int avatars = 1)
     {
         BroadcasterOptions options = Expect.Options(avatars);
-        options.Sources = [.. Enumerable.Range(0, avatars).Select(avatar => new SyntheticActor(60, avatar))];
+        options.Sources = [.. Enumerable.Range(0, avatars).Select(avatar => new SyntheticSource(60, avatar))];
         options.Rate = rate;
         options.WaitForClient = true;
-        options.QueueLength = 10_000;
+        options.QueueCapacity = 10_000;
         return options;
     }
 

@@ -18,7 +18,7 @@ public sealed class BroadcasterHostilityTests
         options.Rate = rate;
         options.MaxClients = 2;
         options.ClientTimeout = TimeSpan.FromSeconds(3);
-        options.QueueLength = 20_000;
+        options.QueueCapacity = 20_000;
         await using Broadcaster broadcaster = Started(options);
         using TestClient idle = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         using TestClient witness = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
@@ -73,7 +73,7 @@ public sealed class BroadcasterHostilityTests
         BroadcasterOptions options = Expect.Options();
         options.Rate = 500;
         options.MaxClients = 8;
-        options.QueueLength = 20_000;
+        options.QueueCapacity = 20_000;
         await using Broadcaster broadcaster = Started(options);
         using TestClient witness = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
         byte[] first = (await witness.ReadAsync())!;

@@ -144,7 +144,7 @@ public sealed class BroadcasterLifecycleTests
     {
         BroadcasterOptions options = Expect.Options();
         using var broadcaster = new Broadcaster(options);
-        options.Reference = true;
+        options.IncludeReference = true;
         Assert.Equal(354, broadcaster.Layout.ValueCount);
     }
 
@@ -154,7 +154,7 @@ public sealed class BroadcasterLifecycleTests
         BroadcasterOptions options = Expect.Options();
         options.Sources = [new FailingSource(0)];
         Assert.Equal(new ChannelLayout(hasDisplacement: false, hasReference: false), new Broadcaster(options).Layout);
-        options.Displacement = true;
+        options.IncludeDisplacement = true;
         Assert.Equal(new ChannelLayout(hasDisplacement: true, hasReference: false), new Broadcaster(options).Layout);
     }
 
@@ -177,13 +177,13 @@ public sealed class BroadcasterLifecycleTests
         { "Rate", options => options.Rate = -60 },
         { "Rate", options => options.Rate = double.NaN },
         { "Rate", options => options.Rate = 100_001 },
-        { "FrameLimit", options => options.FrameLimit = 0 },
+        { "MaxFrames", options => options.MaxFrames = 0 },
         { "RotationOrder", options => options.RotationOrder = (RotationOrder)6 },
         { "DataVersion", options => options.DataVersion = new DataVersion(2, 0, 0, 0) },
         { "CalculationValueCount", options => options.CalculationValueCount = 945 },
         { "Fragment", options => options.Fragment = 0 },
         { "Fragment", options => options.Fragment = 1_048_577 },
-        { "QueueLength", options => options.QueueLength = 0 },
+        { "QueueCapacity", options => options.QueueCapacity = 0 },
         { "ClientTimeout", options => options.ClientTimeout = TimeSpan.FromSeconds(0.9) },
         { "ClientTimeout", options => options.ClientTimeout = TimeSpan.FromHours(1) },
         { "CloseTimeout", options => options.CloseTimeout = TimeSpan.FromSeconds(-1) },

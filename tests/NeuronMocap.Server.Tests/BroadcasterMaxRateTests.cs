@@ -27,8 +27,8 @@ public sealed class BroadcasterMaxRateTests
     public async Task Every_format_arrives_bit_for_bit(bool displacement, bool reference, RotationOrder order, bool isOld)
     {
         BroadcasterOptions options = Expect.Options(frames: 3);
-        options.Displacement = displacement;
-        options.Reference = reference;
+        options.IncludeDisplacement = displacement;
+        options.IncludeReference = reference;
         options.RotationOrder = order;
         options.DataVersion = isOld ? DataVersion.Old : DataVersion.New;
         Expect.Frames(await BroadcastAsync(options), options, 3);
@@ -111,7 +111,7 @@ public sealed class BroadcasterMaxRateTests
     public async Task The_frame_limit_ends_a_source_without_end()
     {
         BroadcasterOptions options = Expect.Options();
-        options.FrameLimit = 17;
+        options.MaxFrames = 17;
         Expect.Frames(await BroadcastAsync(options), options, 17);
     }
 
@@ -120,7 +120,7 @@ public sealed class BroadcasterMaxRateTests
     {
         BroadcasterOptions options = Expect.Options();
         options.Sources = [new TestSource(0, 9), new TestSource(1, 5), new TestSource(2)];
-        options.FrameLimit = 100;
+        options.MaxFrames = 100;
         Expect.Frames(await BroadcastAsync(options), options, 5);
     }
 

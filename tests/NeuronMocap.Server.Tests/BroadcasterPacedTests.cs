@@ -18,7 +18,7 @@ public sealed class BroadcasterPacedTests
     {
         BroadcasterOptions options = Options();
         options.WaitForClient = true;
-        options.FrameLimit = 200;
+        options.MaxFrames = 200;
         options.Fragment = fragment;
         await using Broadcaster broadcaster = Started(options);
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
@@ -36,7 +36,7 @@ public sealed class BroadcasterPacedTests
     {
         BroadcasterOptions options = Options(avatars: 4);
         options.WaitForClient = true;
-        options.FrameLimit = 50;
+        options.MaxFrames = 50;
         options.Calculation = TestSource.WriteCalculation;
         await using Broadcaster broadcaster = Started(options);
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
@@ -69,7 +69,7 @@ public sealed class BroadcasterPacedTests
         const int Avatars = 30;
         BroadcasterOptions options = Options(Avatars);
         options.Rate = 200;
-        options.QueueLength = 200;
+        options.QueueCapacity = 200;
         await using Broadcaster broadcaster = Started(options);
         using TestClient idle = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         using TestClient reader = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
@@ -106,8 +106,8 @@ public sealed class BroadcasterPacedTests
     {
         BroadcasterOptions options = Options(avatars: 2);
         options.WaitForClient = true;
-        options.FrameLimit = 1500;
-        options.QueueLength = 1500;
+        options.MaxFrames = 1500;
+        options.QueueCapacity = 1500;
         options.CloseTimeout = TimeSpan.FromMinutes(10);
         await using Broadcaster broadcaster = Started(options);
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
@@ -127,7 +127,7 @@ public sealed class BroadcasterPacedTests
     {
         BroadcasterOptions options = Options(avatars: 16);
         options.WaitForClient = true;
-        options.FrameLimit = 600;
+        options.MaxFrames = 600;
         options.CloseTimeout = TimeSpan.FromMilliseconds(50);
         await using Broadcaster broadcaster = Started(options);
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
@@ -140,7 +140,7 @@ public sealed class BroadcasterPacedTests
     public async Task Without_clients_a_take_ends_in_its_own_time()
     {
         BroadcasterOptions options = Options();
-        options.FrameLimit = 20;
+        options.MaxFrames = 20;
         await using Broadcaster broadcaster = Started(options);
         await broadcaster.Completion.Soon();
         Assert.Equal(default, broadcaster.Statistics);
@@ -159,7 +159,7 @@ public sealed class BroadcasterPacedTests
     {
         BroadcasterOptions options = Expect.Options(avatars);
         options.Rate = Rate;
-        options.QueueLength = 10_000;
+        options.QueueCapacity = 10_000;
         return options;
     }
 

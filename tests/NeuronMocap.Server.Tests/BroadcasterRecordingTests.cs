@@ -17,22 +17,22 @@ public sealed class BroadcasterRecordingTests
     {
         byte[] bytes = StreamFixture.Load(name).Bytes;
         using TemporaryFile file = Recordings.OfTcp([.. Splits.Random(bytes, new Random(3)).Select(static (piece, i) => (i / 10.0, piece.ToArray()))]);
-        await AssertSameAsync(file, new BroadcasterOptions { Recording = file.Path, Port = 0, WaitForClient = true });
-        await AssertSameAsync(file, new BroadcasterOptions { Recording = file.Path, Port = 0, Rate = BroadcasterOptions.MaxRate, Fragment = 333 });
+        await AssertSameAsync(file, new BroadcasterOptions { RecordingPath = file.Path, Port = 0, WaitForClient = true });
+        await AssertSameAsync(file, new BroadcasterOptions { RecordingPath = file.Path, Port = 0, Rate = BroadcasterOptions.MaxRate, Fragment = 333 });
     }
 
     [Fact]
     public async Task A_raw_dump_goes_out_at_a_rate()
     {
         using var dump = new TemporaryFile(TestPackets.Motions(0, 20), ".bin");
-        await AssertSameAsync(dump, new BroadcasterOptions { Recording = dump.Path, Port = 0, WaitForClient = true, Rate = 1000 });
+        await AssertSameAsync(dump, new BroadcasterOptions { RecordingPath = dump.Path, Port = 0, WaitForClient = true, Rate = 1000 });
     }
 
     [Fact]
     public async Task At_the_highest_rate_every_client_gets_all()
     {
         using TemporaryFile file = Recordings.OfTcp([.. Enumerable.Range(0, 50).Select(static i => (i * 100.0, TestPackets.Motion(i)))]);
-        await using var broadcaster = new Broadcaster(new BroadcasterOptions { Recording = file.Path, Port = 0, Rate = BroadcasterOptions.MaxRate });
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions { RecordingPath = file.Path, Port = 0, Rate = BroadcasterOptions.MaxRate });
         broadcaster.Start();
         using TestClient first = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         using TestClient second = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
@@ -46,7 +46,7 @@ public sealed class BroadcasterRecordingTests
     public async Task A_loop_goes_on_and_whoever_comes_late_begins_with_a_packet()
     {
         using TemporaryFile file = Recordings.OfTcp((0, TestPackets.Motion(0)), (5, TestPackets.Motion(1)), (10, TestPackets.Motion(2)));
-        await using var broadcaster = new Broadcaster(new BroadcasterOptions { Recording = file.Path, Port = 0, LoopRecording = true, RecordingSpeed = 5 });
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions { RecordingPath = file.Path, Port = 0, LoopRecording = true, RecordingSpeed = 5 });
         broadcaster.Start();
         for (int i = 0; i < 3; i++)
         {
@@ -71,7 +71,7 @@ public sealed class BroadcasterRecordingTests
         {
             await using var broadcaster = new Broadcaster(new BroadcasterOptions
             {
-                Recording = file.Path,
+                RecordingPath = file.Path,
                 Port = null,
                 UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!],
                 Rate = rate,
@@ -94,9 +94,9 @@ public sealed class BroadcasterRecordingTests
         using TemporaryFile file = Recordings.OfTcp((0, TestPackets.Motion(0)));
         AssertRefused(nameof(BroadcasterOptions.Sources), options => options.Sources = [new TestSource(0, 1)]);
         AssertRefused(nameof(BroadcasterOptions.AvatarNames), options => options.AvatarNames = ["a"]);
-        AssertRefused(nameof(BroadcasterOptions.FrameLimit), options => options.FrameLimit = 1);
-        AssertRefused(nameof(BroadcasterOptions.Displacement), options => options.Displacement = true);
-        AssertRefused(nameof(BroadcasterOptions.Reference), options => options.Reference = true);
+        AssertRefused(nameof(BroadcasterOptions.MaxFrames), options => options.MaxFrames = 1);
+        AssertRefused(nameof(BroadcasterOptions.IncludeDisplacement), options => options.IncludeDisplacement = true);
+        AssertRefused(nameof(BroadcasterOptions.IncludeReference), options => options.IncludeReference = true);
         AssertRefused(nameof(BroadcasterOptions.RotationOrder), options => options.RotationOrder = RotationOrder.XYZ);
         AssertRefused(nameof(BroadcasterOptions.Format), options => options.Format = BroadcastFormat.Text);
         AssertRefused(nameof(BroadcasterOptions.DataVersion), options => options.DataVersion = DataVersion.Old);
@@ -104,15 +104,15 @@ public sealed class BroadcasterRecordingTests
         AssertRefused(nameof(BroadcasterOptions.Rate), options => options.Rate = 60);
         AssertRefused(nameof(BroadcasterOptions.RecordingSpeed), options => options.RecordingSpeed = 0);
         AssertRefused(nameof(BroadcasterOptions.RecordingSpeed), options => (options.RecordingSpeed, options.Rate) = (2, BroadcasterOptions.MaxRate));
-        AssertRefused(nameof(BroadcasterOptions.LoopRecording), options => (options.Sources, options.Recording, options.LoopRecording) = ([new TestSource(0, 1)], null, true));
-        using var broadcaster = new Broadcaster(new BroadcasterOptions { Recording = file.Path, Port = 0 });
+        AssertRefused(nameof(BroadcasterOptions.LoopRecording), options => (options.Sources, options.RecordingPath, options.LoopRecording) = ([new TestSource(0, 1)], null, true));
+        using var broadcaster = new Broadcaster(new BroadcasterOptions { RecordingPath = file.Path, Port = 0 });
         Assert.Throws<ArgumentOutOfRangeException>(() => broadcaster.GetCombinationMode(0));
         Assert.False(broadcaster.ZeroOut(0));
         Assert.Throws<ArgumentException>(() => new CommandServer(broadcaster));
 
         void AssertRefused(string setting, Action<BroadcasterOptions> set)
         {
-            var options = new BroadcasterOptions { Recording = file.Path, Port = 0 };
+            var options = new BroadcasterOptions { RecordingPath = file.Path, Port = 0 };
             set(options);
             Assert.Contains($"BroadcasterOptions.{setting} ", Assert.Throws<ArgumentException>(() => new Broadcaster(options)).Message, StringComparison.Ordinal);
         }
@@ -122,8 +122,8 @@ public sealed class BroadcasterRecordingTests
     public void A_file_that_cannot_be_played_is_found_out_at_once()
     {
         using var file = new TemporaryFile("nothing"u8.ToArray());
-        Assert.Throws<PlaybackException>(() => new Broadcaster(new BroadcasterOptions { Recording = file.Path }));
-        Assert.Throws<FileNotFoundException>(() => new Broadcaster(new BroadcasterOptions { Recording = file.Path + "x" }));
+        Assert.Throws<PlaybackException>(() => new Broadcaster(new BroadcasterOptions { RecordingPath = file.Path }));
+        Assert.Throws<FileNotFoundException>(() => new Broadcaster(new BroadcasterOptions { RecordingPath = file.Path + "x" }));
     }
 
     [Theory]
@@ -134,7 +134,7 @@ public sealed class BroadcasterRecordingTests
         using TemporaryFile file = Recordings.OfTcp(
             [.. Enumerable.Range(0, 50).Select(static i => (i * 2.0, (byte[])[.. TestPackets.Motion(i), .. TestPackets.Calculation(i)]))]);
         await using var broadcaster = new Broadcaster(
-            new BroadcasterOptions { Recording = file.Path, Port = 0, CalculationPort = 0, WaitForClient = true, Rate = rate });
+            new BroadcasterOptions { RecordingPath = file.Path, Port = 0, CalculationPort = 0, WaitForClient = true, Rate = rate });
         broadcaster.Start();
         using TestClient motion = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         using TestClient calculation = await TestClient.ConnectAsync(broadcaster.CalculationEndPoint);
@@ -153,7 +153,7 @@ public sealed class BroadcasterRecordingTests
             Assert.Skip("Only Linux tells which files a process has open.");
 
         using TemporaryFile file = Recordings.OfTcp([.. Enumerable.Range(0, 50).Select(static i => (i * 100.0, TestPackets.Motion(i)))]);
-        var options = new BroadcasterOptions { Recording = file.Path, Port = 0, Rate = BroadcasterOptions.MaxRate };
+        var options = new BroadcasterOptions { RecordingPath = file.Path, Port = 0, Rate = BroadcasterOptions.MaxRate };
 
         // There was no thread for the client.
         int refused = 0;
@@ -220,7 +220,7 @@ public sealed class BroadcasterRecordingTests
         await broadcaster.Completion.Soon();
 
         Assert.Equal(expected, frames.Lines);
-        Assert.Equal(original.Statistics.SkippedBytes, reader.GetStatistics().SkippedBytes);
+        Assert.Equal(original.Statistics.BytesSkipped, reader.GetStatistics().BytesSkipped);
         Assert.Equal(original.Statistics.BytesReceived, reader.GetStatistics().BytesReceived);
         Assert.Equal(ConnectionReason.ClosedByPeer, reader.Status.Reason);
     }

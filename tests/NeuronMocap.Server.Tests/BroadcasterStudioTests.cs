@@ -114,8 +114,8 @@ public sealed class BroadcasterStudioTests
     private static BroadcasterOptions Options()
     {
         BroadcasterOptions options = Expect.Options(avatars: 2, frames: 30);
-        options.Sources = [.. Enumerable.Range(0, 2).Select(avatar => new SyntheticActor(60, avatar))];
-        options.FrameLimit = 30;
+        options.Sources = [.. Enumerable.Range(0, 2).Select(avatar => new SyntheticSource(60, avatar))];
+        options.MaxFrames = 30;
         options.Format = BroadcastFormat.Studio;
         options.StudioCalculation = StudioCalculationSynthesizer.Write;
         options.WaitForClient = true;

@@ -21,7 +21,7 @@ public sealed class BroadcasterTextTests
     {
         const int Frames = 60;
         BroadcasterOptions options = Options(rate, avatars: 3);
-        options.FrameLimit = Frames;
+        options.MaxFrames = Frames;
         options.Fragment = fragment;
         options.Calculation = CalculationSynthesizer.Write;
         options.TextDecimals = 4;
@@ -42,7 +42,7 @@ public sealed class BroadcasterTextTests
     public async Task Quirks_change_what_stands_around_the_lines(int quirks, string start, string motionEnd, string calculationEnd)
     {
         BroadcasterOptions options = Options(BroadcasterOptions.MaxRate);
-        options.FrameLimit = 1;
+        options.MaxFrames = 1;
         options.Calculation = CalculationSynthesizer.Write;
         options.TextQuirks = (TextQuirks)quirks;
         options.AvatarNames = ["Ann Bell"];
@@ -62,7 +62,7 @@ public sealed class BroadcasterTextTests
     {
         const int Avatars = 30;
         BroadcasterOptions options = Options(rate: 400, Avatars);
-        options.QueueLength = 50;
+        options.QueueCapacity = 50;
         await using Broadcaster broadcaster = Started(options);
         using var idle = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
         await idle.ConnectAsync(broadcaster.LocalEndPoint!, TestContext.Current.CancellationToken).AsTask().Soon();
@@ -92,7 +92,7 @@ public sealed class BroadcasterTextTests
         BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, avatars: 2);
         options.Port = null;
         options.UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!];
-        options.FrameLimit = 10;
+        options.MaxFrames = 10;
         options.Fragment = fragment;
         options.Calculation = CalculationSynthesizer.Write;
         await using Broadcaster broadcaster = Started(options);
@@ -131,12 +131,12 @@ public sealed class BroadcasterTextTests
 
     private static BroadcasterOptions Options(double rate, int avatars = 1) => new()
     {
-        Sources = [.. Enumerable.Range(0, avatars).Select(avatar => new SyntheticActor(60, avatar))],
+        Sources = [.. Enumerable.Range(0, avatars).Select(avatar => new SyntheticSource(60, avatar))],
         Port = 0,
         Rate = rate,
         Format = BroadcastFormat.Text,
         WaitForClient = true,
-        QueueLength = 10_000,
+        QueueCapacity = 10_000,
     };
 
     private static Broadcaster Started(BroadcasterOptions options)

@@ -72,7 +72,7 @@ public sealed class BroadcasterUdpTests
         using (Socket gone = Receiver())
             options = Options(BroadcasterOptions.MaxRate, gone);
 
-        options.FrameLimit = 2000;
+        options.MaxFrames = 2000;
         await using Broadcaster broadcaster = Started(options);
         await broadcaster.Completion.Soon();
         BroadcasterStatistics statistics = broadcaster.Statistics;
@@ -84,7 +84,7 @@ public sealed class BroadcasterUdpTests
     {
         using Socket receiver = Receiver();
         BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, receiver);
-        options.FrameLimit = null;
+        options.MaxFrames = null;
         Broadcaster broadcaster = Started(options);
         await ReceiveAsync(receiver);
         await broadcaster.DisposeAsync().AsTask().Soon();
@@ -98,7 +98,7 @@ public sealed class BroadcasterUdpTests
         options.Port = null;
         options.UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!];
         options.Calculation = TestSource.WriteCalculation;
-        options.FrameLimit = 10;
+        options.MaxFrames = 10;
         return options;
     }
 

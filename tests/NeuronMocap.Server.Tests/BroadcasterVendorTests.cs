@@ -96,7 +96,7 @@ public sealed class BroadcasterVendorTests
     [InlineData(2000, 1, false, new[] { 0 })]
     public void Packets_are_spread_where_there_are_two_milliseconds_for_each(double rate, int packets, bool isPacketwise, int[] milliseconds)
     {
-        var spread = new PacketSpread(rate, packets);
+        var spread = new PacketSpacing(rate, packets);
         Assert.Equal(isPacketwise, spread.IsPacketwise);
         Assert.Equal(milliseconds, milliseconds.Select((_, place) => (int)Math.Round((spread.GetTime(100, place) - 100) * 1000 / rate, 6)));
     }

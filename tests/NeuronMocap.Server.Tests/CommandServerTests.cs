@@ -24,8 +24,8 @@ public sealed class CommandServerTests
         using Broadcaster broadcaster = CreateBroadcaster(options =>
         {
             options.RotationOrder = order;
-            options.Displacement = displacement;
-            options.Reference = reference;
+            options.IncludeDisplacement = displacement;
+            options.IncludeReference = reference;
         });
         using CommandServer server = Start(broadcaster);
         using NeuronCommandClient client = CreateClient(server);
@@ -83,7 +83,7 @@ public sealed class CommandServerTests
         using NeuronCommandClient client = CreateClient(server);
         double[] headings = new double[2];
         using var reader = new NeuronReader(new NeuronReaderOptions { Port = broadcaster.LocalEndPoint!.Port, RotationOrder = RotationOrder.ZXY });
-        reader.MotionReceived += frame => Volatile.Write(ref headings[frame.AvatarIndex], TurnableSourceTests.Heading(frame[Bone.Hips]));
+        reader.MotionReceived += frame => Volatile.Write(ref headings[frame.AvatarIndex], ZeroOutSourceTests.Heading(frame[Bone.Hips]));
         reader.Start();
         await Limits.UntilAsync(() => IsNear(ref headings[0], 100) && IsNear(ref headings[1], -60));
 
@@ -217,7 +217,7 @@ public sealed class CommandServerTests
 
     internal static Broadcaster CreateBroadcaster(Action<BroadcasterOptions>? change = null)
     {
-        var options = new BroadcasterOptions { Sources = [new SyntheticActor(), new SyntheticActor(avatar: 1), new SyntheticActor(avatar: 2)], Port = 0 };
+        var options = new BroadcasterOptions { Sources = [new SyntheticSource(), new SyntheticSource(avatarIndex: 1), new SyntheticSource(avatarIndex: 2)], Port = 0 };
         change?.Invoke(options);
         return new Broadcaster(options);
     }

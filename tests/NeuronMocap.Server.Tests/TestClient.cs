@@ -39,7 +39,7 @@ internal sealed class TestClient : IDisposable
                 return packet;
             }
 
-            Assert.Equal(ScanStatus.NeedMore, result.Status);
+            Assert.Equal(ScanStatus.NeedMoreData, result.Status);
             int read = await Socket.ReceiveAsync(_buffer.AsMemory(_count), TestContext.Current.CancellationToken).Soon();
             if (read == 0)
             {

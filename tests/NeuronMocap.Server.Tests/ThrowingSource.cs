@@ -6,7 +6,7 @@ namespace NeuronMocap.Server.Tests;
 // A performance of which one member fails from the moment on that the test says so: the members are user code, whatever thread calls them.
 internal sealed class ThrowingSource(string member, Exception exception) : MotionSource
 {
-    private readonly SyntheticActor _actor = new();
+    private readonly SyntheticSource _actor = new();
 
     public bool IsBroken { get; set; }
 

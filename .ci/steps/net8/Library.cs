@@ -10,7 +10,7 @@ public static class Demo
 {
     public static async Task<long> ReceiveAsync(int wanted)
     {
-        await using var server = new Broadcaster(new BroadcasterOptions { Port = 0, Sources = new[] { new SyntheticActor() } });
+        await using var server = new Broadcaster(new BroadcasterOptions { Port = 0, Sources = new[] { new SyntheticSource() } });
         server.Start();
 
         await using var reader = new NeuronReader(new NeuronReaderOptions { Host = "127.0.0.1", Port = server.LocalEndPoint!.Port });

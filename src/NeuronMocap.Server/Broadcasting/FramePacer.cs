@@ -13,7 +13,7 @@ internal sealed class FramePacer(
     IReadOnlyList<(FramePlan Plan, FrameLog Log)> streams, double rate, Action<Exception?> ended, FaultReport report, PacerTime? time = null)
     : Pacer(ended, report)
 {
-    private static readonly long MinSpacing = PacketSpread.MinSpacing * Stopwatch.Frequency / 1000;
+    private static readonly long MinSpacing = PacketSpacing.MinSpacing * Stopwatch.Frequency / 1000;
 
     private readonly PacerTime _time = time ?? PacerTime.Real;
     private long _published;
@@ -21,7 +21,7 @@ internal sealed class FramePacer(
     protected override void PublishAll()
     {
         int packets = streams.Max(static stream => stream.Plan.PacketsPerFrame);
-        var spread = new PacketSpread(rate, packets);
+        var spread = new PacketSpacing(rate, packets);
         int steps = spread.IsPacketwise ? packets : 1;
         using TimerResolution? resolution = steps > 1 ? TimerResolution.Raise() : null;
         var clock = new FrameClock(rate, _time.Now);

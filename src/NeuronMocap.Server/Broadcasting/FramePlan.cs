@@ -19,7 +19,7 @@ internal sealed class FramePlan : BroadcastContent
         _format = options.Format;
         Sources = options.Sources;
         Names = names;
-        Layout = new ChannelLayout(options.Displacement ?? options.Sources[0].HasDisplacement, options.Reference);
+        Layout = new ChannelLayout(options.IncludeDisplacement ?? options.Sources[0].HasDisplacement, options.IncludeReference);
         Order = options.RotationOrder;
         Version = options.DataVersion ?? (_format == BroadcastFormat.Studio ? DataVersion.Studio : DataVersion.New);
         FrameRate = rate;
@@ -28,7 +28,7 @@ internal sealed class FramePlan : BroadcastContent
         CalculationValueCount = options.CalculationValueCount;
         TextDecimals = options.TextDecimals;
         TextQuirks = options.TextQuirks;
-        FrameCount = Math.Min(options.FrameLimit ?? long.MaxValue, options.Sources.Min(source => source.FrameCount ?? long.MaxValue));
+        FrameCount = Math.Min(options.MaxFrames ?? long.MaxValue, options.Sources.Min(source => source.FrameCount ?? long.MaxValue));
         MaxMotionSize = HasMotion ? MeasureMotion() : 0;
         MaxCalculationSize = HasCalculation ? MeasureCalculation() : 0;
     }

@@ -19,7 +19,7 @@ internal sealed class RecordingContent : BroadcastContent
     {
         HasMotion = hasMotion;
         TakesCalculation = hasCalculation;
-        _path = options.Recording!;
+        _path = options.RecordingPath!;
         _isLooped = options.LoopRecording;
         _options = new PlaybackOptions { FrameRate = options.Rate is { } rate && !double.IsPositiveInfinity(rate) ? rate : null };
         using ArrivalSource source = Open();

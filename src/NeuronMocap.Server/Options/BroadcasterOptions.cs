@@ -24,12 +24,12 @@ public sealed partial class BroadcasterOptions
     /// left alone, and commands of clients are not answered. A raw dump, which has no times, is sent at <see cref="Rate"/>, or as
     /// <see cref="Recording.PlaybackOptions.FrameRate"/> has it. Default: null.
     /// </summary>
-    public string? Recording { get; set; }
+    public string? RecordingPath { get; set; }
 
-    /// <summary>How many times as fast as it was recorded <see cref="Recording"/> is sent, 0.01 to 100. Default: 1.</summary>
+    /// <summary>How many times as fast as it was recorded <see cref="RecordingPath"/> is sent, 0.01 to 100. Default: 1.</summary>
     public double RecordingSpeed { get; set; } = 1;
 
-    /// <summary>Whether <see cref="Recording"/> starts again at its end. Default: false.</summary>
+    /// <summary>Whether <see cref="RecordingPath"/> starts again at its end. Default: false.</summary>
     public bool LoopRecording { get; set; }
 
     /// <summary>
@@ -48,7 +48,7 @@ public sealed partial class BroadcasterOptions
     /// Port for calculation packets alone, 0 to 65535; null sends them behind the motion packets, on the same connections. Servers normally have a port for each,
     /// 7001 and 7003 (protocol.md section 4.1). Over TCP the broadcaster listens there, on <see cref="BindAddress"/>, wherever <see cref="Port"/> is set;
     /// 0 takes any free one, which <see cref="Broadcaster.CalculationEndPoint"/> tells. Over UDP, calculation goes to this port of every destination, from a
-    /// socket of its own. Needs <see cref="Calculation"/>, <see cref="StudioCalculation"/> or a <see cref="Recording"/>, whose calculation packets then go there,
+    /// socket of its own. Needs <see cref="Calculation"/>, <see cref="StudioCalculation"/> or a <see cref="RecordingPath"/>, whose calculation packets then go there,
     /// whichever way they were received. A line of text does not say whose calculation it is: with
     /// several avatars only the order tells. Default: null.
     /// </summary>
@@ -58,7 +58,7 @@ public sealed partial class BroadcasterOptions
     /// Whether motion packets are sent. False sends calculation packets alone, to <see cref="Port"/> and <see cref="UdpDestinations"/>, and needs
     /// <see cref="Calculation"/> or <see cref="StudioCalculation"/>. Default: true.
     /// </summary>
-    public bool Motion { get; set; } = true;
+    public bool SendMotion { get; set; } = true;
 
     /// <summary>
     /// Address to listen on, one of this machine. Default: loopback, so that nothing leaves the machine unless told to;
@@ -86,7 +86,7 @@ public sealed partial class BroadcasterOptions
     public double? Rate { get; set; }
 
     /// <summary>Frames of each avatar to send, at least 1; null sends all there are. Default: null.</summary>
-    public long? FrameLimit { get; set; }
+    public long? MaxFrames { get; set; }
 
     /// <summary>
     /// Whether nothing is sent before the first TCP client is there, which then gets frame 0 first. With a <see cref="CalculationPort"/>: before each of the
@@ -98,10 +98,10 @@ public sealed partial class BroadcasterOptions
     /// Axis Neuron's setting Displacement: whether every bone carries a position, not only the hips; null as the first source has it.
     /// Default: null.
     /// </summary>
-    public bool? Displacement { get; set; }
+    public bool? IncludeDisplacement { get; set; }
 
     /// <summary>Axis Neuron's setting Reference: whether six values of the Reference node come first. Default: false.</summary>
-    public bool Reference { get; set; }
+    public bool IncludeReference { get; set; }
 
     /// <summary>Axis Neuron's setting Rotation: the order of the rotation values. Default: YXZ.</summary>
     public RotationOrder RotationOrder { get; set; } = RotationOrder.YXZ;
@@ -145,7 +145,7 @@ public sealed partial class BroadcasterOptions
     /// How many frames of all avatars a client may fall behind at a paced rate before it loses some, 1 to 65,536. Default: 256. The
     /// memory is shared by all clients.
     /// </summary>
-    public int QueueLength { get; set; } = 256;
+    public int QueueCapacity { get; set; } = 256;
 
     /// <summary>
     /// How long a write to a TCP client may wait before the client is let go, and its connection reset: its computer lost power or

@@ -10,14 +10,14 @@ internal static class BroadcasterOptionsCheck
 
     public static void Check(BroadcasterOptions options)
     {
-        if (options.Recording is null)
+        if (options.RecordingPath is null)
             CheckSources(options);
         else
             CheckRecording(options);
 
         CheckNetwork(options);
         CheckCalculationPort(options);
-        Require(options.QueueLength is >= 1 and <= 65_536, nameof(options.QueueLength), "is 1 to 65,536 frames", options.QueueLength);
+        Require(options.QueueCapacity is >= 1 and <= 65_536, nameof(options.QueueCapacity), "is 1 to 65,536 frames", options.QueueCapacity);
         Require(
             options.ClientTimeout == Timeout.InfiniteTimeSpan
                 || (options.ClientTimeout >= TimeSpan.FromSeconds(1) && options.ClientTimeout <= TimeSpan.FromMinutes(10)),
@@ -50,9 +50,9 @@ internal static class BroadcasterOptionsCheck
             options.AvatarNames.Count);
         CheckFormat(options);
         CheckRate(options);
-        Require(options.FrameLimit is null or >= 1, nameof(options.FrameLimit), "is at least 1 frame", options.FrameLimit);
-        Require(options.RecordingSpeed == 1, nameof(options.RecordingSpeed), "needs a Recording; a source's speed is its Rate", options.RecordingSpeed);
-        Require(!options.LoopRecording, nameof(options.LoopRecording), "needs a Recording; of sources there is LoopedSource", true);
+        Require(options.MaxFrames is null or >= 1, nameof(options.MaxFrames), "is at least 1 frame", options.MaxFrames);
+        Require(options.RecordingSpeed == 1, nameof(options.RecordingSpeed), "needs a RecordingPath; a source's speed is its Rate", options.RecordingSpeed);
+        Require(!options.LoopRecording, nameof(options.LoopRecording), "needs a RecordingPath; of sources there is LoopedSource", true);
     }
 
     // What would change packets has no meaning for those of a recording.
@@ -63,16 +63,16 @@ internal static class BroadcasterOptionsCheck
         [
             (nameof(options.Sources), options.Sources.Count, 0),
             (nameof(options.AvatarNames), options.AvatarNames.Count, 0),
-            (nameof(options.FrameLimit), options.FrameLimit, null),
-            (nameof(options.Displacement), options.Displacement, null),
-            (nameof(options.Reference), options.Reference, ordinary.Reference),
+            (nameof(options.MaxFrames), options.MaxFrames, null),
+            (nameof(options.IncludeDisplacement), options.IncludeDisplacement, null),
+            (nameof(options.IncludeReference), options.IncludeReference, ordinary.IncludeReference),
             (nameof(options.RotationOrder), options.RotationOrder, ordinary.RotationOrder),
             (nameof(options.Format), options.Format, ordinary.Format),
             (nameof(options.DataVersion), options.DataVersion, null),
             (nameof(options.Calculation), options.Calculation, null),
             (nameof(options.CalculationValueCount), options.CalculationValueCount, ordinary.CalculationValueCount),
             (nameof(options.StudioCalculation), options.StudioCalculation, null),
-            (nameof(options.Motion), options.Motion, ordinary.Motion),
+            (nameof(options.SendMotion), options.SendMotion, ordinary.SendMotion),
             (nameof(options.TextDecimals), options.TextDecimals, ordinary.TextDecimals),
             (nameof(options.TextQuirks), options.TextQuirks, ordinary.TextQuirks),
             (nameof(options.DataCommandLength), options.DataCommandLength, null),
@@ -141,15 +141,15 @@ internal static class BroadcasterOptionsCheck
         int? port = options.CalculationPort;
         bool hasCalculation = options.Calculation is not null || options.StudioCalculation is not null;
         Require(port is null or (>= 0 and <= 65_535), nameof(options.CalculationPort), "is 0 to 65535", port);
-        Require(port is null || hasCalculation || options.Recording is not null, nameof(options.CalculationPort), "needs Calculation, StudioCalculation or a Recording", port);
-        Require(port is null || options.Motion, nameof(options.CalculationPort), "is null without Motion: calculation alone goes to Port and UdpDestinations", port);
+        Require(port is null || hasCalculation || options.RecordingPath is not null, nameof(options.CalculationPort), "needs Calculation, StudioCalculation or a Recording", port);
+        Require(port is null || options.SendMotion, nameof(options.CalculationPort), "is null without SendMotion: calculation alone goes to Port and UdpDestinations", port);
         Require(port is null or 0 || port != options.Port, nameof(options.CalculationPort), "is another one than Port", port);
         Require(
             port != 0 || options.UdpDestinations.Count == 0,
             nameof(options.CalculationPort),
             "is 1 to 65535 with UdpDestinations, which are not asked for a free one",
             port);
-        Require(options.Motion || hasCalculation, nameof(options.Motion), "is true without Calculation or StudioCalculation: nothing would be sent", false);
+        Require(options.SendMotion || hasCalculation, nameof(options.SendMotion), "is true without Calculation or StudioCalculation: nothing would be sent", false);
     }
 
     private static void CheckFormat(BroadcasterOptions options)

@@ -88,17 +88,17 @@ public sealed class BvhSource : MotionSource
 
         foreach (Bone bone in BoneHierarchy.Bones)
         {
-            int position = layout.PositionIndex(bone);
+            int position = layout.GetPositionIndex(bone);
             if (position >= 0)
                 WritePosition(bone, row, values[position..]);
 
-            row.Slice(_map.Layout.RotationIndex(bone), 3).CopyTo(values[layout.RotationIndex(bone)..]);
+            row.Slice(_map.Layout.GetRotationIndex(bone), 3).CopyTo(values[layout.GetRotationIndex(bone)..]);
         }
     }
 
     private void WritePosition(Bone bone, ReadOnlySpan<float> row, Span<float> destination)
     {
-        int position = _map.Layout.PositionIndex(bone);
+        int position = _map.Layout.GetPositionIndex(bone);
         if (position >= 0)
             row.Slice(position, 3).CopyTo(destination);
         else

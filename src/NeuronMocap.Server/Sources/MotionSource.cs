@@ -67,11 +67,11 @@ public abstract class MotionSource
         values[..layout.ValueCount].Clear();
         foreach (Bone bone in BoneHierarchy.Bones)
         {
-            int position = layout.PositionIndex(bone);
+            int position = layout.GetPositionIndex(bone);
             if (position >= 0)
                 Write(values[position..], pose[(int)bone].Position);
 
-            Write(values[layout.RotationIndex(bone)..], EulerAngles.FromQuaternion(pose[(int)bone].Rotation, order));
+            Write(values[layout.GetRotationIndex(bone)..], EulerAngles.FromQuaternion(pose[(int)bone].Rotation, order));
         }
     }
 

@@ -10,11 +10,11 @@ internal static class PoseValues
 
     public static void Write(Span<float> values, ChannelLayout layout, RotationOrder order, Bone bone, BoneTransform transform)
     {
-        int position = layout.PositionIndex(bone);
+        int position = layout.GetPositionIndex(bone);
         if (position >= 0)
             Write(values[position..], transform.Position);
 
-        Write(values[layout.RotationIndex(bone)..], EulerAngles.FromQuaternion(transform.Rotation, order));
+        Write(values[layout.GetRotationIndex(bone)..], EulerAngles.FromQuaternion(transform.Rotation, order));
     }
 
     public static void WriteReference(Span<float> values, RotationOrder order, BoneTransform reference)
@@ -26,10 +26,10 @@ internal static class PoseValues
     // A position that the values lack is that of the offsets.
     public static BoneTransform Read(ReadOnlySpan<float> values, ChannelLayout layout, RotationOrder order, Bone bone, ReadOnlySpan<Vector3> offsets)
     {
-        int position = layout.PositionIndex(bone);
+        int position = layout.GetPositionIndex(bone);
         return new BoneTransform(
             position < 0 ? offsets[(int)bone] : ReadVector(values[position..]),
-            EulerAngles.ToQuaternion(ReadVector(values[layout.RotationIndex(bone)..]), order));
+            EulerAngles.ToQuaternion(ReadVector(values[layout.GetRotationIndex(bone)..]), order));
     }
 
     public static BoneTransform ReadReference(ReadOnlySpan<float> values, ChannelLayout layout, RotationOrder order) => layout.HasReference

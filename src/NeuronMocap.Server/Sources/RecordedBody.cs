@@ -27,7 +27,7 @@ internal static class RecordedBody
     {
         if (avatarIndex != 0 || metadata is null)
             return null;
-        if (metadata[RecordingMetadata.BvhHierarchyName] is { } hierarchy && Read(hierarchy, variant) is { } body)
+        if (metadata[RecordingMetadata.BvhHierarchyKey] is { } hierarchy && Read(hierarchy, variant) is { } body)
             return body;
 
         return !hasDisplacement && metadata.BoneDimensions is { } dimensions ? SkeletonBody.FromDimensions(dimensions, variant) : null;

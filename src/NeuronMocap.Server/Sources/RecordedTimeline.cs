@@ -30,8 +30,8 @@ internal sealed class RecordedTimeline
         _layout = layout;
         _order = order;
         _reduction = FindReduction(received);
-        FrameRateEstimate? estimate = evenRate is null ? Measure(received) : null;
-        MeasuredRate = estimate?.MeasuredRate;
+        FrameRateEstimator? estimate = evenRate is null ? Measure(received) : null;
+        MeasuredFrameRate = estimate?.MeasuredFrameRate;
         FrameRate = evenRate ?? estimate?.FrameRate ?? DefaultRate;
         foreach (RecordedTakeRow row in received)
             Add(row);
@@ -46,7 +46,7 @@ internal sealed class RecordedTimeline
     public double FrameRate { get; }
 
     /// <summary>From the arrival times; null where there are none to tell.</summary>
-    public double? MeasuredRate { get; }
+    public double? MeasuredFrameRate { get; }
 
     // Frames from one to the next, 1 for neighbours; null when the index does not tell.
     private long? StepBetween(RecordedTakeRow before, RecordedTakeRow row)
@@ -132,9 +132,9 @@ internal sealed class RecordedTimeline
     }
 
     // Over all stretches in which the index tells how many frames passed.
-    private FrameRateEstimate Measure(IReadOnlyList<RecordedTakeRow> rows)
+    private FrameRateEstimator Measure(IReadOnlyList<RecordedTakeRow> rows)
     {
-        var estimate = new FrameRateEstimate();
+        var estimate = new FrameRateEstimator();
         long frame = 0;
         for (int i = 0; i < rows.Count; i++)
         {
@@ -154,7 +154,7 @@ internal sealed class RecordedTimeline
         return estimate;
     }
 
-    public static double ChooseRate(double measured)
+    public static double ChooseFrameRate(double measured)
     {
         double nearest = BvhFrameTimeText.UsualRates.ToArray().OrderBy(rate => Math.Abs(rate - measured)).First();
         return Math.Abs(nearest - measured) <= nearest * RateTolerance ? nearest : measured;

@@ -47,15 +47,15 @@ public sealed class RecordingSource : MotionSource
     public SkeletonFormat Format { get; }
 
     /// <summary>
-    /// The measured rate (<see cref="MeasuredRate"/>), or the usual one (24, 25, 30, 48, 50, 60, 72, 75, 80, 90, 96, 100, 120, 144, 150, 180, 200, 240,
+    /// The measured rate (<see cref="MeasuredFrameRate"/>), or the usual one (24, 25, 30, 48, 50, 60, 72, 75, 80, 90, 96, 100, 120, 144, 150, 180, 200, 240,
     /// 300 or 360 Hz) within one per cent of it; 120 where arrival times do not tell. Where they stand on an even grid, as of a recording that was made of a
-    /// file, the rate of the grid, whatever it is: <see cref="FrameRateEstimate"/>. Of raw bytes, <see cref="PlaybackOptions.FrameRate"/>, or the rate
+    /// file, the rate of the grid, whatever it is: <see cref="FrameRateEstimator"/>. Of raw bytes, <see cref="PlaybackOptions.FrameRate"/>, or the rate
     /// of their timecodes, or 120.
     /// </summary>
     public override double FrameRate => _timeline.FrameRate;
 
     /// <summary>Frames per second by the arrival times, missing ones counted; null where these do not tell.</summary>
-    public double? MeasuredRate => _timeline.MeasuredRate;
+    public double? MeasuredFrameRate => _timeline.MeasuredFrameRate;
 
     /// <inheritdoc/>
     public override long? FrameCount => _timeline.Rows.Count;
@@ -76,7 +76,7 @@ public sealed class RecordingSource : MotionSource
     public IReadOnlyList<RecordedGap> Gaps => _timeline.Gaps;
 
     /// <summary>Whether the sizes of the body are the actor's: false where a stream without displacement leaves only the default ones.</summary>
-    public bool HasOwnBody => HasDisplacement || _body != SkeletonBody.Default(Variant);
+    public bool HasOwnBody => HasDisplacement || _body != SkeletonBody.GetDefault(Variant);
 
     /// <summary>Whether <see cref="GetFootContacts"/> is what the server measured, not an estimate.</summary>
     public bool HasMeasuredContacts { get; }
@@ -116,7 +116,7 @@ public sealed class RecordingSource : MotionSource
     /// <summary>The rate that a server is set to, from a measured one: see <see cref="FrameRate"/>.</summary>
     /// <param name="measured">Frames per second.</param>
     /// <returns>A usual rate within one per cent of it, or itself.</returns>
-    public static double ChooseRate(double measured) => RecordedTimeline.ChooseRate(measured);
+    public static double ChooseFrameRate(double measured) => RecordedTimeline.ChooseFrameRate(measured);
 
     /// <summary>When a frame arrived, since the recording's start; of an interpolated one, when it would have.</summary>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
@@ -173,7 +173,7 @@ public sealed class RecordingSource : MotionSource
     private SkeletonBody FindBody()
     {
         if (!Layout.HasDisplacement)
-            return SkeletonBody.Default(Variant);
+            return SkeletonBody.GetDefault(Variant);
 
         Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
         foreach (Bone bone in BoneHierarchy.Bones)

@@ -65,12 +65,12 @@ internal static class OptionNames
         [nameof(NeuronReaderOptions.Transport)] = "the source",
         [nameof(ReconnectPolicy.Enabled)] = "--once",
         [nameof(DiagnosisOptions.Timeout)] = "--duration",
-        [nameof(DiagnosisOptions.Wanted)] = "the kind of frames",
+        [nameof(DiagnosisOptions.Expected)] = "the kind of frames",
         [nameof(RecordingOptions.Compress)] = "--record-compress",
         [nameof(RecordingOptions.Overwrite)] = "--overwrite",
         [nameof(BvhExportOptions.Body)] = "the body of the export",
         [nameof(BvhExportOptions.Capacity)] = "the memory for what the disk has not taken",
-        [nameof(BvhExportOptions.Gaps)] = "the gaps of the export",
+        [nameof(BvhExportOptions.GapHandling)] = "the gaps of the export",
     };
 
     /// <summary>A sentence of the library, with the names of options.</summary>

@@ -74,9 +74,9 @@ internal static class CalculationCopy
                 progress.Report((double)reader.BytesRead / length);
         }
 
-        summary.AddRepairs(reader.Repairs, reader.RepairCount, reader.LeftOutRowCount);
+        summary.AddRepairs(reader.Repairs, reader.RepairCount, reader.SkippedRowCount);
         if (reader is { DeclaredFrameRate: null, FrameRate: CalculationReadOptions.DefaultFrameRate })
-            summary.AddDoubt("the export does not say its rate, and 120 Hz is assumed; --rate tells another one");
+            summary.AddWarning("the export does not say its rate, and 120 Hz is assumed; --rate tells another one");
 
         (summary.Frames, summary.Rate, summary.Seconds) = (rows - first, reader.FrameRate, (rows - first) / reader.FrameRate);
         if (rows <= first)

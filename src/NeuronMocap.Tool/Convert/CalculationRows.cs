@@ -32,10 +32,10 @@ internal static class CalculationRows
 
         (summary.Rate, summary.Seconds, summary.Gaps, summary.MissingFrames) = (rate, summary.Frames / rate, gaps, missing);
         if (missing > 0)
-            summary.AddDoubt("rows have no times, so that what follows a gap comes too early");
+            summary.AddWarning("rows have no times, so that what follows a gap comes too early");
 
         summary.AddLoss("times of arrival, and the avatar's name and number");
-        StreamDoubts.AddRest(
+        StreamWarnings.AddRest(
             summary, settings, frame => frame is CalculationFrame { BoneCount: > 0 } && frame.AvatarIndex == found.Avatar, cancelled);
         return true;
     }

@@ -9,9 +9,9 @@ internal sealed class ConversionSummary
 {
     private const int MostNamed = 3;
 
-    private readonly List<string> _doubts = [];
+    private readonly List<string> _warnings = [];
     private readonly List<string> _losses = [];
-    private long _moreDoubts;
+    private long _moreWarnings;
 
     /// <summary>Frames of the new file.</summary>
     public long Frames { get; set; }
@@ -34,7 +34,7 @@ internal sealed class ConversionSummary
     /// <summary>Rows of the old file that are not in the new one, for they are none.</summary>
     public long RowsLeftOut { get; set; }
 
-    public void AddDoubt(string doubt) => _doubts.Add(doubt.TrimEnd('.'));
+    public void AddWarning(string warning) => _warnings.Add(warning.TrimEnd('.'));
 
     /// <summary>Adds what the old file holds and the new one has no place for.</summary>
     public void AddLoss(string loss) => _losses.Add(loss);
@@ -42,11 +42,11 @@ internal sealed class ConversionSummary
     /// <summary>Adds what was wrong in a BVH file.</summary>
     public void AddRepairs(BvhDocument document)
     {
-        RowsLeftOut += document.LeftOutRowCount;
+        RowsLeftOut += document.SkippedRowCount;
         foreach (BvhRepair repair in document.Repairs)
-            AddDoubt(repair.ToString());
+            AddWarning(repair.ToString());
 
-        _moreDoubts += document.RepairCount - document.Repairs.Count;
+        _moreWarnings += document.RepairCount - document.Repairs.Count;
     }
 
     /// <summary>Adds what was wrong in a calculation export, once it was read.</summary>
@@ -54,9 +54,9 @@ internal sealed class ConversionSummary
     {
         RowsLeftOut += leftOut;
         foreach (CalculationRepair repair in repairs)
-            AddDoubt(repair.ToString());
+            AddWarning(repair.ToString());
 
-        _moreDoubts += count - repairs.Count;
+        _moreWarnings += count - repairs.Count;
     }
 
     /// <summary>The line.</summary>
@@ -73,14 +73,14 @@ internal sealed class ConversionSummary
         if (MissingFrames > 0)
             line += $" ({Count(MissingFrames, "frame")} missing{(InterpolatedFrames > 0 ? Quantity.Format($", {InterpolatedFrames:#,0} interpolated") : string.Empty)})";
 
-        long doubts = _doubts.Count + _moreDoubts;
-        line += $"; {Count(RowsLeftOut, "row")} left out; {Count(doubts, "doubt")}";
-        if (doubts > 0)
+        long warnings = _warnings.Count + _moreWarnings;
+        line += $"; {Count(RowsLeftOut, "row")} left out; {Count(warnings, "warning")}";
+        if (warnings > 0)
         {
-            // A doubt is a sentence, which may have semicolons of its own.
-            line += ": " + (doubts == 1 ? _doubts[0] : string.Join(", ", _doubts.Take(MostNamed).Select(static (doubt, index) => $"({index + 1}) {doubt}")));
-            if (doubts > MostNamed)
-                line += $", and {doubts - MostNamed} more, which info lists";
+            // A warning is a sentence, which may have semicolons of its own.
+            line += ": " + (warnings == 1 ? _warnings[0] : string.Join(", ", _warnings.Take(MostNamed).Select(static (warning, index) => $"({index + 1}) {warning}")));
+            if (warnings > MostNamed)
+                line += $", and {warnings - MostNamed} more, which info lists";
         }
 
         return line + (_losses.Count > 0 ? $"; not kept: {string.Join(", ", _losses)}." : ".");

@@ -17,14 +17,14 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         FileKind to = FileKinds.OfName(settings.Output!)!.Value;
         FileKind from = settings.RecognizeInput();
         if (from == FileKind.Raw && settings.InputRate is null)
-            _summary.AddDoubt("the bytes have no times, and the rate of their timecodes, or 120 Hz, is assumed; --rate tells another one");
+            _summary.AddWarning("the bytes have no times, and the rate of their timecodes, or 120 Hz, is assumed; --rate tells another one");
 
         output.Write(path =>
         {
             using var progress = new ProgressLine(streams, $"writing {Path.GetFileName(settings.Output)}");
             Write(from, to, path, progress, cancelled);
             if (from == FileKind.Recording)
-                StreamDoubts.AddDamage(_summary, settings.Input, cancelled);
+                StreamWarnings.AddDamage(_summary, settings.Input, cancelled);
         });
         streams.Complain(_summary.Describe(Path.GetFileName(settings.Output!)));
     }
@@ -42,7 +42,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
                 break;
             case FileKind.Recording or FileKind.Raw when isStream:
                 CopyStream(from, to, path, progress, cancelled);
-                StreamDoubts.AddStream(_summary, path, to == FileKind.Recording, cancelled);
+                StreamWarnings.AddStream(_summary, path, to == FileKind.Recording, cancelled);
                 break;
             case FileKind.Recording or FileKind.Raw when from == FileKind.Calculation:
                 RejectForCopy("the rows of a calculation export become packets as they are");
@@ -85,7 +85,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
                 break;
         }
 
-        TakeDoubts.Add(_summary, settings, take, motion, _range, cancelled);
+        TakeWarnings.Add(_summary, settings, take, motion, _range, cancelled);
     }
 
     private void AddLossOfRaw(FileKind to)
@@ -150,9 +150,9 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         {
             string hierarchy = SourceHierarchy.GetText(take);
             metadata = metadata
-                .With(RecordingMetadata.RotationOrderName, take.Order.ToString())
-                .With(RecordingMetadata.SkeletonVariantName, take.Motion.Variant.ToString())
-                .With(RecordingMetadata.BvhHierarchyName, hierarchy);
+                .With(RecordingMetadata.RotationOrderKey, take.Order.ToString())
+                .With(RecordingMetadata.SkeletonVariantKey, take.Motion.Variant.ToString())
+                .With(RecordingMetadata.BvhHierarchyKey, hierarchy);
         }
 
         return new RecordingSink(CreateRecording(path, metadata));
@@ -166,7 +166,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     {
         string? version = typeof(ConvertTool).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion;
         return RecordingMetadata.Empty
-            .With(RecordingMetadata.Program, $"neuron-mocap {version}")
-            .With(RecordingMetadata.Server, $"the file {Path.GetFileName(settings.Input)}");
+            .With(RecordingMetadata.ProgramKey, $"neuron-mocap {version}")
+            .With(RecordingMetadata.ServerKey, $"the file {Path.GetFileName(settings.Input)}");
     }
 }

@@ -18,7 +18,7 @@ internal sealed class RowTimes
     /// <summary>The rate, and where frames are missing.</summary>
     public (double? Rate, long Gaps, long MissingFrames) Measure()
     {
-        var estimate = new FrameRateEstimate();
+        var estimate = new FrameRateEstimator();
         (long frame, long gaps, long missing) = (0, 0, 0);
         uint reduction = FindReduction();
         for (int i = 0; i < _rows.Count; i++)

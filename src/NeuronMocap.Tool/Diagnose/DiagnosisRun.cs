@@ -45,7 +45,7 @@ internal sealed class DiagnosisRun(MonitorOptions options, StandardStreams strea
         DiagnosisOutput output = CreateOutput(reader);
         StreamDiagnosis diagnosis = await NeuronDiagnostics.DiagnoseAsync(reader, how, output, cancelled);
         output.Finish(diagnosis);
-        return diagnosis.FramesArrive ? CommandLine.Done : CommandLine.NothingReceived;
+        return diagnosis.IsReceiving ? CommandLine.Done : CommandLine.NothingReceived;
     }
 
     private DiagnosisOutput CreateOutput(NeuronReaderOptions reader)
@@ -53,7 +53,7 @@ internal sealed class DiagnosisRun(MonitorOptions options, StandardStreams strea
         if (options.Output != OutputKind.Person)
             return new JsonDiagnosis(streams.Output, quiet: options.Output == OutputKind.Quiet);
 
-        var output = new PersonDiagnosis(streams);
+        var output = new TextDiagnosis(streams);
         output.Begin(reader.Transport == TransportKind.Udp
             ? $"UDP port {reader.Port} of this computer"
             : $"{new ServerAddress(reader.Host, reader.Port)} over TCP");

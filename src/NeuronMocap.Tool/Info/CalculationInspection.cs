@@ -55,8 +55,8 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
         try
         {
             var source = new CalculationSource(CalculationDocument.Load(settings.Input, settings.ReadCalculation(progress, cancelled)));
-            foreach (string doubt in source.Skeleton.Doubts)
-                oddities.Remark("lengths", doubt);
+            foreach (string warning in source.Skeleton.Warnings)
+                oddities.Remark("lengths", warning);
 
             BodySection.Add(report, source);
             var motion = new BodyMotion(source);

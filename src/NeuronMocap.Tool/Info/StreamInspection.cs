@@ -40,7 +40,7 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         take.Add("frames", "frames", Frames(source), source.FrameCount.Value);
         take.Add("receivedFrames", string.Empty, null, source.ReceivedFrames).Add("interpolatedFrames", string.Empty, null, source.InterpolatedFrames);
         take.Add("frameRate", "frame rate", Rate(source), source.FrameRate);
-        take.Add("measuredRate", string.Empty, null, source.MeasuredRate ?? double.NaN);
+        take.Add("measuredRate", string.Empty, null, source.MeasuredFrameRate ?? double.NaN);
         take.Add("variant", "bone names", source.Variant.ToString());
         take.Add("rotationOrder", "rotation order", source.Format.RotationOrder.ToString());
         take.Add("displacement", "displacement", source.Layout.HasDisplacement ? "on" : "off", source.Layout.HasDisplacement);
@@ -86,7 +86,7 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         if (!isRecording)
             return rate + (settings.InputRate is null ? ": of the timecodes, or assumed; --rate gives another one" : ": as --rate says");
 
-        return source.MeasuredRate is { } measured
+        return source.MeasuredFrameRate is { } measured
             ? rate + Quantity.Format($": {measured:0.00} by the times of arrival")
             : rate + ", assumed: there are no times";
     }

@@ -139,7 +139,7 @@ internal sealed class JsonLines
         _json.WriteNumber("calculationFrames"u8, statistics.CalculationFrames);
         _json.WriteNumber("lost"u8, statistics.Lost);
         _json.WriteNumber("dropped"u8, statistics.Dropped);
-        _json.WriteNumber("skippedBytes"u8, statistics.SkippedBytes);
+        _json.WriteNumber("skippedBytes"u8, statistics.BytesSkipped);
         _json.WriteNumber("seconds"u8, statistics.Duration.TotalSeconds);
         _json.WriteNumber("gaps"u8, statistics.Gaps);
         _json.WriteNumber("restarts"u8, statistics.Restarts);
@@ -166,7 +166,7 @@ internal sealed class JsonLines
     {
         Begin("diagnosis"u8);
         _json.WriteString("verdict"u8, diagnosis.Verdict.ToString());
-        _json.WriteBoolean("framesArrive"u8, diagnosis.FramesArrive);
+        _json.WriteBoolean("framesArrive"u8, diagnosis.IsReceiving);
         _json.WriteStartArray("findings"u8);
         foreach (DiagnosisVerdict verdict in diagnosis.Verdicts)
             _json.WriteStringValue(verdict.ToString());
@@ -174,7 +174,7 @@ internal sealed class JsonLines
         _json.WriteEndArray();
         _json.WriteString("summary"u8, OptionNames.Translate(diagnosis.Summary));
         _json.WriteString("advice"u8, diagnosis.Advice is { } advice ? OptionNames.Translate(advice) : null);
-        _json.WriteString("code"u8, diagnosis.Code);
+        _json.WriteString("code"u8, diagnosis.SampleCode);
         _json.WriteStartArray("avatars"u8);
         foreach (DiagnosedAvatar avatar in diagnosis.Avatars)
             WriteAvatar(avatar);

@@ -43,7 +43,7 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : MonitorOu
     public static string DescribeEnd(ReaderStatistics statistics) => string.Create(
         CultureInfo.InvariantCulture,
         $"{statistics.MotionFrames} motion and {statistics.CalculationFrames + statistics.StudioCalculationFrames} calculation frames in {statistics.Duration.TotalSeconds:0.0} s; "
-        + $"lost {statistics.Lost}, dropped {statistics.Dropped}, skipped {statistics.SkippedBytes} bytes.");
+        + $"lost {statistics.Lost}, dropped {statistics.Dropped}, skipped {statistics.BytesSkipped} bytes.");
 
     // A server without timecode has none in the next line either.
     private void TakeTimecodes(LatestFrames latest, IReadOnlyList<AvatarStatistics> avatars)
@@ -78,7 +78,7 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : MonitorOu
 
         string buffer = status.ReceiveBufferSize is { } size ? string.Create(CultureInfo.InvariantCulture, $" buffer {size} bytes") : string.Empty;
         return line
-            .Append(CultureInfo.InvariantCulture, $"  lost {statistics.Lost} dropped {statistics.Dropped} skipped {statistics.SkippedBytes} bytes{buffer}")
+            .Append(CultureInfo.InvariantCulture, $"  lost {statistics.Lost} dropped {statistics.Dropped} skipped {statistics.BytesSkipped} bytes{buffer}")
             .ToString();
     }
 

@@ -25,9 +25,9 @@ internal sealed class BodyMotion : PointMotion
         Roles = new PointRoles
         {
             Root = (int)Bone.Hips,
-            HeadTop = JointPositions.EndSiteIndex(Bone.Head),
-            LeftFoot = [(int)Bone.LeftFoot, JointPositions.EndSiteIndex(Bone.LeftFoot)],
-            RightFoot = [(int)Bone.RightFoot, JointPositions.EndSiteIndex(Bone.RightFoot)],
+            HeadTop = JointPositions.GetEndSiteIndex(Bone.Head),
+            LeftFoot = [(int)Bone.LeftFoot, JointPositions.GetEndSiteIndex(Bone.LeftFoot)],
+            RightFoot = [(int)Bone.RightFoot, JointPositions.GetEndSiteIndex(Bone.RightFoot)],
             LeftHand = (int)Bone.LeftHand,
             RightHand = (int)Bone.RightHand,
             LeftThigh = (int)Bone.LeftUpLeg,

@@ -89,7 +89,7 @@ internal sealed class SimulatorReport(
         }
     }
 
-    private string Describe() => options.Recording is not null ? description : string.Create(
+    private string Describe() => options.RecordingPath is not null ? description : string.Create(
         CultureInfo.InvariantCulture,
         $"Broadcasting {description}: {Count(options.Sources.Count, "avatar")}, {Rate()}, {broadcaster.Layout.ValueCount} values, "
         + $"{options.RotationOrder}, {Format()}");
@@ -104,7 +104,7 @@ internal sealed class SimulatorReport(
     private string Calculation(string packets) => options switch
     {
         { Calculation: null, StudioCalculation: null } => string.Empty,
-        { Motion: false } => $", {packets} alone",
+        { SendMotion: false } => $", {packets} alone",
         { CalculationPort: not null } => $", {packets} on a port of their own",
         _ => $", {packets}",
     };

@@ -40,7 +40,7 @@ internal static class SourceFactory
 
     private static SimulatorSources MakeActors(int count)
     {
-        MotionSource[] actors = [.. Enumerable.Range(0, count).Select(avatar => new SyntheticActor(avatar: avatar))];
+        MotionSource[] actors = [.. Enumerable.Range(0, count).Select(avatar => new SyntheticSource(avatarIndex: avatar))];
         return new SimulatorSources(actors, Order: null, "synthetic actor");
     }
 
@@ -58,8 +58,8 @@ internal static class SourceFactory
         CalculationDocument document = CalculationDocument.Load(file.FullName);
         var take = new CalculationSource(document);
         string repairs = document.RepairCount == 0 ? string.Empty : $", {document.RepairCount} repairs, first {document.Repairs[0]}";
-        string doubts = string.Concat(take.Skeleton.Doubts.Select(static doubt => $" {doubt}"));
-        return new SimulatorSources(Repeat(take, settings), Order: null, Describe(file, take) + repairs + doubts)
+        string warnings = string.Concat(take.Skeleton.Warnings.Select(static warning => $" {warning}"));
+        return new SimulatorSources(Repeat(take, settings), Order: null, Describe(file, take) + repairs + warnings)
         {
             WriteCalculation = take.WriteCalculation,
             CalculationValueCount = take.ValueCount,

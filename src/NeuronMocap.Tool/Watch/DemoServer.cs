@@ -15,7 +15,7 @@ internal sealed class DemoServer : IDisposable
     {
         _broadcaster = new Broadcaster(new BroadcasterOptions
         {
-            Sources = [new SyntheticActor(FrameRate)],
+            Sources = [new SyntheticSource(FrameRate)],
             AvatarNames = ["Demo"],
             Port = 0,
             WaitForClient = true,

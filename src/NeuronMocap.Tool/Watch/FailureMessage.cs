@@ -45,9 +45,9 @@ internal sealed class FailureMessage
             return $"{problem.Describe()} No frame is in it.";
 
         // The run ended before the silence check of the reader could say what the bytes were.
-        if (statistics.SkippedBytes > 0 && problem.Reason == ConnectionReason.None)
+        if (statistics.BytesSkipped > 0 && problem.Reason == ConnectionReason.None)
         {
-            return $"{statistics.SkippedBytes} bytes arrived, but no packet of this protocol. Check the port, and that the server's "
+            return $"{statistics.BytesSkipped} bytes arrived, but no packet of this protocol. Check the port, and that the server's "
                 + "broadcasting format (block type) is Binary.";
         }
 

@@ -72,7 +72,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
                 (telling, cause) = (reason, exception);
         }
 
-        throw CommandAdvice.NotConnected(telling, link, cause);
+        throw CommandMessages.NotConnected(telling, link, cause);
     }
 
     // Throws a NeuronCommandException; the caller then closes the connection.
@@ -86,7 +86,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
         try
         {
             if (_asked.Count == 1 && _socket!.Available > 0)
-                throw CommandAdvice.SpokeFirst(link.Target);
+                throw CommandMessages.SpokeFirst(link.Target);
 
             Send(request.Encode(), watch);
             isPlain = Receive(request, id, watch);
@@ -97,7 +97,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
         {
-            throw CommandAdvice.Closed(link.Target, isIncomplete: !_reader.IsEmpty, exception);
+            throw CommandMessages.Closed(link.Target, isIncomplete: !_reader.IsEmpty, exception);
         }
 
         if (!isPlain)
@@ -124,12 +124,12 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
         try
         {
             if (!Run("NeuronMocap command resolve", () => addresses = resolve(options.Host)))
-                throw CommandAdvice.ResolverTimedOut(link);
+                throw CommandMessages.ResolverTimedOut(link);
         }
         catch (Exception exception) when (exception is SocketException or ArgumentException)
         {
             ConnectionReason reason = exception is SocketException error ? SocketErrors.ToReason(error.SocketErrorCode) : ConnectionReason.HostNotFound;
-            throw CommandAdvice.NotConnected(reason, link, exception);
+            throw CommandMessages.NotConnected(reason, link, exception);
         }
 
         return addresses;
@@ -244,7 +244,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
                 Fill(watch);
 
             if (!_reader.IsAllowed(header))
-                throw CommandAdvice.WrongSize(link.Target, header.PayloadSize, options);
+                throw CommandMessages.WrongSize(link.Target, header.PayloadSize, options);
 
             bool isAnswer = options.AcceptAnyReplyId || header.CommandId == (int)asked || header.CommandId == 0;
             isPlain &= header.CommandId == (int)asked && !options.AcceptAnyReplyId;
@@ -256,7 +256,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
 
             // The late answer to something else is passed over.
             if (!Enum.IsDefined(typeof(CommandChannelId), (int)header.CommandId))
-                throw CommandAdvice.WrongId(link.Target, asked, header.CommandId);
+                throw CommandMessages.WrongId(link.Target, asked, header.CommandId);
         }
     }
 
@@ -266,7 +266,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
         _socket!.ReceiveTimeout = Remaining(watch);
         int count = _socket.Receive(room.Array!, room.Offset, room.Count, SocketFlags.None);
         if (count == 0)
-            throw CommandAdvice.Closed(link.Target, isIncomplete: !_reader.IsEmpty, cause: null);
+            throw CommandMessages.Closed(link.Target, isIncomplete: !_reader.IsEmpty, cause: null);
 
         HasHeard = true;
         _reader.Add(count);
@@ -280,5 +280,5 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
     }
 
     private NeuronCommandException TimedOut() =>
-        CommandAdvice.TimedOut(link.Target, options, _reader.Skipped, isIncomplete: !_reader.IsEmpty);
+        CommandMessages.TimedOut(link.Target, options, _reader.Skipped, isIncomplete: !_reader.IsEmpty);
 }

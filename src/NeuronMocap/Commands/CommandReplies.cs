@@ -11,7 +11,7 @@ internal sealed class CommandReplies(string target)
     {
         // The vendor's library looks at the first byte alone: 256 is a refusal.
         if (payload.IsEmpty || payload[0] == 0)
-            throw CommandAdvice.NotZeroedOut(target, avatar);
+            throw CommandMessages.NotZeroedOut(target, avatar);
 
         return true;
     }
@@ -19,7 +19,7 @@ internal sealed class CommandReplies(string target)
     public RotationOrder ReadRotationOrder(ReadOnlySpan<byte> payload)
     {
         if (payload.IsEmpty)
-            throw CommandAdvice.NoAnswer(target, avatar: null);
+            throw CommandMessages.NoAnswer(target, avatar: null);
 
         // An integer of four bytes; the vendor's library takes fewer, too.
         long value = 0;
@@ -27,7 +27,7 @@ internal sealed class CommandReplies(string target)
             value = (value << 8) | payload[i];
 
         if (value is < (int)RotationOrder.XZY or > (int)RotationOrder.ZYX)
-            throw CommandAdvice.InvalidReply(target, $"the rotation order is {value}, which is none of the six, 0 to 5.");
+            throw CommandMessages.InvalidReply(target, $"the rotation order is {value}, which is none of the six, 0 to 5.");
 
         return (RotationOrder)value;
     }
@@ -35,11 +35,11 @@ internal sealed class CommandReplies(string target)
     public BoneDimensions ReadDimensions(ReadOnlySpan<byte> payload, int avatar)
     {
         if (payload.IsEmpty)
-            throw CommandAdvice.NoAnswer(target, avatar);
+            throw CommandMessages.NoAnswer(target, avatar);
         if (payload.Length < BoneDimensions.Size)
-            throw CommandAdvice.InvalidReply(target, $"the bone sizes are {payload.Length} bytes instead of {BoneDimensions.Size}.");
+            throw CommandMessages.InvalidReply(target, $"the bone sizes are {payload.Length} bytes instead of {BoneDimensions.Size}.");
         if (!BoneDimensions.TryRead(payload, out BoneDimensions dimensions))
-            throw CommandAdvice.InvalidReply(target, "the bone sizes are none: one is negative, or not a number.");
+            throw CommandMessages.InvalidReply(target, "the bone sizes are none: one is negative, or not a number.");
 
         return dimensions;
     }
@@ -52,18 +52,18 @@ internal sealed class CommandReplies(string target)
             utf8 = utf8[..^1];
 
         if (utf8.IsEmpty)
-            throw CommandAdvice.NoAnswer(target, avatar);
+            throw CommandMessages.NoAnswer(target, avatar);
 
         try
         {
             BvhDocument document = BvhDocument.Parse(utf8);
             return document.ChannelCount > 0
                 ? (Encoding.UTF8.GetString(utf8), document)
-                : throw CommandAdvice.InvalidReply(target, "the BVH header has no channels.");
+                : throw CommandMessages.InvalidReply(target, "the BVH header has no channels.");
         }
         catch (BvhFormatException exception)
         {
-            throw CommandAdvice.InvalidReply(target, $"the BVH header cannot be read: {exception.Message}", exception);
+            throw CommandMessages.InvalidReply(target, $"the BVH header cannot be read: {exception.Message}", exception);
         }
     }
 }

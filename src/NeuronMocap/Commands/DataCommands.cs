@@ -54,13 +54,13 @@ public sealed class DataCommands
     /// <summary>Asks for a value that is not an avatar's own. The reply comes to <see cref="Received"/>.</summary>
     /// <param name="id">What to ask for.</param>
     /// <returns>False when the request could not be sent: no connection stands, or frames come over UDP.</returns>
-    public bool TryRequest(DataCommandId id) => TryRequest(id, avatar: 0);
+    public bool TryRequest(DataCommandId id) => TryRequest(id, avatarIndex: 0);
 
     /// <summary>Asks for a value of an avatar. The reply comes to <see cref="Received"/>.</summary>
     /// <param name="id">What to ask for.</param>
-    /// <param name="avatar">Number of the avatar on the server, from 0.</param>
+    /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
     /// <returns>False when the request could not be sent: no connection stands, or frames come over UDP.</returns>
-    public bool TryRequest(DataCommandId id, int avatar) => TrySendRequest(id, avatar);
+    public bool TryRequest(DataCommandId id, int avatarIndex) => TrySendRequest(id, avatarIndex);
 
     /// <summary>
     /// Asks the server to send a value whenever it changes ("auto-sync"); it comes to <see cref="Received"/>. Asked for again by itself
@@ -97,43 +97,43 @@ public sealed class DataCommands
     /// not come in time the next call asks for the number of avatars first, behind whose reply no late one can come. Only a change that the server
     /// sends by itself, after <see cref="TryRegister"/>, may be taken for the reply.
     /// </summary>
-    /// <param name="avatar">Number of the avatar on the server, from 0.</param>
+    /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The bones in the order of the server.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
-    public async Task<IReadOnlyList<BoneSize>> GetBoneSizesAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
-        (await RequestInTurnAsync(_sizes, DataCommandId.BoneSize, avatar, cancellationToken).ConfigureAwait(false)).BoneSizes!;
+    public async Task<IReadOnlyList<BoneSize>> GetBoneSizesAsync(int avatarIndex = 0, CancellationToken cancellationToken = default) =>
+        (await RequestInTurnAsync(_sizes, DataCommandId.BoneSize, avatarIndex, cancellationToken).ConfigureAwait(false)).BoneSizes!;
 
     /// <summary>Asks for an avatar's hierarchy; whose it is, see <see cref="GetBoneSizesAsync"/>.</summary>
-    /// <param name="avatar">Number of the avatar on the server, from 0.</param>
+    /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The text of a BVH file's hierarchy, as the server sent it.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
-    public async Task<string> GetBvhTextAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
-        (await RequestInTurnAsync(_texts, DataCommandId.BvhText, avatar, cancellationToken).ConfigureAwait(false)).BvhText!;
+    public async Task<string> GetBvhTextAsync(int avatarIndex = 0, CancellationToken cancellationToken = default) =>
+        (await RequestInTurnAsync(_texts, DataCommandId.BvhText, avatarIndex, cancellationToken).ConfigureAwait(false)).BvhText!;
 
     /// <summary>Asks for the number of avatars on the server.</summary>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The number as the server sent it.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<int> GetAvatarCountAsync(CancellationToken cancellationToken = default) =>
-        (await RequestAsync(DataCommandId.AvatarCount, avatar: 0, cancellationToken).ConfigureAwait(false)).AvatarCount!.Value;
+        (await RequestAsync(DataCommandId.AvatarCount, avatarIndex: 0, cancellationToken).ConfigureAwait(false)).AvatarCount!.Value;
 
     /// <summary>Asks for an avatar's frequency. A reply for another avatar is passed over.</summary>
-    /// <param name="avatar">Number of the avatar on the server, from 0.</param>
+    /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>Frames per second.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
-    public async Task<int> GetFrequencyAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
-        (await RequestAsync(DataCommandId.DataFrequency, avatar, cancellationToken).ConfigureAwait(false)).Frequency!.Value;
+    public async Task<int> GetFrequencyAsync(int avatarIndex = 0, CancellationToken cancellationToken = default) =>
+        (await RequestAsync(DataCommandId.DataFrequency, avatarIndex, cancellationToken).ConfigureAwait(false)).Frequency!.Value;
 
     /// <summary>Asks for which sensors an avatar wears. A reply for another avatar is passed over.</summary>
-    /// <param name="avatar">Number of the avatar on the server, from 0.</param>
+    /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The mode; servers may send numbers that the enumeration lacks.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
-    public async Task<SensorCombination> GetCombinationModeAsync(int avatar = 0, CancellationToken cancellationToken = default) =>
-        (await RequestAsync(DataCommandId.CombinationMode, avatar, cancellationToken).ConfigureAwait(false)).CombinationMode!.Value;
+    public async Task<SensorCombination> GetCombinationModeAsync(int avatarIndex = 0, CancellationToken cancellationToken = default) =>
+        (await RequestAsync(DataCommandId.CombinationMode, avatarIndex, cancellationToken).ConfigureAwait(false)).CombinationMode!.Value;
 
     // Receive thread.
     internal void OnPacket(in ReceivedPacket packet)
@@ -163,16 +163,16 @@ public sealed class DataCommands
         _waiters.FailAll();
     }
 
-    private async Task<DataCommandReply> RequestInTurnAsync(Turns turns, DataCommandId id, int avatar, CancellationToken cancellation)
+    private async Task<DataCommandReply> RequestInTurnAsync(Turns turns, DataCommandId id, int avatarIndex, CancellationToken cancellation)
     {
         await turns.Free.WaitAsync(cancellation).ConfigureAwait(false);
         try
         {
             if (turns.HasLateReply)
-                await RequestAsync(DataCommandId.AvatarCount, avatar: 0, cancellation).ConfigureAwait(false);
+                await RequestAsync(DataCommandId.AvatarCount, avatarIndex: 0, cancellation).ConfigureAwait(false);
 
             turns.HasLateReply = true;
-            DataCommandReply reply = await RequestAsync(id, avatar, cancellation).ConfigureAwait(false);
+            DataCommandReply reply = await RequestAsync(id, avatarIndex, cancellation).ConfigureAwait(false);
             turns.HasLateReply = false;
             return reply;
         }
@@ -182,13 +182,13 @@ public sealed class DataCommands
         }
     }
 
-    private async Task<DataCommandReply> RequestAsync(DataCommandId id, int avatar, CancellationToken cancellation)
+    private async Task<DataCommandReply> RequestAsync(DataCommandId id, int avatarIndex, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
-        ReplyWaiters.Waiter waiter = _waiters.Add(reply => reply.Id == id && (reply.AvatarIndex ?? avatar) == avatar);
+        ReplyWaiters.Waiter waiter = _waiters.Add(reply => reply.Id == id && (reply.AvatarIndex ?? avatarIndex) == avatarIndex);
         try
         {
-            if (!TryRequest(id, avatar))
+            if (!TryRequest(id, avatarIndex))
             {
                 throw new NeuronCommandException(
                     CommandFailure.NotConnected,

@@ -34,7 +34,7 @@ public readonly record struct AvatarStatistics
     public long Gaps { get; init; }
 
     /// <summary>Frames that came twice or after a later one.</summary>
-    public long Disordered { get; init; }
+    public long OutOfOrder { get; init; }
 
     /// <summary>How often the server began to count anew within a connection: a jump back by more than 63, ahead by more than 10,000, or three even steps from further back.</summary>
     public long Restarts { get; init; }

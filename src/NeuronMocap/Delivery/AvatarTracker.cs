@@ -58,7 +58,7 @@ internal sealed class AvatarTracker(
         Frames = Volatile.Read(ref _frames),
         Lost = _index.Lost,
         Gaps = _index.Gaps,
-        Disordered = _index.Disordered,
+        OutOfOrder = _index.OutOfOrder,
         Restarts = _index.Restarts,
         FrequencyReduction = _index.Step,
         Rate = Volatile.Read(ref _interval) is > 0 and var interval ? 1 / interval : 0,

@@ -7,12 +7,12 @@ namespace NeuronMocap.Delivery;
 // A handler that does makes the connection wait too, and loses nothing.
 internal sealed class FrameCallbacks : IPacketConsumer
 {
-    private readonly LentFrames _frames;
+    private readonly FramePool _frames;
     private readonly IFrameHandlers?[] _handlers = new IFrameHandlers?[(int)PacketKind.StudioCalculation + 1];
 
     public FrameCallbacks(FrameFormat format, Action<Exception> failed)
     {
-        _frames = new LentFrames(format, LentFrames.OfHandlers);
+        _frames = new FramePool(format, FramePool.OfHandlers);
         _frames.Prepare(PacketKind.Motion);
         _handlers[(int)PacketKind.Motion] = Motion = new FrameHandlers<MotionFrame>(failed);
         _handlers[(int)PacketKind.Calculation] = Calculation = new FrameHandlers<CalculationFrame>(failed);

@@ -26,7 +26,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     private const int SlotSize = 1536;
 
     private readonly PacketRing _ring;
-    private readonly LentFrames _frames;
+    private readonly FramePool _frames;
     private readonly Action<FrameQueue> _closed;
     private readonly IDurationRecorder? _handOver;
     private readonly Func<bool>? _backPressure;
@@ -48,7 +48,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
             throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "A queue holds 1 to 1,048,576 frames.");
 
         _ring = new PacketRing(capacity, SlotSize);
-        _frames = new LentFrames(format, LentFrames.OfHandlers);
+        _frames = new FramePool(format, FramePool.OfHandlers);
         _frames.Prepare(PacketKind.Motion);
         _closed = closed;
         _handOver = handOver;

@@ -35,26 +35,26 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
     }
 
     /// <summary>Takes the newest motion frame of an avatar, when there is one that was not taken before.</summary>
-    /// <param name="avatar">Number of the avatar, from 0.</param>
+    /// <param name="avatarIndex">Number of the avatar, from 0.</param>
     /// <param name="frame">
     /// The avatar's newest frame, also when it was taken before; null as long as there was none. Valid, for one thread, until this method
     /// next returns true for the same avatar; its members then throw. <c>Clone</c> makes one to keep.
     /// </param>
     /// <returns>True when the frame is new since the last call.</returns>
-    public bool TryTakeMotion(int avatar, [NotNullWhen(true)] out MotionFrame? frame) => TryTake(PacketKind.Motion, avatar, out frame);
+    public bool TryTakeMotion(int avatarIndex, [NotNullWhen(true)] out MotionFrame? frame) => TryTake(PacketKind.Motion, avatarIndex, out frame);
 
     /// <summary>Takes the newest calculation frame of an avatar, when there is one that was not taken before.</summary>
-    /// <param name="avatar">Number of the avatar, from 0.</param>
+    /// <param name="avatarIndex">Number of the avatar, from 0.</param>
     /// <param name="frame">As for <see cref="TryTakeMotion"/>.</param>
     /// <returns>True when the frame is new since the last call.</returns>
-    public bool TryTakeCalculation(int avatar, [NotNullWhen(true)] out CalculationFrame? frame) => TryTake(PacketKind.Calculation, avatar, out frame);
+    public bool TryTakeCalculation(int avatarIndex, [NotNullWhen(true)] out CalculationFrame? frame) => TryTake(PacketKind.Calculation, avatarIndex, out frame);
 
     /// <summary>Takes the newest of an avatar's Axis Studio calculation frames, when there is one that was not taken before.</summary>
-    /// <param name="avatar">Number of the avatar, from 0.</param>
+    /// <param name="avatarIndex">Number of the avatar, from 0.</param>
     /// <param name="frame">As for <see cref="TryTakeMotion"/>.</param>
     /// <returns>True when the frame is new since the last call.</returns>
-    public bool TryTakeStudioCalculation(int avatar, [NotNullWhen(true)] out StudioCalculationFrame? frame) =>
-        TryTake(PacketKind.StudioCalculation, avatar, out frame);
+    public bool TryTakeStudioCalculation(int avatarIndex, [NotNullWhen(true)] out StudioCalculationFrame? frame) =>
+        TryTake(PacketKind.StudioCalculation, avatarIndex, out frame);
 
     /// <summary>Takes this view off its reader. Any thread, any number of times.</summary>
     public void Dispose()
@@ -68,11 +68,11 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
 
     void IPacketConsumer.OnPacket(in ReceivedPacket packet)
     {
-        uint avatar = packet.AvatarIndex;
-        if (avatar >= MaxAvatars)
+        uint avatarIndex = packet.AvatarIndex;
+        if (avatarIndex >= MaxAvatars)
             return;
 
-        ref Slot? place = ref _slots[PlaceOf(packet.Kind, (int)avatar)];
+        ref Slot? place = ref _slots[PlaceOf(packet.Kind, (int)avatarIndex)];
         if (place is { } slot)
         {
             slot.Newest.Publish(packet);
@@ -84,12 +84,12 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
         Volatile.Write(ref place, slot);
     }
 
-    private static int PlaceOf(PacketKind kind, int avatar) => ((int)kind * MaxAvatars) + avatar;
+    private static int PlaceOf(PacketKind kind, int avatarIndex) => ((int)kind * MaxAvatars) + avatarIndex;
 
-    private bool TryTake<TFrame>(PacketKind kind, int avatar, [NotNullWhen(true)] out TFrame? frame)
+    private bool TryTake<TFrame>(PacketKind kind, int avatarIndex, [NotNullWhen(true)] out TFrame? frame)
         where TFrame : AvatarFrame
     {
-        Slot? slot = (uint)avatar < MaxAvatars ? Volatile.Read(ref _slots[PlaceOf(kind, avatar)]) : null;
+        Slot? slot = (uint)avatarIndex < MaxAvatars ? Volatile.Read(ref _slots[PlaceOf(kind, avatarIndex)]) : null;
         frame = (TFrame?)slot?.Frame;
         if (slot is null || !slot.Newest.TryTake(out ReceivedPacket packet))
             return false;
@@ -103,12 +103,12 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
 
     private sealed class Slot(FrameFormat format, int packetSize)
     {
-        private readonly LentFrames _frames = new(format, LentFrames.OfTakers);
+        private readonly FramePool _frames = new(format, FramePool.OfTakers);
 
         // The consumer's; it borrows the slot that the consumer holds.
         public AvatarFrame? Frame { get; private set; }
 
-        public NewestPacket Newest { get; } = new(packetSize);
+        public LatestPacket Newest { get; } = new(packetSize);
 
         public AvatarFrame Show(in ReceivedPacket packet)
         {

@@ -18,7 +18,7 @@ public readonly record struct ReaderStatistics
     /// <summary>Frames of every kind delivered: motion, calculation and Axis Studio's calculation.</summary>
     public long Frames => MotionFrames + CalculationFrames + StudioCalculationFrames;
 
-    /// <summary>Whole packets found in the stream, whatever became of them. Packets that are not accepted are <see cref="SkippedBytes"/> instead.</summary>
+    /// <summary>Whole packets found in the stream, whatever became of them. Packets that are not accepted are <see cref="BytesSkipped"/> instead.</summary>
     public long PacketsReceived => Frames + CommandPackets + EmptyPackets + Undelivered;
 
     /// <summary>Motion frames delivered.</summary>
@@ -37,7 +37,7 @@ public readonly record struct ReaderStatistics
     public long EmptyPackets { get; init; }
 
     /// <summary>Bytes that belong to no packet.</summary>
-    public long SkippedBytes { get; init; }
+    public long BytesSkipped { get; init; }
 
     /// <summary>Packets that announced more values than MaxValues allows; their bytes are among the skipped ones.</summary>
     public long OversizedPackets { get; init; }

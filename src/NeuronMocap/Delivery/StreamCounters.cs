@@ -16,7 +16,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     private long _studioFrames;
     private long _commandPackets;
     private long _emptyPackets;
-    private long _skippedBytes;
+    private long _bytesSkipped;
     private long _oversizedPackets;
     private long _unknownVersions;
     private long _connections;
@@ -72,7 +72,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
 
     public void CountSkipped(int bytes, SkipReason reason)
     {
-        Volatile.Write(ref _skippedBytes, _skippedBytes + bytes);
+        Volatile.Write(ref _bytesSkipped, _bytesSkipped + bytes);
         Volatile.Write(ref _skippedByReason[(int)reason], _skippedByReason[(int)reason] + bytes);
         Volatile.Write(ref _bytes, _bytes + bytes);
         if (reason == SkipReason.TooLarge)
@@ -99,7 +99,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
             CallbackFailures = Volatile.Read(ref _callbackFailures),
             Dropped = Queues.Dropped,
             EmptyPackets = Volatile.Read(ref _emptyPackets),
-            SkippedBytes = Volatile.Read(ref _skippedBytes),
+            BytesSkipped = Volatile.Read(ref _bytesSkipped),
             OversizedPackets = Volatile.Read(ref _oversizedPackets),
             UnknownVersionPackets = Volatile.Read(ref _unknownVersions),
             Reconnects = Math.Max(0, Volatile.Read(ref _connections) - 1),

@@ -34,7 +34,7 @@ internal static class AlternativePortScan
         Tell(task, other, isUdp ? "TCP" : "UDP");
         Probe[] ordered = [.. same, .. other];
         return new Search(
-            ordered.FirstOrDefault(probe => probe.Sample.Has(task.Wanted)) ?? ordered.FirstOrDefault(static probe => probe.Sample.Avatars.Any()),
+            ordered.FirstOrDefault(probe => probe.Sample.Has(task.Expected)) ?? ordered.FirstOrDefault(static probe => probe.Sample.Avatars.Any()),
             probes.Any(static probe =>
                 probe.Place.Transport == TransportKind.Tcp && probe.Reason is ConnectionReason.None or ConnectionReason.Refused),
             ordered.FirstOrDefault(static probe => probe.Sample.Guess().Format == ForeignFormat.AdvancedBvh));
@@ -50,7 +50,7 @@ internal static class AlternativePortScan
 
     private static async Task<Probe> TryTcpAsync(DiagnosisContext task, IPAddress host, int port, CancellationTokenSource limit)
     {
-        var sample = new StreamSample(task.Wanted);
+        var sample = new StreamSample(task.Expected);
         var place = new StreamPlace(TransportKind.Tcp, task.Link.Host, port);
         using var link = new TcpLink(task.Link with { Host = host.ToString(), Port = port, ConnectTimeout = task.Options.Timeout });
         LinkEnd end = await link.OpenAsync(limit.Token).ConfigureAwait(false);
@@ -67,7 +67,7 @@ internal static class AlternativePortScan
 
     private static async Task<Probe> TryUdpAsync(DiagnosisContext task, int port, CancellationTokenSource limit)
     {
-        var sample = new StreamSample(task.Wanted);
+        var sample = new StreamSample(task.Expected);
         var place = new StreamPlace(TransportKind.Udp, task.Link.Host, port);
 
         // A shared port would take the datagrams away from the program that uses it.
@@ -122,7 +122,7 @@ internal static class AlternativePortScan
         string sender = probe.Sender.Length > 0 ? $" (from {probe.Sender})" : string.Empty;
         AvatarSample[] avatars = [.. probe.Sample.Avatars];
         return avatars.Length > 0
-            ? $"{probe.Place.Port} has {StreamText.KindsOf(probe.Sample)}{sender}"
+            ? $"{probe.Place.Port} has {StreamPhrases.KindsOf(probe.Sample)}{sender}"
             : $"{probe.Place.Port} has {probe.Sample.Guess().Text}{sender}";
     }
 }

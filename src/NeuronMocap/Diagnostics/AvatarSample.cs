@@ -48,7 +48,7 @@ internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
         _ => 0,
     };
 
-    public TimeSpan LongestPause => TimeSpan.FromSeconds(_longest / (double)Stopwatch.Frequency);
+    public TimeSpan LongestGap => TimeSpan.FromSeconds(_longest / (double)Stopwatch.Frequency);
 
     // How far the frame index goes on from frame to frame. More than 1 where the server sends every second or third frame and counts all.
     public int Step => _tracker.Step;
@@ -56,7 +56,7 @@ internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
     // As a reader counts them.
     public long Lost => _tracker.Lost - _tracker.Unsettled;
 
-    public bool StandsStill => Frames >= FewestFrames && (_sameValues == Frames - 1 || _sameIndex == Frames - 1);
+    public bool IsMotionless => Frames >= FewestFrames && (_sameValues == Frames - 1 || _sameIndex == Frames - 1);
 
     public void OnFrame(in ReceivedPacket packet)
     {
@@ -94,7 +94,7 @@ internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
         Frames = Frames,
         Lost = Lost,
         Rate = Rate,
-        LongestPause = LongestPause,
+        LongestGap = LongestGap,
     };
 
     private double PerSecond(long intervals, long since) => _last > since ? intervals * (double)Stopwatch.Frequency / (_last - since) : 0;

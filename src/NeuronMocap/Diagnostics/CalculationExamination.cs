@@ -11,7 +11,7 @@ internal static class CalculationExamination
     public static async Task<Conclusion> AddAsync(DiagnosisContext task, LinkOptions link, Conclusion first, Func<DiagnosisContext, Task<Conclusion>> examine)
     {
         DiagnosisOptions how = task.Options.Copy();
-        how.Wanted = task.Wanted == PacketKind.StudioCalculation ? PacketKind.StudioCalculation : PacketKind.Calculation;
+        how.Expected = task.Expected == PacketKind.StudioCalculation ? PacketKind.StudioCalculation : PacketKind.Calculation;
         how.SearchOtherPorts = false;
         how.Timeout = task.Options.Timeout - task.Elapsed > Least ? task.Options.Timeout - task.Elapsed : Least;
         Conclusion second = await examine(new DiagnosisContext(link, how, task.Log.With("calculation "), task.Stop)).ConfigureAwait(false);

@@ -34,5 +34,5 @@ public sealed record DiagnosedAvatar
     public double Rate { get; init; }
 
     /// <summary>Longest time between two frames.</summary>
-    public TimeSpan LongestPause { get; init; }
+    public TimeSpan LongestGap { get; init; }
 }

@@ -33,7 +33,7 @@ internal sealed class DiagnosisContext(LinkOptions link, DiagnosisOptions option
 
     public DiagnosisPace Pace => options.Pace;
 
-    public PacketKind Wanted => options.Wanted;
+    public PacketKind Expected => options.Expected;
 
     public StepLog Log => log;
 

@@ -11,7 +11,7 @@ public sealed class DiagnosisOptions
     public TimeSpan Timeout { get; set; } = TimeSpan.FromSeconds(10);
 
     /// <summary>The frames that the application wants: <see cref="PacketKind.Motion"/> unless set, <see cref="PacketKind.Calculation"/> or <see cref="PacketKind.StudioCalculation"/>.</summary>
-    public PacketKind Wanted { get; set; } = PacketKind.Motion;
+    public PacketKind Expected { get; set; } = PacketKind.Motion;
 
     /// <summary>
     /// Whether to search beyond the port that the reader would use, where nothing comes from it: connect to the other usual data ports of the
@@ -37,8 +37,8 @@ public sealed class DiagnosisOptions
     {
         if (Timeout < TimeSpan.FromSeconds(1) || Timeout > TimeSpan.FromMinutes(5))
             return $"Timeout is {Timeout}; it must be 1 s to 5 minutes.";
-        if (Wanted is not (PacketKind.Motion or PacketKind.Calculation or PacketKind.StudioCalculation))
-            return $"Wanted is {Wanted}; it must be Motion, Calculation or StudioCalculation.";
+        if (Expected is not (PacketKind.Motion or PacketKind.Calculation or PacketKind.StudioCalculation))
+            return $"Expected is {Expected}; it must be Motion, Calculation or StudioCalculation.";
 
         return null;
     }

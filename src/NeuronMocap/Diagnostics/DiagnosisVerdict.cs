@@ -28,7 +28,7 @@ public enum DiagnosisVerdict
     LosingFrames,
 
     /// <summary>Frames arrive, but all are the same: the pose or the frame index does not change.</summary>
-    StandsStill,
+    Motionless,
 
     /// <summary>Frames arrive, but the port of calculation data, CalculationPort, brings none.</summary>
     CalculationUnavailable,
@@ -55,7 +55,7 @@ public enum DiagnosisVerdict
     AccessDenied,
 
     /// <summary>The server accepts the connection and closes it without a byte.</summary>
-    ClosedAtOnce,
+    ClosedImmediately,
 
     /// <summary>Connected, or the UDP port is open, and not one byte arrives.</summary>
     Silent,

@@ -13,11 +13,11 @@ internal static class RateExamination
         int before = verdicts.Count;
         AvatarSample slowest = avatars.OrderBy(static avatar => avatar.Rate).First();
         JudgeLoss(avatars, isUdp, verdicts);
-        if (avatars.FirstOrDefault(static avatar => avatar.StandsStill) is { } still)
+        if (avatars.FirstOrDefault(static avatar => avatar.IsMotionless) is { } still)
         {
             verdicts.Add(new ExplainedVerdict(
-                DiagnosisVerdict.StandsStill,
-                $"The frames of {StreamText.NameOf(still)} are all the same.",
+                DiagnosisVerdict.Motionless,
+                $"The frames of {StreamPhrases.NameOf(still)} are all the same.",
                 "If nobody stands still on purpose, the take is paused or at its end, or the suit is no longer connected: see the server's window."));
         }
 
@@ -58,7 +58,7 @@ internal static class RateExamination
             : Fraction(avatar.Rate) is { } fraction ? $"the server seems to send {fraction}" : "a suit measures 60, 96 or 120 times a second";
         return new ExplainedVerdict(
             DiagnosisVerdict.LowRate,
-            StreamText.Invariant($"{avatar.Rate:0.0} frames per second are few: {reason}."),
+            StreamPhrases.Invariant($"{avatar.Rate:0.0} frames per second are few: {reason}."),
             ServerSettings.FullRate);
     }
 
@@ -83,7 +83,7 @@ internal static class RateExamination
             return $"{slowest.Frames} frames, too few to tell";
 
         long lost = avatars.Sum(static avatar => avatar.Lost);
-        double pause = avatars.Max(static avatar => avatar.LongestPause.TotalMilliseconds);
-        return StreamText.Invariant($"{slowest.Rate:0.0} Hz, {(lost > 0 ? $"{lost} frames lost" : "none lost")}, longest pause {pause:0} ms");
+        double pause = avatars.Max(static avatar => avatar.LongestGap.TotalMilliseconds);
+        return StreamPhrases.Invariant($"{slowest.Rate:0.0} Hz, {(lost > 0 ? $"{lost} frames lost" : "none lost")}, longest pause {pause:0} ms");
     }
 }

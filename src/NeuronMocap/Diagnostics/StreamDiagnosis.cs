@@ -14,7 +14,7 @@ public sealed record StreamDiagnosis
     public IReadOnlyList<DiagnosisVerdict> Verdicts { get; init; } = [DiagnosisVerdict.Receiving];
 
     /// <summary>Whether the frames that were asked for arrive where the reader would look for them.</summary>
-    public bool FramesArrive => Verdict < DiagnosisVerdict.HostNotFound;
+    public bool IsReceiving => Verdict < DiagnosisVerdict.HostNotFound;
 
     /// <summary>One paragraph of English for the operator: what is the case, why, and which setting to change.</summary>
     public string Summary { get; init; } = string.Empty;
@@ -26,7 +26,7 @@ public sealed record StreamDiagnosis
     /// Lines of C# that receive the stream as it is sent now, even when that is on another port than the one asked for; null when no frames
     /// were found.
     /// </summary>
-    public string? Code { get; init; }
+    public string? SampleCode { get; init; }
 
     /// <summary>The steps in their order; the same that were reported while the diagnosis ran.</summary>
     public IReadOnlyList<DiagnosisStep> Steps { get; init; } = [];

@@ -14,7 +14,7 @@ internal static class StreamExamination
 
     public static Conclusion Judge(DiagnosisContext task, StreamSample sample, StreamPlace place)
     {
-        if (sample.Has(task.Wanted))
+        if (sample.Has(task.Expected))
             return JudgeFrames(task, sample, place);
         if (sample.Avatars.Any())
             return JudgeOtherKind(task, sample, place);
@@ -27,13 +27,13 @@ internal static class StreamExamination
     private static Conclusion JudgeFrames(DiagnosisContext task, StreamSample sample, StreamPlace place)
     {
         var verdicts = new List<ExplainedVerdict>();
-        AvatarSample[] avatars = [.. sample.Avatars.Where(avatar => avatar.Kind == task.Wanted)];
+        AvatarSample[] avatars = [.. sample.Avatars.Where(avatar => avatar.Kind == task.Expected)];
         task.Log.Ok("token", DescribeTokens(sample));
         JudgeVersion(task.Log, avatars[0], verdicts);
         JudgeFormat(task.Log, sample, avatars, verdicts);
         RateExamination.Judge(task.Log, avatars, place.Transport == TransportKind.Udp, verdicts);
 
-        string summary = $"Frames arrive on {place}: {StreamText.Describe(avatars)}.";
+        string summary = $"Frames arrive on {place}: {StreamPhrases.Describe(avatars)}.";
         if (verdicts.Count == 0)
         {
             return new Conclusion([new ExplainedVerdict(DiagnosisVerdict.Receiving, $"{summary} {AllIsWell} {(avatars[0].Version == DataVersion.Studio ? OrderIsSaid : OrderIsNotSaid)}")], sample, place);
@@ -53,9 +53,9 @@ internal static class StreamExamination
             (_, true) => DiagnosisVerdict.CalculationOnly,
             _ => DiagnosisVerdict.StudioCalculationOnly,
         };
-        string text = $"Frames arrive on {place}, but they are {StreamText.KindsOf(sample)}; no {StreamText.NameOf(task.Wanted)} among them.";
-        string advice = ServerSettings.Enable(task.Wanted);
-        if (task.Wanted == PacketKind.Motion)
+        string text = $"Frames arrive on {place}, but they are {StreamPhrases.KindsOf(sample)}; no {StreamPhrases.NameOf(task.Expected)} among them.";
+        string advice = ServerSettings.Enable(task.Expected);
+        if (task.Expected == PacketKind.Motion)
             advice += $" To receive these calculation data beside the motion, set CalculationPort to {place.Port}.";
 
         return new Conclusion([new ExplainedVerdict(verdict, text, advice)], sample);
@@ -100,7 +100,7 @@ internal static class StreamExamination
             return;
         }
 
-        log.Ok("version", $"{avatar.Version}{StreamText.ProducerOf(avatar)}");
+        log.Ok("version", $"{avatar.Version}{StreamPhrases.ProducerOf(avatar)}");
     }
 
     private static void JudgeFormat(StepLog log, StreamSample sample, AvatarSample[] avatars, List<ExplainedVerdict> verdicts)
@@ -110,16 +110,16 @@ internal static class StreamExamination
         {
             verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.UnusualValueCount,
-                $"A frame of {StreamText.NameOf(unusual)} carries {unusual.ValueCount} values, where the skeleton of 59 bones has "
+                $"A frame of {StreamPhrases.NameOf(unusual)} carries {unusual.ValueCount} values, where the skeleton of 59 bones has "
                 + $"{UsualCounts(unusual.Kind)}.",
                 ServerSettings.Skeleton));
         }
 
-        if (sample.SkippedBytes > FewForeignBytes && sample.SkippedBytes > sample.Bytes / 50)
+        if (sample.BytesSkipped > FewForeignBytes && sample.BytesSkipped > sample.Bytes / 50)
         {
             verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.ForeignBytes,
-                $"{100 * sample.SkippedBytes / sample.Bytes} % of the bytes that arrive belong to no frame; they are skipped. Frames are cut on the "
+                $"{100 * sample.BytesSkipped / sample.Bytes} % of the bytes that arrive belong to no frame; they are skipped. Frames are cut on the "
                 + "way, or another stream is mixed in.",
                 "Connect to the server itself, without a program in between, and over UDP let only one program send to the port."));
         }
@@ -133,7 +133,7 @@ internal static class StreamExamination
                 "If only one is meant, switch the broadcasting of the others off, or give them another destination port."));
         }
 
-        string detail = $"{StreamText.DescribeFormat(avatars[0])}; {StreamText.DescribeAvatars(avatars)}";
+        string detail = $"{StreamPhrases.DescribeFormat(avatars[0])}; {StreamPhrases.DescribeAvatars(avatars)}";
         if (verdicts.Count > before)
             log.Warning("format", detail);
         else
@@ -158,7 +158,7 @@ internal static class StreamExamination
     {
         (PacketKind Kind, string Token)[] tokens =
             [(PacketKind.Motion, "0xDDFF"), (PacketKind.Calculation, "0x88FF"), (PacketKind.StudioCalculation, "0xDCCF")];
-        string kinds = StreamText.KindsOf(sample);
+        string kinds = StreamPhrases.KindsOf(sample);
         return sample.IsText
             ? $"lines of text: {kinds}"
             : $"{string.Join(" and ", tokens.Where(token => sample.Has(token.Kind)).Select(static token => token.Token))}: {kinds}";

@@ -37,7 +37,7 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
     // Whether every frame came as text.
     public bool IsText => _avatars.Count > 0 && _avatars.Values.All(static avatar => avatar.Version == DataVersion.None);
 
-    public long SkippedBytes => _skipped.Values.Sum(static skipped => skipped.Bytes);
+    public long BytesSkipped => _skipped.Values.Sum(static skipped => skipped.Bytes);
 
     public IEnumerable<AvatarSample> Avatars => _avatars.Values.OrderBy(static avatar => avatar.Index);
 

@@ -139,7 +139,7 @@ internal sealed class TcpExamination(DiagnosisContext task)
 
     private async Task<Conclusion> ListenAsync(TcpLink link, IPAddress address)
     {
-        var sample = new StreamSample(task.Wanted);
+        var sample = new StreamSample(task.Expected);
         Task<LinkEnd> receiving = link.ReceiveAsync(sample, listener: null);
         TimeSpan silence = task.Share(task.Pace.Silence);
         await task.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);

@@ -91,7 +91,7 @@ internal static class TcpFaults
                 verdict,
                 $"{task.Link.Target} refuses the connection: nothing listens on that port. Axis Neuron or Axis Studio does not run there, or its "
                 + "broadcasting is off, set to UDP, or on another port.",
-                $"{ServerSettings.BroadcastTcp(task.Wanted, task.Link.Port, !IPAddress.IsLoopback(address))}{OtherComputer(address)}"),
+                $"{ServerSettings.BroadcastTcp(task.Expected, task.Link.Port, !IPAddress.IsLoopback(address))}{OtherComputer(address)}"),
             DiagnosisVerdict.NoAnswer => NoAnswer(task, address, search.HostAnswers),
             DiagnosisVerdict.Unreachable => new ExplainedVerdict(
                 verdict,
@@ -107,18 +107,18 @@ internal static class TcpFaults
         task.Log.Failed("first bytes", "none: the server closed the connection");
         Search search = await AlternativePortScan.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
         var plain = new ExplainedVerdict(
-            DiagnosisVerdict.ClosedAtOnce,
+            DiagnosisVerdict.ClosedImmediately,
             $"{task.Link.Target} accepts the connection and closes it without sending anything. A forwarded port (a container, a VPN, a tunnel) "
             + "behind which nothing listens does so, a server that allows no further client, or another program.",
             "Close other programs that receive the stream, check the port, and connect to the server itself. "
-            + $"{ServerSettings.BroadcastTcp(task.Wanted, task.Link.Port, !IPAddress.IsLoopback(address))}");
+            + $"{ServerSettings.BroadcastTcp(task.Expected, task.Link.Port, !IPAddress.IsLoopback(address))}");
         return Conclude(task, plain, search);
     }
 
     public static async Task<Conclusion> SilentAsync(DiagnosisContext task, IPAddress address, TimeSpan silence)
     {
-        task.Log.Failed("first bytes", StreamText.Invariant($"none in {silence.TotalSeconds:0.#} s"));
-        if (task.Options.SearchOtherPorts && await ServerQuestion.AskAsync(task, address).ConfigureAwait(false) is { } answer)
+        task.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
+        if (task.Options.SearchOtherPorts && await ServerProbe.AskAsync(task, address).ConfigureAwait(false) is { } answer)
             return await AddElsewhereAsync(task, Answered(task, answer), address, isUdp: false).ConfigureAwait(false);
 
         if (task.Options.SearchOtherPorts)
@@ -129,7 +129,7 @@ internal static class TcpFaults
             DiagnosisVerdict.Silent,
             $"{task.Link.Target} accepts the connection, but sends nothing: most likely no suit is connected and calibrated and no take is played.",
             $"{ServerSettings.Play} Where the avatar does move in the server's window, its BVH broadcasting is off for this port. "
-            + ServerSettings.BroadcastTcp(task.Wanted, task.Link.Port, isRemote: false));
+            + ServerSettings.BroadcastTcp(task.Expected, task.Link.Port, isRemote: false));
         return Conclude(task, plain, search);
     }
 
@@ -140,7 +140,7 @@ internal static class TcpFaults
             return conclusion;
 
         Search search = await AlternativePortScan.FindAsync(task, address, isUdp).ConfigureAwait(false);
-        if (search.Found is not { } found || !found.Sample.Has(task.Wanted))
+        if (search.Found is not { } found || !found.Sample.Has(task.Expected))
             return conclusion;
 
         ExplainedVerdict instead = found.Place.Transport == TransportKind.Udp
@@ -183,7 +183,7 @@ internal static class TcpFaults
             DiagnosisVerdict.NoAnswer,
             $"{task.Link.Target} does not answer. {where}",
             "On that computer, allow Axis Neuron or Axis Studio in Windows Defender Firewall (private networks), and check that it broadcasts. "
-            + ServerSettings.BroadcastTcp(task.Wanted, task.Link.Port, !IPAddress.IsLoopback(address)));
+            + ServerSettings.BroadcastTcp(task.Expected, task.Link.Port, !IPAddress.IsLoopback(address)));
     }
 
     // A stream that was found in another place explains more than the silence in this one.
@@ -191,11 +191,11 @@ internal static class TcpFaults
     {
         if (search.Found is not { } found)
             return new Conclusion([search.AdvancedBvh is { } other ? AddAdvancedBvh(plain, other) : plain]);
-        if (!found.Sample.Has(task.Wanted))
+        if (!found.Sample.Has(task.Expected))
         {
             return new Conclusion([plain with
             {
-                Text = $"{plain.Text} The server does run: {found.Place} has {StreamText.KindsOf(found.Sample)}.",
+                Text = $"{plain.Text} The server does run: {found.Place} has {StreamPhrases.KindsOf(found.Sample)}.",
             }]);
         }
 
@@ -209,7 +209,7 @@ internal static class TcpFaults
                 DiagnosisVerdict.SentOverUdp,
                 $"{instead}, from {found.Sender}: the server is set to UDP.",
                 $"Receive over UDP on port {found.Place.Port} here, or choose TCP on the server. "
-                + ServerSettings.BroadcastTcp(task.Wanted, task.Link.Port, isRemote: false));
+                + ServerSettings.BroadcastTcp(task.Expected, task.Link.Port, isRemote: false));
         return new Conclusion([better], Place: found.Place);
     }
 

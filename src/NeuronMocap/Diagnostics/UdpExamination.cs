@@ -15,7 +15,7 @@ internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddr
             ? $"other computers send to {string.Join(" or ", addresses)}, programs on this one to 127.0.0.1"
             : "this computer has no network: only programs on it can send here, to 127.0.0.1");
 
-        var sample = new StreamSample(task.Wanted);
+        var sample = new StreamSample(task.Expected);
         var filter = new SenderFilter(allowedSenders);
         using var listener = new UdpListener(_link, filter, sample);
         ConnectionReason reason = listener.Open();
@@ -51,7 +51,7 @@ internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddr
     private Conclusion NotAllowed(SenderFilter filter, StreamPlace place)
     {
         string senders = string.Join(", ", filter.RefusedSenders);
-        task.Log.Failed("first bytes", StreamText.Invariant($"none that may be looked at: {filter.RefusedDatagrams} datagrams from {senders}"));
+        task.Log.Failed("first bytes", StreamPhrases.Invariant($"none that may be looked at: {filter.RefusedDatagrams} datagrams from {senders}"));
         return new Conclusion(
             DiagnosisVerdict.SenderNotAllowed,
             $"Datagrams arrive on {place}, but only from {senders}, which AllowedSenders does not list.",
@@ -90,10 +90,10 @@ internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddr
 
     private async Task<Conclusion> SilentAsync(UdpListener listener, TimeSpan silence, IReadOnlyList<string> addresses)
     {
-        task.Log.Failed("first bytes", StreamText.Invariant($"none in {silence.TotalSeconds:0.#} s"));
+        task.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
         IPAddress? host = await ResolveHostAsync().ConfigureAwait(false);
         Search search = await AlternativePortScan.FindAsync(task, host, isUdp: true).ConfigureAwait(false);
-        if (search.Found is { } found && found.Sample.Has(task.Wanted))
+        if (search.Found is { } found && found.Sample.Has(task.Expected))
             return Instead(found);
 
         string port = $"{listener.Port}";
@@ -102,7 +102,7 @@ internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddr
             DiagnosisVerdict.Silent,
             $"Nothing arrives on UDP port {port} of this computer. The server sends to another address or port, over TCP, or nothing "
             + "at all; or a firewall keeps it out, this computer's or one that drops datagrams of more than one network packet.",
-            $"{ServerSettings.BroadcastUdp(task.Wanted, destination)} A server on this computer sends to 127.0.0.1:{port}. Allow this program in this computer's "
+            $"{ServerSettings.BroadcastUdp(task.Expected, destination)} A server on this computer sends to 127.0.0.1:{port}. Allow this program in this computer's "
             + $"firewall. {ServerSettings.Play}");
     }
 

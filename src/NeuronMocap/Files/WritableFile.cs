@@ -38,11 +38,11 @@ internal static class WritableFile
     private static FileStream Open(string path, FileMode mode)
     {
         ArgumentNullException.ThrowIfNull(path);
-        if (!FileClaim.IsFree(path))
+        if (!FileWriterLock.IsFree(path))
             throw InUse(path);
 
         var file = new FileStream(path, mode, FileAccess.Write, Sharing, NoBuffer);
-        if (FileClaim.TryTake(file))
+        if (FileWriterLock.TryTake(file))
             return file;
 
         file.Dispose();

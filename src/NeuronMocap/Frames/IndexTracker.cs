@@ -34,7 +34,7 @@ internal sealed class IndexTracker
     private long _lost;
     private long _unsettled;
     private long _gaps;
-    private long _disordered;
+    private long _outOfOrder;
     private long _restarts;
 
     public long Lost => Volatile.Read(ref _lost);
@@ -44,7 +44,7 @@ internal sealed class IndexTracker
 
     public long Gaps => Volatile.Read(ref _gaps);
 
-    public long Disordered => Volatile.Read(ref _disordered);
+    public long OutOfOrder => Volatile.Read(ref _outOfOrder);
 
     public long Restarts => Volatile.Read(ref _restarts);
 
@@ -147,7 +147,7 @@ internal sealed class IndexTracker
         {
             _missing &= ~bit;
             _lateRun = 0;
-            Volatile.Write(ref _disordered, _disordered + 1);
+            Volatile.Write(ref _outOfOrder, _outOfOrder + 1);
             Volatile.Write(ref _lost, Math.Max(_lost - 1, 0));
 
             // It closes a gap of one, shortens a gap at its edge, or parts one in two.
@@ -167,11 +167,11 @@ internal sealed class IndexTracker
         _lateStep = step;
         if (_lateRun < RestartRun)
         {
-            Volatile.Write(ref _disordered, _disordered + 1);
+            Volatile.Write(ref _outOfOrder, _outOfOrder + 1);
             return back == 0 ? IndexChange.Same : IndexChange.Late;
         }
 
-        Volatile.Write(ref _disordered, Math.Max(_disordered - (RestartRun - 1), 0));
+        Volatile.Write(ref _outOfOrder, Math.Max(_outOfOrder - (RestartRun - 1), 0));
         return Restart(index);
     }
 

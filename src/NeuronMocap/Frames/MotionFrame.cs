@@ -84,7 +84,7 @@ public sealed class MotionFrame : AvatarFrame
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
     public Vector3 GetPosition(Bone bone)
     {
-        int index = Layout.PositionIndex(bone);
+        int index = Layout.GetPositionIndex(bone);
         return index < 0 ? DefaultOffsets.Get(bone, _format.Variant) : ReadVector(index);
     }
 
@@ -93,7 +93,7 @@ public sealed class MotionFrame : AvatarFrame
     /// <returns>Degrees, in the order of <see cref="SkeletonFormat.RotationOrder"/>: for YXZ, component X is the angle about Y.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
-    public Vector3 GetEulerAngles(Bone bone) => ReadVector(Layout.RotationIndex(bone));
+    public Vector3 GetEulerAngles(Bone bone) => ReadVector(Layout.GetRotationIndex(bone));
 
     /// <summary>
     /// Rotation of a bone relative to its parent. Compare and interpolate these, not the angles: neighbouring frames may describe nearly
@@ -120,7 +120,7 @@ public sealed class MotionFrame : AvatarFrame
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
     /// <exception cref="ArgumentException">There is less room.</exception>
     public void CopyLocalTransforms(Span<BoneTransform> destination) =>
-        CopyLocalTransforms(destination, SkeletonBody.Default(_format.Variant));
+        CopyLocalTransforms(destination, SkeletonBody.GetDefault(_format.Variant));
 
     /// <summary>Writes the transforms of all bones relative to their parents, those of a known body.</summary>
     /// <param name="destination">Room for 59, in <see cref="Bone"/> order.</param>
@@ -141,7 +141,7 @@ public sealed class MotionFrame : AvatarFrame
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
     /// <exception cref="ArgumentException">There is less room.</exception>
     public void CopyWorldTransforms(Span<BoneTransform> destination) =>
-        CopyWorldTransforms(destination, SkeletonBody.Default(_format.Variant));
+        CopyWorldTransforms(destination, SkeletonBody.GetDefault(_format.Variant));
 
     /// <summary>Writes where all bones of a known body are in the world, the Reference node included. Allocates nothing.</summary>
     /// <param name="destination">Room for 59, in <see cref="Bone"/> order.</param>

@@ -2,12 +2,12 @@ namespace NeuronMocap.Motion;
 
 /// <summary>
 /// How high the ground is under an actor, from the lowest points of the body, frame by frame: for live use. It is never above
-/// the body, follows it down at once, and up at <see cref="LargestRise"/>: up stairs within a few steps, and hardly in a jump. Allocates nothing. Not thread-safe.
+/// the body, follows it down at once, and up at <see cref="MaxRise"/>: up stairs within a few steps, and hardly in a jump. Allocates nothing. Not thread-safe.
 /// </summary>
 public sealed class GroundEstimator
 {
     /// <summary>How fast the ground may come up, in centimetres per second: that of stairs.</summary>
-    public const float LargestRise = 30;
+    public const float MaxRise = 30;
 
     private double _time = double.NaN;
 
@@ -27,7 +27,7 @@ public sealed class GroundEstimator
             return Height;
 
         double elapsed = Math.Max(0, seconds - _time);
-        Height = double.IsNaN(_time) ? lowest : Math.Min(lowest, Height + (float)(elapsed * LargestRise));
+        Height = double.IsNaN(_time) ? lowest : Math.Min(lowest, Height + (float)(elapsed * MaxRise));
         Lowest = float.IsNaN(Lowest) ? lowest : Math.Min(Lowest, lowest);
         _time = seconds;
         return Height;

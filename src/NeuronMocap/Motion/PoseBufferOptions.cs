@@ -15,8 +15,8 @@ public sealed class PoseBufferOptions
     /// </summary>
     public TimeSpan MaxExtrapolation { get; set; } = TimeSpan.FromMilliseconds(50);
 
-    /// <summary>How poses between frames are made. Default: <see cref="PoseSmoothing.Cubic"/>.</summary>
-    public PoseSmoothing Smoothing { get; set; } = PoseSmoothing.Cubic;
+    /// <summary>How poses between frames are made. Default: <see cref="PoseInterpolationMethod.Cubic"/>.</summary>
+    public PoseInterpolationMethod Interpolation { get; set; } = PoseInterpolationMethod.Cubic;
 
     /// <summary>Frames that there is room for, each 1.7 KB; what comes while it is full is dropped and counted. From 8 to 4096, rounded up to a power of two. Default: 64.</summary>
     public int Capacity { get; set; } = 64;

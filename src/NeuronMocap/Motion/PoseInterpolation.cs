@@ -25,7 +25,7 @@ public static class PoseInterpolation
         for (int i = 0; i < from.Length; i++)
         {
             pose[i] = new BoneTransform(
-                Vector3.Lerp(from[i].Position, to[i].Position, amount), Rotations.Slerp(from[i].Rotation, to[i].Rotation, amount));
+                Vector3.Lerp(from[i].Position, to[i].Position, amount), QuaternionMath.Slerp(from[i].Rotation, to[i].Rotation, amount));
         }
     }
 
@@ -53,9 +53,9 @@ public static class PoseInterpolation
         for (int i = 0; i < frames.Second.Length; i++)
         {
             Quaternion second = frames.Second[i].Rotation;
-            Quaternion first = Rotations.InHemisphereOf(second, before[i].Rotation);
-            Quaternion third = Rotations.InHemisphereOf(second, frames.Third[i].Rotation);
-            Quaternion fourth = Rotations.InHemisphereOf(third, after[i].Rotation);
+            Quaternion first = QuaternionMath.InHemisphereOf(second, before[i].Rotation);
+            Quaternion third = QuaternionMath.InHemisphereOf(second, frames.Third[i].Rotation);
+            Quaternion fourth = QuaternionMath.InHemisphereOf(third, after[i].Rotation);
             bool smooth = Quaternion.Dot(first, second) > LeastCosine
                 && Quaternion.Dot(second, third) > LeastCosine
                 && Quaternion.Dot(third, fourth) > LeastCosine;
@@ -66,7 +66,7 @@ public static class PoseInterpolation
                     + (after[i].Position * weights.Fourth),
                 smooth
                     ? Quaternion.Normalize((first * weights.First) + (second * weights.Second) + (third * weights.Third) + (fourth * weights.Fourth))
-                    : Rotations.Slerp(second, third, weights.Part));
+                    : QuaternionMath.Slerp(second, third, weights.Part));
         }
     }
 
@@ -81,7 +81,7 @@ public static class PoseInterpolation
     {
         Check(pose, before, pose);
         for (int i = 0; i < pose.Length; i++)
-            pose[i] = pose[i] with { Rotation = Rotations.InHemisphereOf(before[i].Rotation, pose[i].Rotation) };
+            pose[i] = pose[i] with { Rotation = QuaternionMath.InHemisphereOf(before[i].Rotation, pose[i].Rotation) };
     }
 
     private static void Check(ReadOnlySpan<BoneTransform> pose, ReadOnlySpan<BoneTransform> other, Span<BoneTransform> destination)

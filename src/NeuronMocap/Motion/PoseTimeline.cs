@@ -15,7 +15,7 @@ internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
     private readonly BoneTransform[] _held = new BoneTransform[BoneHierarchy.BoneCount];
     private readonly double _delay = options.Delay.TotalSeconds;
     private readonly double _reach = options.MaxExtrapolation.TotalSeconds;
-    private readonly bool _isCubic = options.Smoothing == PoseSmoothing.Cubic;
+    private readonly bool _isCubic = options.Interpolation == PoseInterpolationMethod.Cubic;
 
     private int _count;
     private double _interval;

@@ -15,7 +15,7 @@ public static class PoseVelocity
     /// <param name="elapsed">Seconds from one to the other.</param>
     /// <param name="velocities">Receives as many velocities as <paramref name="later"/> has transforms.</param>
     /// <exception cref="ArgumentException">The earlier pose has fewer transforms than the later, or there is less room.</exception>
-    public static void Backward(
+    public static void ComputeBackward(
         ReadOnlySpan<BoneTransform> earlier, ReadOnlySpan<BoneTransform> later, double elapsed, Span<BoneVelocity> velocities)
     {
         Check(earlier, later, velocities);
@@ -24,7 +24,7 @@ public static class PoseVelocity
         {
             velocities[i] = new BoneVelocity(
                 (later[i].Position - earlier[i].Position) * rate,
-                Rotations.TurnBetween(earlier[i].Rotation, later[i].Rotation) * rate);
+                QuaternionMath.TurnBetween(earlier[i].Rotation, later[i].Rotation) * rate);
         }
     }
 
@@ -38,7 +38,7 @@ public static class PoseVelocity
     /// <param name="elapsedAfter">Seconds from the frame to the frame after.</param>
     /// <param name="velocities">Receives as many velocities as <paramref name="now"/> has transforms.</param>
     /// <exception cref="ArgumentException">A neighbour has fewer transforms than the frame, or there is less room.</exception>
-    public static void Central(
+    public static void ComputeCentral(
         ReadOnlySpan<BoneTransform> before,
         ReadOnlySpan<BoneTransform> now,
         ReadOnlySpan<BoneTransform> after,
@@ -58,8 +58,8 @@ public static class PoseVelocity
         {
             velocities[i] = new BoneVelocity(
                 ((now[i].Position - before[i].Position) * first) + ((after[i].Position - now[i].Position) * second),
-                (Rotations.TurnBetween(before[i].Rotation, now[i].Rotation) * first)
-                    + (Rotations.TurnBetween(now[i].Rotation, after[i].Rotation) * second));
+                (QuaternionMath.TurnBetween(before[i].Rotation, now[i].Rotation) * first)
+                    + (QuaternionMath.TurnBetween(now[i].Rotation, after[i].Rotation) * second));
         }
     }
 

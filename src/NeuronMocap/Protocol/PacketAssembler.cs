@@ -63,7 +63,7 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
         while (count > 0)
         {
             StreamScan scan = _scanner.Scan(bytes.AsSpan(offset, count));
-            if (scan.Part == StreamPart.NeedMore)
+            if (scan.Part == StreamPart.NeedMoreData)
             {
                 _needed = scan.Length;
                 break;

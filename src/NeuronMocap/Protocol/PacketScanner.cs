@@ -10,7 +10,7 @@ namespace NeuronMocap.Protocol;
 /// Limits are checked on the header, before anyone waits for or stores the announced payload.
 /// </para>
 /// <para>
-/// All state between two calls is the bytes that the caller keeps and the length that <see cref="ScanStatus.NeedMore"/> asked for: waiting
+/// All state between two calls is the bytes that the caller keeps and the length that <see cref="ScanStatus.NeedMoreData"/> asked for: waiting
 /// for that length before the next call makes a stream that drips in byte by byte cost no more than one that arrives whole.
 /// Any splitting of the same bytes gives the same packets and the same total of skipped bytes. Thread-safe.
 /// </para>
@@ -52,7 +52,7 @@ public sealed class PacketScanner
             return Skip(source, SkipReason.TooLarge);
 
         int length = ProtocolConstants.HeaderSize + (int)payload;
-        return source.Length < length ? NeedMore(length) : new ScanResult(ScanStatus.Packet, length, kind);
+        return source.Length < length ? NeedMoreData(length) : new ScanResult(ScanStatus.Packet, length, kind);
     }
 
     // Whether the bytes begin with a whole header that this scanner accepts.
@@ -63,16 +63,16 @@ public sealed class PacketScanner
     private static ScanResult ScanStart(ReadOnlySpan<byte> source)
     {
         if (source.Length == 0)
-            return NeedMore(1);
+            return NeedMoreData(1);
         if (!MayStartPacket(source))
             return Skip(source, SkipReason.NoTokens);
 
         // One byte asks for the second, not for 64: the second byte of noise has to be enough to skip it, or the total would depend on the
         // splitting.
-        return NeedMore(source.Length < 2 ? 2 : ProtocolConstants.HeaderSize);
+        return NeedMoreData(source.Length < 2 ? 2 : ProtocolConstants.HeaderSize);
     }
 
-    private static ScanResult NeedMore(int length) => new(ScanStatus.NeedMore, length);
+    private static ScanResult NeedMoreData(int length) => new(ScanStatus.NeedMoreData, length);
 
     // Up to the next place that may start a packet; at least one byte.
     private static ScanResult Skip(ReadOnlySpan<byte> source, SkipReason reason)

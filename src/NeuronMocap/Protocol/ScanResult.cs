@@ -4,7 +4,7 @@ namespace NeuronMocap.Protocol;
 public enum ScanStatus
 {
     /// <summary>The bytes may start a packet, but not all of it is there: call again when <see cref="ScanResult.Length"/> bytes are.</summary>
-    NeedMore,
+    NeedMoreData,
 
     /// <summary>The first <see cref="ScanResult.Length"/> bytes are one whole packet.</summary>
     Packet,

@@ -30,7 +30,7 @@ internal sealed class CalculationConnection
         ConnectionStatus last;
         try
         {
-            last = await _supervisor.RunAsync(new CalculationOnly(_intake), _intake, cancellationToken).ConfigureAwait(false);
+            last = await _supervisor.RunAsync(new CalculationOnlyReceiver(_intake), _intake, cancellationToken).ConfigureAwait(false);
         }
         catch (Exception exception)
         {

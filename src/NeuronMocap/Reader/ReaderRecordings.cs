@@ -21,11 +21,11 @@ internal sealed class ReaderRecordings
         Tap = new StreamTap(receiveLock);
         _patience = options.StopTimeout / 2;
         _metadata = new RecordingMetadata()
-            .With(RecordingMetadata.Program, DescribeProgram())
-            .With(RecordingMetadata.Server, options.Transport == TransportKind.Udp ? $"UDP port {options.Port}" : options.Link.Target)
-            .With(RecordingMetadata.TransportName, options.Transport.ToString())
-            .With(RecordingMetadata.MaxValuesName, options.MaxValues.ToString(CultureInfo.InvariantCulture));
-        Learn(RecordingMetadata.Reader, name);
+            .With(RecordingMetadata.ProgramKey, DescribeProgram())
+            .With(RecordingMetadata.ServerKey, options.Transport == TransportKind.Udp ? $"UDP port {options.Port}" : options.Link.Target)
+            .With(RecordingMetadata.TransportKey, options.Transport.ToString())
+            .With(RecordingMetadata.MaxValuesKey, options.MaxValues.ToString(CultureInfo.InvariantCulture));
+        Learn(RecordingMetadata.ReaderKey, name);
         Learn(options.RotationOrder, options.SkeletonVariant);
     }
 
@@ -82,17 +82,17 @@ internal sealed class ReaderRecordings
     public void Learn(RotationOrder? order, SkeletonVariant? variant)
     {
         if (order is { } knownOrder)
-            Learn(RecordingMetadata.RotationOrderName, knownOrder.ToString());
+            Learn(RecordingMetadata.RotationOrderKey, knownOrder.ToString());
         if (variant is { } knownVariant)
-            Learn(RecordingMetadata.SkeletonVariantName, knownVariant.ToString());
+            Learn(RecordingMetadata.SkeletonVariantKey, knownVariant.ToString());
     }
 
-    public void Learn(BoneDimensions dimensions) => Learn(RecordingMetadata.BoneDimensionsName, RecordingMetadata.ToText(dimensions));
+    public void Learn(BoneDimensions dimensions) => Learn(RecordingMetadata.BoneDimensionsKey, RecordingMetadata.ToText(dimensions));
 
     public void Learn(StreamFormat format)
     {
         if (format != StreamFormat.Unknown)
-            Learn(RecordingMetadata.StreamFormatName, format.ToString());
+            Learn(RecordingMetadata.StreamFormatKey, format.ToString());
     }
 
     // Ends all of them, and those that somebody begins now. Completes when their files are closed, or after half of what a stop may take.

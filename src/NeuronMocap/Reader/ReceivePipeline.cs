@@ -10,7 +10,7 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Reader;
 
 // What happens to a packet between the receive thread and the consumers, and who the consumers are.
-internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderFigures
+internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderStatistics
 {
     private const string StreamName = "stream";
 

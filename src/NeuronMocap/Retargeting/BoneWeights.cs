@@ -48,7 +48,7 @@ public sealed class BoneWeights
 
     /// <summary>The mask for a headset that turns the head: everything is driven but the head itself. The neck is driven.</summary>
     /// <returns>New weights.</returns>
-    public static BoneWeights HeadLeftToHeadset() => new() { [HumanoidBone.Head] = 0, [Bone.Head] = 0 };
+    public static BoneWeights WithoutHead() => new() { [HumanoidBone.Head] = 0, [Bone.Head] = 0 };
 
     /// <summary>Sets every weight to 1.</summary>
     public void Reset()

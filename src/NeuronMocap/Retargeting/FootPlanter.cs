@@ -9,14 +9,14 @@ namespace NeuronMocap.Retargeting;
 public sealed class FootPlanter
 {
     /// <summary>A longer time between two frames, in seconds, forward or back, is a break: what was held is forgotten.</summary>
-    public const double LongestGap = 1;
+    public const double MaxGap = 1;
 
     // How long the hips take to go most of the way to the height at which the feet stand: longer than a blend, shorter than a few steps.
     private const double HipsSeconds = 0.3;
 
     private readonly FootHold? _left;
     private readonly FootHold? _right;
-    private readonly SoleGround _ground = new();
+    private readonly SoleHeightFilter _ground = new();
     private double _time = double.NaN;
     private float _height;
     private float? _givenGround;
@@ -45,14 +45,14 @@ public sealed class FootPlanter
     /// <summary>How far the hips are moved up in the newest frame, in metres of the character's root; negative: down.</summary>
     public float HipsShift { get; private set; }
 
-    private float LargestShift => Options.LargestHipsShift * Rig.LegLength;
+    private float LargestShift => Options.MaxHipsShift * Rig.LegLength;
 
     /// <summary>Corrects hips, legs and feet of a pose.</summary>
     /// <param name="pose">What the retargeter made of the frame; its world is up to date afterwards. Legs that are not driven are left alone.</param>
     /// <param name="contacts">Which of the actor's feet stand: from calculation data, or estimated.</param>
     /// <param name="seconds">
     /// When the frame is, on any clock. One that is no later than the frame before counts as the same moment; further back than
-    /// <see cref="LongestGap"/>, as where a take begins again, it is a break.
+    /// <see cref="MaxGap"/>, as where a take begins again, it is a break.
     /// </param>
     /// <exception cref="ArgumentException">The pose is of another rig.</exception>
     public void Plant(RetargetedPose pose, FootContacts contacts, double seconds)
@@ -117,7 +117,7 @@ public sealed class FootPlanter
     private double Elapse(double seconds, out bool isFirst)
     {
         double elapsed = seconds - _time;
-        isFirst = !(Math.Abs(elapsed) <= LongestGap);
+        isFirst = !(Math.Abs(elapsed) <= MaxGap);
         if (isFirst)
             Reset();
         if (isFirst || elapsed > 0)

@@ -29,7 +29,7 @@ public sealed class FootPlanterOptions
 
     /// <summary>
     /// How high the ground is above the character's root, in metres; 0 unless set otherwise. Null: learnt from the motion, as the height that the soles come
-    /// down to; the ground then rises as stairs do. A foot further from the ground than <see cref="LargestHipsShift"/> stands on something else, and keeps
+    /// down to; the ground then rises as stairs do. A foot further from the ground than <see cref="MaxHipsShift"/> stands on something else, and keeps
     /// its height.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">Not a finite number.</exception>
@@ -46,7 +46,7 @@ public sealed class FootPlanterOptions
     /// the actor has them.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">Below 0 or above 1.</exception>
-    public float LargestHipsShift
+    public float MaxHipsShift
     {
         get => _largestHipsShift;
         set => _largestHipsShift = value is >= 0 and <= 1

@@ -15,7 +15,7 @@ public sealed class RigBinding
         Missing = [.. BoneHierarchy.Bones.ToArray().Where(bone => nodes[(int)bone] < 0)];
     }
 
-    /// <summary>For each of the 59 bones, in their order, the index of its node, or -1: what <see cref="TargetRig.Generic"/> takes.</summary>
+    /// <summary>For each of the 59 bones, in their order, the index of its node, or -1: what <see cref="TargetRig.CreateGeneric"/> takes.</summary>
     public ReadOnlySpan<int> Nodes => _nodes;
 
     /// <summary>What the names begin with: as it was given, or as it was guessed from the name of the hips.</summary>

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Retargeting;
 
-/// <summary>Something about a rig that retargeting cannot or should not live with, as <see cref="RigCheck"/> found it.</summary>
+/// <summary>Something about a rig that retargeting cannot or should not live with, as <see cref="RigValidator"/> found it.</summary>
 /// <param name="Fault">What kind of thing.</param>
 /// <param name="Severity">Whether the figure can move nevertheless.</param>
 /// <param name="Bone">The bone, or the first of the limb; null when it is the rig as a whole.</param>
@@ -32,7 +32,7 @@ public enum RigFault
     DuplicateMapping,
 
     /// <summary>A bone's node does not hang, directly or not, from the node of the bone that it belongs to.</summary>
-    WrongOrder,
+    InvalidHierarchy,
 
     /// <summary>Two nodes have the same name, which Unity's avatar builder cannot tell apart.</summary>
     DuplicateName,
@@ -47,7 +47,7 @@ public enum RigFault
     NotUpright,
 
     /// <summary>The figure does not look along +Z.</summary>
-    FacesElsewhere,
+    NotFacingForward,
 
     /// <summary>A limb does not point where it does in a T-pose.</summary>
     NotInTPose,
@@ -65,5 +65,5 @@ public enum RigFault
     Scaled,
 
     /// <summary>The soles are not at the height of the rig's origin, where the ground is.</summary>
-    OffTheGround,
+    NotOnGround,
 }

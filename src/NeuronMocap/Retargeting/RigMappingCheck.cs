@@ -7,15 +7,15 @@ internal sealed class RigMappingCheck
     private readonly int[] _nodeOf;
     private readonly List<RigIssue> _issues = [];
 
-    public RigMappingCheck(ReadOnlySpan<RigNode> nodes, ReadOnlySpan<int> nodeOf)
+    public RigMappingCheck(ReadOnlySpan<RigNode> nodes, ReadOnlySpan<int> nodeByBone)
     {
-        if (nodeOf.Length != HumanoidBones.Count)
-            throw new ArgumentException("There is an index for each of the 55 bones.", nameof(nodeOf));
+        if (nodeByBone.Length != HumanoidBones.Count)
+            throw new ArgumentException("There is an index for each of the 55 bones.", nameof(nodeByBone));
 
         _nodes = nodes.ToArray();
-        _nodeOf = nodeOf.ToArray();
+        _nodeOf = nodeByBone.ToArray();
         if (Array.Exists(_nodeOf, node => node < -1 || node >= _nodes.Length))
-            throw new ArgumentException("An index is not that of a node.", nameof(nodeOf));
+            throw new ArgumentException("An index is not that of a node.", nameof(nodeByBone));
         for (int i = 0; i < _nodes.Length; i++)
         {
             if (_nodes[i].Parent < -1 || _nodes[i].Parent >= i)
@@ -86,7 +86,7 @@ internal sealed class RigMappingCheck
         else if (AncestorOf(bone) is { } ancestor && !HangsFrom(node, _nodeOf[(int)ancestor]))
         {
             IsUsable = false;
-            Add(RigFault.WrongOrder, RigSeverity.Error, bone,
+            Add(RigFault.InvalidHierarchy, RigSeverity.Error, bone,
                 $"{name} is mapped to {_nodes[node].Name}, which does not hang from {_nodes[_nodeOf[(int)ancestor]].Name}, the {HumanoidBones.GetName(ancestor)}. Map the bones from the hips outwards.");
         }
 

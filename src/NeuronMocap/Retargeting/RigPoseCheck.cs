@@ -25,7 +25,7 @@ internal static class RigPoseCheck
 
     private static IEnumerable<RigIssue> ExaminePose(TargetRig rig)
     {
-        var walk = new TPoseWalk(rig);
+        var walk = new TPoseBuilder(rig);
         walk.Run();
         foreach (TPoseCorrection correction in walk.Corrections)
         {
@@ -34,7 +34,7 @@ internal static class RigPoseCheck
             yield return new RigIssue(correction.Fault, RigSeverity.Warning, correction.Bone, correction.Degrees, correction.Fault switch
             {
                 RigFault.NotUpright => $"At rest the figure leans or lies, {degrees} degrees from upright. It will move as if that were standing.",
-                RigFault.FacesElsewhere => $"At rest the figure looks {degrees} degrees away from +Z. Unity's Humanoids look along +Z.",
+                RigFault.NotFacingForward => $"At rest the figure looks {degrees} degrees away from +Z. Unity's Humanoids look along +Z.",
                 RigFault.PalmNotDown => $"At rest the palm of the {name} looks {degrees} degrees away from the ground. The hand will be twisted by as much.",
                 _ => $"At rest {name} is {degrees} degrees away from a T-pose. It will be off by as much in every pose.",
             }, CanFix: true);
@@ -42,7 +42,7 @@ internal static class RigPoseCheck
 
         if (walk.Corrections.All(static correction => correction.Fault != RigFault.NotUpright) && IsOffTheGround(rig))
         {
-            yield return new RigIssue(RigFault.OffTheGround, RigSeverity.Warning, null, 0,
+            yield return new RigIssue(RigFault.NotOnGround, RigSeverity.Warning, null, 0,
                 "At rest the feet are not at the height of the rig's origin, where its ground is. Feet will be planted too high or too low: move the origin between the feet, or let the ground be learnt.",
                 CanFix: false);
         }

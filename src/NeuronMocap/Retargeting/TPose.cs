@@ -7,14 +7,14 @@ namespace NeuronMocap.Retargeting;
 public static class TPose
 {
     /// <summary>
-    /// Stands a rig into a T-pose. Only what <see cref="RigCheck"/> would find is changed: a slight bend of an elbow was meant so. Collar bones, spine and
+    /// Stands a rig into a T-pose. Only what <see cref="RigValidator"/> would find is changed: a slight bend of an elbow was meant so. Collar bones, spine and
     /// thumbs stay as they are, feet keep their slope, and the soles their height above the root; of a figure that lay they come to the root.
     /// </summary>
     /// <param name="rig">A rig at rest.</param>
     /// <returns>A rig of the same nodes, of which some are turned and the hips moved; the same rig when there is nothing to change.</returns>
     public static TargetRig Enforce(TargetRig rig)
     {
-        var walk = new TPoseWalk(rig);
+        var walk = new TPoseBuilder(rig);
         walk.Run();
         return walk.Corrections.Count > 0 ? walk.Rebuild() : rig;
     }

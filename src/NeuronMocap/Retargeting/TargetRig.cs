@@ -18,13 +18,13 @@ public sealed partial class TargetRig
     private readonly Quaternion[] _restRotations;
     private readonly Vector3[] _restPositions;
 
-    private TargetRig(ReadOnlySpan<RigNode> nodes, int[] nodeOf, int[] nodeOfBone, int hips, Quaternion? facing)
+    private TargetRig(ReadOnlySpan<RigNode> nodes, int[] nodeByBone, int[] nodeOfBone, int hips, Quaternion? facing)
     {
         _nodes = CheckNodes(nodes);
-        _nodeOf = nodeOf;
+        _nodeOf = nodeByBone;
         _nodeOfBone = nodeOfBone;
         HipsNode = hips;
-        _boneOf = InvertMap(IsHumanoid ? nodeOf : nodeOfBone);
+        _boneOf = InvertMap(IsHumanoid ? nodeByBone : nodeOfBone);
         CheckHips(nameof(nodes));
 
         _handedness = new Vector3[nodes.Length];
@@ -92,7 +92,7 @@ public sealed partial class TargetRig
 
     /// <summary>A Humanoid character.</summary>
     /// <param name="nodes">Its transforms at rest: at least all bones and everything that they hang from, parents before their children.</param>
-    /// <param name="nodeOf">For each of the 55 bones the index of its node, or -1.</param>
+    /// <param name="nodeByBone">For each of the 55 bones the index of its node, or -1.</param>
     /// <param name="facing">
     /// How the resting character is turned in its root; null: found from the places of head, arms and legs, to quarter turns.
     /// </param>
@@ -101,21 +101,21 @@ public sealed partial class TargetRig
     /// A node stands before its parent, has a value that is no number or a rotation of length zero; an index is not that of a node, or two bones have
     /// the same node; the hips are missing, hang from another bone or from a scale of zero.
     /// </exception>
-    public static TargetRig Humanoid(ReadOnlySpan<RigNode> nodes, ReadOnlySpan<int> nodeOf, Quaternion? facing = null)
+    public static TargetRig CreateHumanoid(ReadOnlySpan<RigNode> nodes, ReadOnlySpan<int> nodeByBone, Quaternion? facing = null)
     {
-        int[] map = CheckMap(nodeOf, HumanoidBones.Count, nodes.Length);
+        int[] map = CheckMap(nodeByBone, HumanoidBones.Count, nodes.Length);
         return new TargetRig(nodes, map, [], map[(int)HumanoidBone.Hips], facing);
     }
 
     /// <summary>A character whose transforms follow the bones of the stream one by one.</summary>
     /// <param name="nodes">Its transforms at rest, parents before their children.</param>
-    /// <param name="nodeOf">For each of the 59 bones of the stream the index of its node, or -1.</param>
-    /// <param name="facing">As for <see cref="Humanoid"/>.</param>
+    /// <param name="nodeByBone">For each of the 59 bones of the stream the index of its node, or -1.</param>
+    /// <param name="facing">As for <see cref="CreateHumanoid"/>.</param>
     /// <returns>The rig.</returns>
-    /// <exception cref="ArgumentException">As for <see cref="Humanoid"/>.</exception>
-    public static TargetRig Generic(ReadOnlySpan<RigNode> nodes, ReadOnlySpan<int> nodeOf, Quaternion? facing = null)
+    /// <exception cref="ArgumentException">As for <see cref="CreateHumanoid"/>.</exception>
+    public static TargetRig CreateGeneric(ReadOnlySpan<RigNode> nodes, ReadOnlySpan<int> nodeByBone, Quaternion? facing = null)
     {
-        int[] map = CheckMap(nodeOf, BoneHierarchy.BoneCount, nodes.Length);
+        int[] map = CheckMap(nodeByBone, BoneHierarchy.BoneCount, nodes.Length);
         int[] humanoid = new int[HumanoidBones.Count];
         for (int bone = 0; bone < humanoid.Length; bone++)
         {
@@ -155,18 +155,18 @@ public sealed partial class TargetRig
 
     internal bool IsMapped(int node) => _boneOf[node] != None;
 
-    private static int[] CheckMap(ReadOnlySpan<int> nodeOf, int boneCount, int nodeCount)
+    private static int[] CheckMap(ReadOnlySpan<int> nodeByBone, int boneCount, int nodeCount)
     {
-        if (nodeOf.Length != boneCount)
-            throw new ArgumentException($"There is an index for each of the {boneCount} bones.", nameof(nodeOf));
+        if (nodeByBone.Length != boneCount)
+            throw new ArgumentException($"There is an index for each of the {boneCount} bones.", nameof(nodeByBone));
 
-        foreach (int node in nodeOf)
+        foreach (int node in nodeByBone)
         {
             if (node < None || node >= nodeCount)
-                throw new ArgumentException($"There is no node {node}.", nameof(nodeOf));
+                throw new ArgumentException($"There is no node {node}.", nameof(nodeByBone));
         }
 
-        return nodeOf[0] != None ? nodeOf.ToArray() : throw new ArgumentException("The hips have no node.", nameof(nodeOf));
+        return nodeByBone[0] != None ? nodeByBone.ToArray() : throw new ArgumentException("The hips have no node.", nameof(nodeByBone));
     }
 
     private static RigNode[] CheckNodes(ReadOnlySpan<RigNode> nodes)

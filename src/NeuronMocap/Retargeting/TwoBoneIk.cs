@@ -12,7 +12,7 @@ public static class TwoBoneIk
     /// How far the middle joint is kept on the forward side of a straight limb, as a part of the limb's length: below it a bend is noise,
     /// and its direction says nothing.
     /// </summary>
-    public const float LeastForward = 0.01f;
+    public const float MinForward = 0.01f;
 
     // Shorter ones have no direction: a micrometre, if the unit is the metre.
     private const float Nothing = 1e-6f;
@@ -42,7 +42,7 @@ public static class TwoBoneIk
 
         // The whole limb first turns towards the target; what remains is the bend, in the plane that it had.
         Quaternion swing = ShortestTurn(axis, newAxis);
-        Vector3 bend = Vector3.Transform(BendDirection(middle - root, axis, forward, LeastForward * reach), swing);
+        Vector3 bend = Vector3.Transform(BendDirection(middle - root, axis, forward, MinForward * reach), swing);
         float along = distance > Nothing ? ((upper * upper) - (lower * lower) + (distance * distance)) / (2 * distance) : 0;
         along = Math.Clamp(along, -upper, upper);
         float aside = MathF.Sqrt((upper - along) * (upper + along));

@@ -8,7 +8,7 @@ internal static class BodyScaling
     public static SkeletonBody Create(in BoneDimensions wanted, SkeletonVariant variant)
     {
         Check(wanted);
-        var standard = SkeletonBody.Default(variant);
+        var standard = SkeletonBody.GetDefault(variant);
         BoneDimensions known = standard.Measure();
         Vector3[] offsets = standard.Offsets.ToArray();
         Vector3[] endSites = standard.EndSites.ToArray();

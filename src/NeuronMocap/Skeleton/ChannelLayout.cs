@@ -55,7 +55,7 @@ public readonly record struct ChannelLayout
     /// <param name="bone">A bone.</param>
     /// <returns>An index, or -1 when the frame does not carry a position of that bone.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
-    public int PositionIndex(Bone bone)
+    public int GetPositionIndex(Bone bone)
     {
         int index = BoneHierarchy.CheckedIndex(bone);
         if (HasDisplacement)
@@ -68,7 +68,7 @@ public readonly record struct ChannelLayout
     /// <param name="bone">A bone.</param>
     /// <returns>An index.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
-    public int RotationIndex(Bone bone)
+    public int GetRotationIndex(Bone bone)
     {
         int index = BoneHierarchy.CheckedIndex(bone);
         return FirstBone + 3 + (index * (HasDisplacement ? 6 : 3));

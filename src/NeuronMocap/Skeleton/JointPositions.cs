@@ -23,7 +23,7 @@ public static class JointPositions
     /// <param name="bone">A bone.</param>
     /// <returns>59 to 71, or -1 for a bone that has children.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
-    public static int EndSiteIndex(Bone bone)
+    public static int GetEndSiteIndex(Bone bone)
     {
         int index = Array.IndexOf(Ends, (Bone)BoneHierarchy.CheckedIndex(bone));
         return index < 0 ? -1 : BoneHierarchy.BoneCount + index;

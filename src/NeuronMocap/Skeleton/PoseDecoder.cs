@@ -36,7 +36,7 @@ public static class PoseDecoder
         Span<float> sines = stackalloc float[3 * Room];
         Span<float> cosines = stackalloc float[3 * Room];
         int stride = layout.HasDisplacement ? 6 : 3;
-        ReadOnlySpan<float> angles = values[layout.RotationIndex(Bone.Hips)..];
+        ReadOnlySpan<float> angles = values[layout.GetRotationIndex(Bone.Hips)..];
         for (int bone = 0; bone < BoneHierarchy.BoneCount; bone++)
         {
             ReadOnlySpan<float> three = angles.Slice(bone * stride, 3);
@@ -47,7 +47,7 @@ public static class PoseDecoder
 
         HalfAngles.SinCos(degrees, sines, cosines);
         ReadOnlySpan<Vector3> offsets = body.Offsets;
-        ReadOnlySpan<float> positions = values[layout.PositionIndex(Bone.Hips)..];
+        ReadOnlySpan<float> positions = values[layout.GetPositionIndex(Bone.Hips)..];
         for (int bone = 0; bone < BoneHierarchy.BoneCount; bone++)
         {
             Vector3 position = layout.HasDisplacement || bone == 0 ? Read(positions, bone * stride) : offsets[bone];

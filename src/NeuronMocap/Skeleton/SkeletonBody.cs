@@ -54,7 +54,7 @@ public sealed class SkeletonBody
     /// <summary>The default body: <see cref="DefaultOffsets"/>.</summary>
     /// <param name="variant">Where the shoulders hang.</param>
     /// <returns>Always the same object for a variant.</returns>
-    public static SkeletonBody Default(SkeletonVariant variant = SkeletonVariant.Neck1) =>
+    public static SkeletonBody GetDefault(SkeletonVariant variant = SkeletonVariant.Neck1) =>
         variant == SkeletonVariant.Spine3 ? Spine3 : Neck1;
 
     /// <summary>

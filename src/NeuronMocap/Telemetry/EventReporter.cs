@@ -9,7 +9,7 @@ namespace NeuronMocap.Telemetry;
 
 // Turns what a reader counts into events for a log. States are told as they change, on the thread that tells them; losses are found by a timer
 // that looks at the counters, so that the receive thread has nothing to do with them, however many there are.
-internal sealed class EventReporter(string name, IReaderFigures figures, Action<ReaderEvent> report)
+internal sealed class EventReporter(string name, IReaderStatistics figures, Action<ReaderEvent> report)
 {
     private static readonly (SkipReason Reason, string Name)[] SkipReasons =
     [
@@ -165,7 +165,7 @@ internal sealed class EventReporter(string name, IReaderFigures figures, Action<
 
     private void ReportFailures(in ReaderStatistics statistics, long now, bool force)
     {
-        if (Take(ReaderEventId.HandlerFailed, null, statistics.CallbackFailures, now, force) is not { Count: > 0 } failed)
+        if (Take(ReaderEventId.CallbackFailed, null, statistics.CallbackFailures, now, force) is not { Count: > 0 } failed)
             return;
 
         Exception? failure = _failure;

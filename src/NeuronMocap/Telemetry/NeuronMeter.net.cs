@@ -98,31 +98,31 @@ internal static class NeuronMeter
         meter.CreateObservableGauge(Prefix + "frame.age", () => Observe(MeasureAge), "s", "Age of the newest frame.");
         return meter;
 
-        void AddCounter(string name, string unit, string description, Func<ReaderMetrics, IReaderFigures, IEnumerable<Measurement<long>>> measure) =>
+        void AddCounter(string name, string unit, string description, Func<ReaderMetrics, IReaderStatistics, IEnumerable<Measurement<long>>> measure) =>
             meter.CreateObservableCounter(Prefix + name, () => Observe(measure), unit, description);
 
-        void AddUpDown(string name, string unit, string description, Func<ReaderMetrics, IReaderFigures, IEnumerable<Measurement<long>>> measure) =>
+        void AddUpDown(string name, string unit, string description, Func<ReaderMetrics, IReaderStatistics, IEnumerable<Measurement<long>>> measure) =>
             meter.CreateObservableUpDownCounter(Prefix + name, () => Observe(measure), unit, description);
     }
 
     private static Histogram<double> CreateHistogram(string name, string description, double[] boundaries) => Meter.CreateHistogram(
         Prefix + name, "s", description, tags: null, new InstrumentAdvice<double> { HistogramBucketBoundaries = boundaries });
 
-    private static Func<ReaderMetrics, IReaderFigures, IEnumerable<Measurement<long>>> Total(Func<ReaderStatistics, long> figure) =>
+    private static Func<ReaderMetrics, IReaderStatistics, IEnumerable<Measurement<long>>> Total(Func<ReaderStatistics, long> figure) =>
         (reader, figures) => [reader.Measure(figure(figures.GetStatistics()))];
 
-    private static Func<ReaderMetrics, IReaderFigures, IEnumerable<Measurement<long>>> PerConsumer(Func<ConsumerStatistics, long> figure) =>
+    private static Func<ReaderMetrics, IReaderStatistics, IEnumerable<Measurement<long>>> PerConsumer(Func<ConsumerStatistics, long> figure) =>
         (reader, figures) => figures.GetConsumers().Select(
             consumer => reader.Measure(figure(consumer), new KeyValuePair<string, object?>(MeterTags.Consumer, consumer.Name)));
 
     // Nothing before the first frame: there is no age.
-    private static IEnumerable<Measurement<double>> MeasureAge(ReaderMetrics reader, IReaderFigures figures)
+    private static IEnumerable<Measurement<double>> MeasureAge(ReaderMetrics reader, IReaderStatistics figures)
     {
         long newest = figures.GetStatistics().LastFrameTimestamp;
         return newest == 0 ? [] : [reader.Measure(Math.Max(Stopwatch.GetElapsedTime(newest).TotalSeconds, 0))];
     }
 
-    private static List<Measurement<T>> Observe<T>(Func<ReaderMetrics, IReaderFigures, IEnumerable<Measurement<T>>> measure)
+    private static List<Measurement<T>> Observe<T>(Func<ReaderMetrics, IReaderStatistics, IEnumerable<Measurement<T>>> measure)
         where T : struct
     {
         List<Measurement<T>> measurements = [];

@@ -31,7 +31,7 @@ public enum ReaderEventId
     BytesSkipped = 12,
 
     /// <summary>A handler of the application threw.</summary>
-    HandlerFailed = 13,
+    CallbackFailed = 13,
 
     /// <summary>A recording began.</summary>
     RecordingStarted = 20,

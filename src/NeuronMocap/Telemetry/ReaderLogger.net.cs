@@ -24,8 +24,8 @@ internal sealed partial class ReaderLogger(ILoggerFactory factory)
             case ReaderEventId.BytesSkipped:
                 BytesSkipped(reported.Reader, reported.Message, reported.Subject, reported.Count, reported.Total);
                 break;
-            case ReaderEventId.HandlerFailed:
-                HandlerFailed(reported.Exception, reported.Reader, reported.Message, reported.Count, reported.Total);
+            case ReaderEventId.CallbackFailed:
+                CallbackFailed(reported.Exception, reported.Reader, reported.Message, reported.Count, reported.Total);
                 break;
             case ReaderEventId.RecordingStarted:
                 RecordingStarted(reported.Reader, reported.Message, reported.Subject);
@@ -125,7 +125,7 @@ internal sealed partial class ReaderLogger(ILoggerFactory factory)
     private partial void BytesSkipped(string reader, string message, string? skipReason, long count, long total);
 
     [LoggerMessage(EventId = 13, Level = LogLevel.Error, Message = "{Reader}: {Message} ({Count} of {Total})")]
-    private partial void HandlerFailed(Exception? exception, string reader, string message, long count, long total);
+    private partial void CallbackFailed(Exception? exception, string reader, string message, long count, long total);
 
     [LoggerMessage(EventId = 20, Level = LogLevel.Information, Message = "{Reader}: {Message} ({Path})")]
     private partial void RecordingStarted(string reader, string message, string? path);

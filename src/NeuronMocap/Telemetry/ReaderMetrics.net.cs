@@ -7,7 +7,7 @@ namespace NeuronMocap.Telemetry;
 internal sealed class ReaderMetrics : IDisposable
 {
     private readonly KeyValuePair<string, object?> _tag;
-    private volatile IReaderFigures? _figures;
+    private volatile IReaderStatistics? _figures;
 
     public ReaderMetrics(string name)
     {
@@ -22,12 +22,12 @@ internal sealed class ReaderMetrics : IDisposable
     public IDurationRecorder? Intervals { get; }
 
     // Null until the reader is made.
-    public IReaderFigures? Figures => _figures;
+    public IReaderStatistics? Figures => _figures;
 
     public IDurationRecorder? HandOver(string consumer) =>
         new DurationRecorder(NeuronMeter.HandOver, _tag, new(MeterTags.Consumer, consumer));
 
-    public void Observe(IReaderFigures figures) => _figures = figures;
+    public void Observe(IReaderStatistics figures) => _figures = figures;
 
     public void Dispose() => NeuronMeter.Remove(this);
 

@@ -13,7 +13,7 @@ internal sealed class ReaderMetrics(string name) : IDisposable
 
     public IDurationRecorder? HandOver(string consumer) => null;
 
-    public void Observe(IReaderFigures figures)
+    public void Observe(IReaderStatistics figures)
     {
     }
 

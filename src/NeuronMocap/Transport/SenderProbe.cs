@@ -18,7 +18,7 @@ internal sealed class SenderProbe(PacketScanner packets)
                 return SenderStart.Read(scan.Kind, datagram);
             if (scan.Part == StreamPart.Line)
                 return SenderStart.Read(scan.Kind, _scanner.Image);
-            if (scan.Part == StreamPart.NeedMore)
+            if (scan.Part == StreamPart.NeedMoreData)
                 return FindUnfinished(datagram);
 
             datagram = datagram[scan.Length..];

@@ -23,7 +23,7 @@ internal sealed class UdpLink(LinkOptions options, SenderFilter filter, UdpServe
     public override async Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver, ILinkListener? listener)
     {
         var senders = new UdpSenders(new PacketScanner(options.MaxValues), receiver, filter, servers, receiveLock, listener?.Tap);
-        using var settling = new UdpSettling(senders, _gate);
+        using var settling = new UdpPendingTimer(senders, _gate);
         try
         {
             await UdpReceiver.ReceiveAsync(_socket!, senders, _gate, ReceiveThread).ConfigureAwait(false);

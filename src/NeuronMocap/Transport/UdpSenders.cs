@@ -49,7 +49,7 @@ internal sealed class UdpSenders : IPacketReceiver
         (_scanner, _receiver, _filter, _servers, _receiveLock) = (scanner, receiver, filter, servers ?? new UdpServers(), receiveLock);
         _probe = new SenderProbe(scanner);
         _tap = tap;
-        _isCalculationPort = receiver is CalculationOnly;
+        _isCalculationPort = receiver is CalculationOnlyReceiver;
         _strays = new PacketAssembler(scanner, receiver);
     }
 

@@ -60,7 +60,7 @@ internal static class Broadcast
         Sources = [new StillSource()],
         Port = 0,
         Rate = rate,
-        FrameLimit = frames,
+        MaxFrames = frames,
         MaxClients = 1000,
         WaitForClient = true,
         CloseTimeout = TimeSpan.FromSeconds(1),

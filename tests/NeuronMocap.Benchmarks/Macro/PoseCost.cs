@@ -50,7 +50,7 @@ internal static class PoseCost
 
         public Take()
         {
-            var actor = new SyntheticActor(1 / Interval);
+            var actor = new SyntheticSource(1 / Interval);
             for (int i = 0; i < Frames; i++)
             {
                 _values[i] = new float[Layout.ValueCount];
@@ -70,20 +70,20 @@ internal static class PoseCost
 
         public void Copy(int i) => _values[i % Frames].AsSpan().CopyTo(_copy);
 
-        public void Decode(int i) => PoseDecoder.Decode(_values[i % Frames], Layout, RotationOrder.YXZ, SkeletonBody.Default(), Pose);
+        public void Decode(int i) => PoseDecoder.Decode(_values[i % Frames], Layout, RotationOrder.YXZ, SkeletonBody.GetDefault(), Pose);
 
         public void ToWorld(int i) => ForwardKinematics.ToWorld(Local[i % Frames], Pose);
 
         public void ToLocal(int i) => ForwardKinematics.ToLocal(World[i % Frames], Pose);
 
-        public void CopyPositions(int i) => JointPositions.Copy(World[i % Frames], SkeletonBody.Default(), _positions);
+        public void CopyPositions(int i) => JointPositions.Copy(World[i % Frames], SkeletonBody.GetDefault(), _positions);
 
-        public void FindCentre(int i) => CenterOfMass.Compute(World[i % Frames], SkeletonBody.Default());
+        public void FindCentre(int i) => CenterOfMass.Compute(World[i % Frames], SkeletonBody.GetDefault());
 
         public void FindVelocities(int i)
         {
             int now = (i % (Frames - 2)) + 1;
-            PoseVelocity.Central(World[now - 1], World[now], World[now + 1], Interval, Interval, _velocities);
+            PoseVelocity.ComputeCentral(World[now - 1], World[now], World[now + 1], Interval, Interval, _velocities);
         }
 
         public void InterpolateLinear(int i)
@@ -112,7 +112,7 @@ internal static class PoseCost
         private readonly FootContactEstimator _estimator = new();
         private long _frame;
 
-        public void Update(int i) => _estimator.Update(take.World[i % Frames], SkeletonBody.Default(), _frame++ * Interval);
+        public void Update(int i) => _estimator.Update(take.World[i % Frames], SkeletonBody.GetDefault(), _frame++ * Interval);
     }
 
     private sealed class Retiming(Take take)

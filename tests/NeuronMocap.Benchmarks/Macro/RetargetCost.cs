@@ -45,9 +45,9 @@ internal static class RetargetCost
     {
         var random = new Random(1);
         List<RigNode> nodes = [new("Armature", -1, Vector3.Zero, Quaternion.Identity, new Vector3(1, armatureHeight, 1))];
-        int[] nodeOf = new int[HumanoidBones.Count];
+        int[] nodeByBone = new int[HumanoidBones.Count];
         Add(HumanoidBone.Hips, 0);
-        return TargetRig.Humanoid([.. nodes], nodeOf, Quaternion.Identity);
+        return TargetRig.CreateHumanoid([.. nodes], nodeByBone, Quaternion.Identity);
 
         void Add(HumanoidBone bone, int parent)
         {
@@ -64,7 +64,7 @@ internal static class RetargetCost
             bool isTurned = HumanoidBones.GetPart(bone) is not (BodyParts.Hips or BodyParts.LeftLeg or BodyParts.RightLeg);
             Quaternion rotation = isTurned ? Quaternion.CreateFromYawPitchRoll(random.NextSingle(), random.NextSingle(), random.NextSingle()) : Quaternion.Identity;
             nodes.Add(new RigNode(bone.ToString(), parent, way, rotation));
-            int node = nodeOf[(int)bone] = nodes.Count - 1;
+            int node = nodeByBone[(int)bone] = nodes.Count - 1;
             for (int child = 0; child < HumanoidBones.Count; child++)
             {
                 if (HumanoidBones.GetParent((HumanoidBone)child) == bone)
@@ -87,7 +87,7 @@ internal static class RetargetCost
 
         public Take()
         {
-            var actor = new SyntheticActor(1 / Interval);
+            var actor = new SyntheticSource(1 / Interval);
             for (int i = 0; i < Frames; i++)
             {
                 _poses[i] = new BoneTransform[BoneHierarchy.BoneCount];
@@ -106,7 +106,7 @@ internal static class RetargetCost
 
     private sealed class Character(TargetRig rig, RetargetOptions options)
     {
-        private readonly Retargeter _retargeter = new(rig, SkeletonBody.Default(), options);
+        private readonly Retargeter _retargeter = new(rig, SkeletonBody.GetDefault(), options);
         private readonly FootPlanter _planter = new(rig);
         private double _seconds;
 

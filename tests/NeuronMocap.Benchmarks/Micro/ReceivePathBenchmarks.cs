@@ -25,7 +25,7 @@ public class ReceivePathBenchmarks
     private readonly StreamCounters _counters = new();
     private readonly MotionFrame _frame = new(SkeletonFormat.Default);
     private readonly PacketRing _ring = new(capacity: 8, TestFrame.Size);
-    private readonly NewestPacket _newest = new(TestFrame.Size);
+    private readonly LatestPacket _newest = new(TestFrame.Size);
     private uint _index;
 
     private ReceivedPacket Packet => new(PacketKind.Motion, _packet, 0, _packet.Length, _index, 0);

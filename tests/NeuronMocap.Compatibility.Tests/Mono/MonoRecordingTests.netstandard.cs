@@ -66,7 +66,7 @@ public sealed class MonoRecordingTests : IDisposable
 
             private static void Show(string how, ReaderStatistics statistics, uint sum)
             {
-                Console.WriteLine(how + " " + statistics.MotionFrames + " " + statistics.CalculationFrames + " " + statistics.SkippedBytes + " " + sum);
+                Console.WriteLine(how + " " + statistics.MotionFrames + " " + statistics.CalculationFrames + " " + statistics.BytesSkipped + " " + sum);
             }
 
             private static uint Add(uint sum, AvatarFrame frame)
@@ -103,13 +103,13 @@ public sealed class MonoRecordingTests : IDisposable
         await reader.Completion.Soon();
         recorder.Dispose();
         ReaderStatistics statistics = reader.GetStatistics();
-        string expected = $"{statistics.MotionFrames} {statistics.CalculationFrames} {statistics.SkippedBytes} {sum}";
+        string expected = $"{statistics.MotionFrames} {statistics.CalculationFrames} {statistics.BytesSkipped} {sum}";
 
         Task<string[]> run = program.RunAsync($"{server.Port}", byMono, byDotNet);
         await SendAsync(server, sent);
         string[] output = await run;
 
-        Assert.True(statistics is { MotionFrames: > 0, SkippedBytes: > 0 });
+        Assert.True(statistics is { MotionFrames: > 0, BytesSkipped: > 0 });
         Assert.Equal(
             [
                 $"live {expected}", "True", .. Enumerable.Repeat((string[])[$"read {expected}", $"played {expected}", $"played {expected}"], 2).SelectMany(static lines => lines),

@@ -72,8 +72,8 @@ public sealed class ScriptTests
     public async Task A_script_of_b15_receives_text()
     {
         BroadcasterOptions options = Options(displacement: true, reference: true, fragment: 1024, avatars: 1);
-        options.Sources = [new Server.SyntheticActor()];
-        options.FrameLimit = Frames;
+        options.Sources = [new Server.SyntheticSource()];
+        options.MaxFrames = Frames;
         options.Format = BroadcastFormat.Text;
         using var server = new Broadcaster(options);
         server.Start();
@@ -196,9 +196,9 @@ public sealed class ScriptTests
     public async Task A_script_of_b12_gets_answers_from_the_simulator()
     {
         BroadcasterOptions options = Options(displacement: true, reference: false, fragment: null, avatars: 1);
-        options.Sources = [new Server.SyntheticActor()];
+        options.Sources = [new Server.SyntheticSource()];
         options.Rate = 60;
-        options.FrameLimit = null;
+        options.MaxFrames = null;
         using var server = new Broadcaster(options);
         server.Start();
         var script = new W1Script();
@@ -224,7 +224,7 @@ public sealed class ScriptTests
     public async Task A_script_with_a_command_connection_turns_the_simulators_actor()
     {
         BroadcasterOptions options = Options(displacement: true, reference: false, fragment: null, avatars: 1);
-        options.Sources = [new Server.SyntheticActor()];
+        options.Sources = [new Server.SyntheticSource()];
         options.Rate = 240;
         options.RotationOrder = RotationOrder.XYZ;
         using var server = new Broadcaster(options);
@@ -290,14 +290,14 @@ public sealed class ScriptTests
         Sources = [.. Enumerable.Range(0, avatars).Select(static avatar => new TestSource(avatar, Frames))],
         Port = 0,
         Rate = BroadcasterOptions.MaxRate,
-        Displacement = displacement,
-        Reference = reference,
+        IncludeDisplacement = displacement,
+        IncludeReference = reference,
         Fragment = fragment,
     };
 
     private static void AssertFrames(BroadcasterOptions options, ReceivedFrame[] frames, IntPtr connection, long customObject)
     {
-        var layout = new ChannelLayout(options.Displacement!.Value, options.Reference);
+        var layout = new ChannelLayout(options.IncludeDisplacement!.Value, options.IncludeReference);
         int avatars = options.Sources.Count;
         float[] expected = new float[layout.ValueCount];
         Assert.Equal(Frames * avatars, frames.Length);

@@ -61,7 +61,7 @@ public sealed class CalculationAxesTests
                 Quaternion turn = Quaternion.Conjugate(before) * after;
                 turn = turn.W < 0 ? -turn : turn;
                 Vector3 velocity = new Vector3(turn.X, turn.Y, turn.Z) * 2 * (float)(document.FrameRate / 2);
-                Vector3 gyroscope = CalculationAxes.Export.ToBvhAngular(document.GetFrame(i).GetAngularVelocity(bone));
+                Vector3 gyroscope = CalculationAxes.Export.ToBvhAngularVelocity(document.GetFrame(i).GetAngularVelocity(bone));
                 product += Vector3.Dot(velocity, gyroscope);
                 turned += velocity.LengthSquared();
                 measured += gyroscope.LengthSquared();

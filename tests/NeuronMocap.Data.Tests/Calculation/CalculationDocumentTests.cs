@@ -13,7 +13,7 @@ public sealed class CalculationDocumentTests
     public void Real_takes_have_centres_and_no_doubts(string name)
     {
         CalculationDocument document = CalculationDocument.Load(Fixtures.Require("calc", name));
-        Assert.Empty(CalculationSkeleton.Measure(document).Doubts);
+        Assert.Empty(CalculationSkeleton.Measure(document).Warnings);
         Assert.Null(document.InitialDirection);
         Assert.Null(document.DeclaredFrameRate);
         Assert.Equal(120, document.FrameRate);

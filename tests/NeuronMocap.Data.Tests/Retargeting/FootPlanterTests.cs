@@ -59,7 +59,7 @@ public sealed class FootPlanterTests
         string figures = walk.Describe(take);
         Assert.True(walk.LargestSlide(planted: true) < 0.005f && walk.LargestMove(planted: true, after: 0.1) < 0.005f, figures);
         Assert.True(walk.LargestSlide(planted: false) > 0.02f, figures);
-        Assert.True(walk.LargestHipsShift <= 0.1001f * walk.Rig.LegLength && walk.LeastKnee > -1e-4f, figures);
+        Assert.True(walk.MaxHipsShift <= 0.1001f * walk.Rig.LegLength && walk.LeastKnee > -1e-4f, figures);
         Assert.True(walk.LargestAddedSpeed() < 2 && walk.LargestKneeSpeed < 4 && walk.LargestTurn < 600, figures);
         Assert.True(walk.FramesLetGo == 0, figures);
     }

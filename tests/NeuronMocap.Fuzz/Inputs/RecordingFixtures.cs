@@ -30,7 +30,7 @@ internal static class RecordingFixtures
             RecordingId = new Guid(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11),
             Compress = compress,
         };
-        var metadata = new RecordingMetadata().With(RecordingMetadata.Server, "studio:7001").With(RecordingMetadata.RotationOrderName, "YXZ");
+        var metadata = new RecordingMetadata().With(RecordingMetadata.ServerKey, "studio:7001").With(RecordingMetadata.RotationOrderKey, "YXZ");
         using (var writer = new RecordingWriter(file, metadata, options))
         {
             // A motion packet of 180 values.

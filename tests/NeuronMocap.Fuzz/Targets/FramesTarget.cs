@@ -24,7 +24,7 @@ internal sealed class FramesTarget
     public void Run(FuzzInput input)
     {
         ArraySegment<byte> rest = input.Segment;
-        while (_scanner.Scan(rest) is { Status: not ScanStatus.NeedMore } result)
+        while (_scanner.Scan(rest) is { Status: not ScanStatus.NeedMoreData } result)
         {
             if (result.Status == ScanStatus.Packet)
                 Read(new ReceivedPacket(result.Kind, rest.Slice(0, result.Length), timestamp: 1, origin: 2), input);

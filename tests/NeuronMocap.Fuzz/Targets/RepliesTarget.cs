@@ -12,7 +12,7 @@ internal sealed class RepliesTarget
     public void Run(FuzzInput input)
     {
         ReadOnlySpan<byte> rest = input.Bytes;
-        while (_scanner.Scan(rest) is { Status: not ScanStatus.NeedMore } result)
+        while (_scanner.Scan(rest) is { Status: not ScanStatus.NeedMoreData } result)
         {
             if (result is { Status: ScanStatus.Packet, Kind: PacketKind.Command })
                 Read(rest[..result.Length], input);

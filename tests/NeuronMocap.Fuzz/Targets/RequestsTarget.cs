@@ -17,7 +17,7 @@ internal sealed class RequestsTarget
     private readonly byte[] _answer = new byte[LongestAnswer];
 
     private readonly DataCommandReplies _replies = new(
-        new FramePlan(new BroadcasterOptions { Sources = [new SyntheticActor(), new SyntheticActor()] }, [new AvatarName("Char00"), new AvatarName("Char01")], 60, hasMotion: true, hasCalculation: false), lengthField: null);
+        new FramePlan(new BroadcasterOptions { Sources = [new SyntheticSource(), new SyntheticSource()] }, [new AvatarName("Char00"), new AvatarName("Char01")], 60, hasMotion: true, hasCalculation: false), lengthField: null);
 
     public void Run(FuzzInput input)
     {

@@ -17,7 +17,7 @@ internal sealed class ScannerTarget
         {
             int longest = ProtocolConstants.HeaderSize + Math.Max(maxValues * sizeof(float), ProtocolConstants.MaxCommandPayload);
             ReadOnlySpan<byte> rest = input.Bytes;
-            while (Scan(scanner, rest, longest, input) is { Status: not ScanStatus.NeedMore } result)
+            while (Scan(scanner, rest, longest, input) is { Status: not ScanStatus.NeedMoreData } result)
                 rest = rest[result.Length..];
 
             for (int i = 0; i < Tails; i++)
@@ -33,7 +33,7 @@ internal sealed class ScannerTarget
         ScanResult result = scanner.Scan(bytes);
         WrongResultException.ThrowUnless(result.Length > 0, "An answer of length zero makes no progress.");
         WrongResultException.ThrowUnless(
-            result.Status == ScanStatus.NeedMore ? result.Length > bytes.Length : result.Length <= bytes.Length,
+            result.Status == ScanStatus.NeedMoreData ? result.Length > bytes.Length : result.Length <= bytes.Length,
             "{0} is no answer to {1} bytes.", result, bytes.Length);
         WrongResultException.ThrowUnless(
             result.Status == ScanStatus.Skipped || result.Length <= longest, "{0} is longer than the limits allow.", result);

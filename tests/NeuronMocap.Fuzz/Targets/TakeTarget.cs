@@ -14,17 +14,17 @@ internal sealed class TakeTarget
 
     public void Run(FuzzInput input)
     {
-        Export(input, BvhGaps.LeaveOut);
-        Export(input, BvhGaps.Repeat);
+        Export(input, BvhGapHandling.Skip);
+        Export(input, BvhGapHandling.Repeat);
     }
 
-    private void Export(FuzzInput input, BvhGaps gaps)
+    private void Export(FuzzInput input, BvhGapHandling gaps)
     {
         var file = new MemoryStream();
-        var writer = new BvhTakeWriter(file, new BvhTakeOptions { Gaps = gaps });
+        var writer = new BvhTakeWriter(file, new BvhTakeOptions { GapHandling = gaps });
         ArraySegment<byte> rest = input.Segment;
         long time = 1;
-        while (_scanner.Scan(rest) is { Status: not ScanStatus.NeedMore } result)
+        while (_scanner.Scan(rest) is { Status: not ScanStatus.NeedMoreData } result)
         {
             if (result is { Status: ScanStatus.Packet, Kind: PacketKind.Motion })
             {

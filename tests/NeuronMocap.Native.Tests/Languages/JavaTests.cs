@@ -30,7 +30,7 @@ public sealed class JavaTests : IDisposable
             Calculation = TestSource.WriteCalculation,
             Port = 0,
             Rate = 200,
-            QueueLength = 10_000,
+            QueueCapacity = 10_000,
             WaitForClient = true,
         };
         using var server = new Broadcaster(options);

@@ -33,7 +33,7 @@ public sealed class MonoTests : IDisposable
             Calculation = TestSource.WriteCalculation,
             Port = 0,
             Rate = 500,
-            QueueLength = 10_000,
+            QueueCapacity = 10_000,
             WaitForClient = true,
         };
         using var server = new Broadcaster(options);

@@ -91,7 +91,7 @@ internal sealed class MappingDiagram
 
     private static Vector3[] RestPose()
     {
-        SkeletonBody body = SkeletonBody.Default();
+        SkeletonBody body = SkeletonBody.GetDefault();
         var local = new BoneTransform[BoneHierarchy.BoneCount];
         var world = new BoneTransform[BoneHierarchy.BoneCount];
         body.CopyRestPose(local);

@@ -37,7 +37,7 @@ public sealed class BvhSourceTests
         source.GetPose(2, pose);
         foreach (Bone bone in BoneHierarchy.Bones)
         {
-            ReadOnlySpan<float> angles = values.AsSpan(layout.RotationIndex(bone), 3);
+            ReadOnlySpan<float> angles = values.AsSpan(layout.GetRotationIndex(bone), 3);
             Quaternion rotation = EulerAngles.ToQuaternion(new Vector3(angles[0], angles[1], angles[2]), order);
             Assert.Equal(1, Math.Abs(Quaternion.Dot(rotation, pose[(int)bone].Rotation)), tolerance: 1e-5);
         }

@@ -37,7 +37,7 @@ public sealed class CalculationExportTests
     [Fact]
     public void An_actor_exported_and_measured_again_moves_the_same_way()
     {
-        var actor = new SyntheticActor();
+        var actor = new SyntheticSource();
         var source = new FormulaSource(actor.FrameRate, 600, actor.GetPose);
         using var text = new MemoryStream();
         using (var writer = new CalculationFileWriter(text, CalculationFrame.FullValueCount, leaveOpen: true))
@@ -70,7 +70,7 @@ public sealed class CalculationExportTests
     public void A_performance_without_an_end_is_refused()
     {
         using var writer = new CalculationFileWriter(new MemoryStream(), CalculationFrame.FullValueCount);
-        Assert.Throws<ArgumentException>(() => CalculationExport.Write(new SyntheticActor(), writer));
+        Assert.Throws<ArgumentException>(() => CalculationExport.Write(new SyntheticSource(), writer));
     }
 
     [Fact]

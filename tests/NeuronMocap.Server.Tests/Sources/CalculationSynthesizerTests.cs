@@ -11,7 +11,7 @@ public class CalculationSynthesizerTests
     [Fact]
     public void Positions_are_the_middles_of_the_bones_in_metres_and_rotations_are_the_bones()
     {
-        var actor = new SyntheticActor(Rate, 1);
+        var actor = new SyntheticSource(Rate, 1);
         for (long frame = 0; frame < 2400; frame += 111)
         {
             CalculationFrame calculation = Calculate(actor, frame);
@@ -38,7 +38,7 @@ public class CalculationSynthesizerTests
     [Fact]
     public void The_sum_of_the_velocities_is_the_way()
     {
-        var actor = new SyntheticActor(Rate);
+        var actor = new SyntheticSource(Rate);
         CalculationFrame[] frames = [.. Enumerable.Range(0, 301).Select(frame => Calculate(actor, frame))];
         foreach (Bone bone in BoneHierarchy.Bones)
         {
@@ -139,7 +139,7 @@ public class CalculationSynthesizerTests
     [Fact]
     public void The_short_form_is_the_beginning_of_the_long_one_and_every_value_is_written()
     {
-        var actor = new SyntheticActor(Rate);
+        var actor = new SyntheticSource(Rate);
         float[] full = new float[946];
         float[] body = new float[338];
         full.AsSpan().Fill(float.NaN);
@@ -154,7 +154,7 @@ public class CalculationSynthesizerTests
     [Fact]
     public void A_frame_costs_no_memory()
     {
-        var actor = new SyntheticActor(Rate);
+        var actor = new SyntheticSource(Rate);
         float[] values = new float[946];
         void Play()
         {

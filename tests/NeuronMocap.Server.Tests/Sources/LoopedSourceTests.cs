@@ -28,7 +28,7 @@ public class LoopedSourceTests
     public void Only_what_has_frames_and_an_end_is_repeated()
     {
         Assert.Throws<ArgumentException>(() => new LoopedSource(Climb(count: 0)));
-        Assert.Throws<ArgumentException>(() => new LoopedSource(new SyntheticActor()));
+        Assert.Throws<ArgumentException>(() => new LoopedSource(new SyntheticSource()));
     }
 
     private static FormulaSource Climb(long count) => new(

@@ -23,7 +23,7 @@ public sealed class RecordingSourceTests
 
         Assert.Equal((0, "Char00", 200L, 0L), (source.AvatarIndex, source.AvatarName, source.FrameCount, source.InterpolatedFrames));
         Assert.Equal(60, source.FrameRate);
-        Assert.InRange(source.MeasuredRate!.Value, 59.8, 60.2);
+        Assert.InRange(source.MeasuredFrameRate!.Value, 59.8, 60.2);
         Assert.Empty(source.Gaps);
         float[] values = new float[354];
         for (int frame = 0; frame < 200; frame++)
@@ -165,7 +165,7 @@ public sealed class RecordingSourceTests
                 writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, "", ""));
                 writer.WriteBytes(TimeSpan.Zero, 0, TestPackets.Motion(0, count: 180));
             },
-            RecordingMetadata.Empty.With(RecordingMetadata.BvhHierarchyName, hierarchy));
+            RecordingMetadata.Empty.With(RecordingMetadata.BvhHierarchyKey, hierarchy));
         RecordingSource source = RecordingSource.Load(file.Path);
 
         Assert.True(source.HasOwnBody);
@@ -177,8 +177,8 @@ public sealed class RecordingSourceTests
     [Fact]
     public void The_body_has_the_sizes_that_the_command_channel_told_where_the_stream_has_none()
     {
-        BoneDimensions sizes = SkeletonBody.Default().Measure() with { UpperArm = 0.35f, UpperLeg = 0.5f };
-        RecordingMetadata metadata = RecordingMetadata.Empty.With(RecordingMetadata.BoneDimensionsName, RecordingMetadata.ToText(sizes));
+        BoneDimensions sizes = SkeletonBody.GetDefault().Measure() with { UpperArm = 0.35f, UpperLeg = 0.5f };
+        RecordingMetadata metadata = RecordingMetadata.Empty.With(RecordingMetadata.BoneDimensionsKey, RecordingMetadata.ToText(sizes));
         using TemporaryFile file = RecordOne(TestPackets.Motion(0, count: 180), metadata);
         RecordingSource source = RecordingSource.Load(file.Path);
         Vector3[] offsets = new Vector3[BoneHierarchy.BoneCount];
@@ -201,7 +201,7 @@ public sealed class RecordingSourceTests
         using var file = new TemporaryFile([.. Enumerable.Range(0, 40).Where(static frame => frame is < 20 or > 24).SelectMany(static frame => Packet(frame))]);
         RecordingSource source = RecordingSource.Load(file.Path, options: new PlaybackOptions { FrameRate = given });
 
-        Assert.Equal((rate, null, 40L, 5L), (source.FrameRate, source.MeasuredRate, source.FrameCount, source.InterpolatedFrames));
+        Assert.Equal((rate, null, 40L, 5L), (source.FrameRate, source.MeasuredFrameRate, source.FrameCount, source.InterpolatedFrames));
     }
 
     [Fact]
@@ -216,7 +216,7 @@ public sealed class RecordingSourceTests
     [InlineData(95.9, 96)]
     [InlineData(119.1, 120)]
     [InlineData(110, 110)]
-    public void Rates_near_a_usual_one_are_that(double measured, double chosen) => Assert.Equal(chosen, RecordingSource.ChooseRate(measured));
+    public void Rates_near_a_usual_one_are_that(double measured, double chosen) => Assert.Equal(chosen, RecordingSource.ChooseFrameRate(measured));
 
     private static TemporaryFile Record(IEnumerable<int> frames, Func<int, double> milliseconds) =>
         Recordings.OfTcp([.. frames.Select(frame => (milliseconds(frame), Packet(frame)))]);

@@ -13,7 +13,7 @@ public sealed class StudioCalculationSynthesizerTests
     [Fact]
     public void Sensors_are_those_of_the_calculation_stream_in_the_order_of_the_bones()
     {
-        var actor = new SyntheticActor(60, 1);
+        var actor = new SyntheticSource(60, 1);
         for (long frame = 0; frame < 2400; frame += 171)
         {
             float[] calculation = new float[946];
@@ -33,7 +33,7 @@ public sealed class StudioCalculationSynthesizerTests
     [Fact]
     public void Positions_and_rotations_are_the_joints_in_the_world()
     {
-        var actor = new SyntheticActor(60);
+        var actor = new SyntheticSource(60);
         BoneTransform[] world = ActorMeasures.GetWorld(actor, 500);
         byte[] payload = Calculate(actor, 500);
         foreach (Bone bone in BoneHierarchy.Bones)
@@ -49,7 +49,7 @@ public sealed class StudioCalculationSynthesizerTests
     [Fact]
     public void The_sum_of_the_velocities_is_the_way()
     {
-        var actor = new SyntheticActor(60);
+        var actor = new SyntheticSource(60);
         float[][] hand = [.. Enumerable.Range(0, 301).Select(frame => GetValues(Calculate(actor, frame), Bone.RightHand))];
         Vector3 way = Vector3.Zero;
         for (int i = 1; i < hand.Length; i++)
@@ -70,7 +70,7 @@ public sealed class StudioCalculationSynthesizerTests
     [Fact]
     public void Writing_allocates_nothing()
     {
-        var actor = new SyntheticActor(60);
+        var actor = new SyntheticSource(60);
         byte[] payload = new byte[4956];
         Allocations.AssertNone(() => StudioCalculationSynthesizer.Write(actor, 7, payload));
     }

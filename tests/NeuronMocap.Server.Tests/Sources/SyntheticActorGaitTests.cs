@@ -21,7 +21,7 @@ public class SyntheticActorGaitTests
     [MemberData(nameof(Performances))]
     public void A_planted_foot_does_not_move(double rate, int avatar, long start)
     {
-        var actor = new SyntheticActor(rate, avatar);
+        var actor = new SyntheticSource(rate, avatar);
         var planted = new Vector3[]?[2];
         int stances = 0;
         foreach (long frame in Minute(rate, start))
@@ -55,7 +55,7 @@ public class SyntheticActorGaitTests
     [MemberData(nameof(Performances))]
     public void No_foot_goes_below_the_ground_and_a_planted_one_is_on_it(double rate, int avatar, long start)
     {
-        var actor = new SyntheticActor(rate, avatar);
+        var actor = new SyntheticSource(rate, avatar);
         foreach (long frame in Minute(rate, start))
         {
             BoneTransform[] world = ActorMeasures.GetWorld(actor, frame);
@@ -70,7 +70,7 @@ public class SyntheticActorGaitTests
     [Fact]
     public void A_foot_is_planted_at_any_time_and_clears_the_ground_in_every_step()
     {
-        var actor = new SyntheticActor(120);
+        var actor = new SyntheticSource(120);
         float[] height = [-1, -1];
         int steps = 0;
         for (long frame = 0; frame < 120 * ActorMeasures.LapSeconds; frame++)
@@ -98,7 +98,7 @@ public class SyntheticActorGaitTests
     [Fact]
     public void Knees_bend_backwards_only_and_never_lock()
     {
-        var actor = new SyntheticActor();
+        var actor = new SyntheticSource();
         for (long frame = 0; frame < 60 * ActorMeasures.LapSeconds; frame++)
         {
             BoneTransform[] pose = ActorMeasures.GetPose(actor, frame);
@@ -115,7 +115,7 @@ public class SyntheticActorGaitTests
     [Fact]
     public void It_walks_two_rounds_in_a_lap_facing_where_it_goes_and_comes_back_to_its_place()
     {
-        var actor = new SyntheticActor();
+        var actor = new SyntheticSource();
         Vector3 previous = ActorMeasures.GetPose(actor, 0)[0].Position;
         Vector3 start = previous;
         double way = 0;
@@ -146,7 +146,7 @@ public class SyntheticActorGaitTests
 
     private static Bone Foot(int side) => side == 0 ? Bone.LeftFoot : Bone.RightFoot;
 
-    private static bool IsPlanted(SyntheticActor actor, long frame, int side)
+    private static bool IsPlanted(SyntheticSource actor, long frame, int side)
     {
         (bool left, bool right) = actor.GetFootContacts(frame);
         return side == 0 ? left : right;

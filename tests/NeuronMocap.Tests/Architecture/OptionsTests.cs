@@ -44,7 +44,7 @@ public sealed class OptionsTests
         calculation.FrameRate = 96;
         Assert.Equal(60, reader.FrameRate);
 
-        var smooth = new PoseBufferOptions { Smoothing = PoseSmoothing.Linear, MaxExtrapolation = TimeSpan.Zero, Delay = TimeSpan.Zero };
+        var smooth = new PoseBufferOptions { Interpolation = PoseInterpolationMethod.Linear, MaxExtrapolation = TimeSpan.Zero, Delay = TimeSpan.Zero };
         var buffer = new PoseBuffer(smooth);
         smooth.MaxExtrapolation = TimeSpan.FromSeconds(1);
         var pose = new BoneTransform[BoneHierarchy.BoneCount];

@@ -27,7 +27,7 @@ public class BvhHierarchyTextTests
         {
             Assert.Equal(DefaultOffsets.Get(bone, variant), map[bone].Offset);
             Assert.Equal(DefaultOffsets.TryGetEndSite(bone, out Vector3 end) ? end : null, map[bone].EndSite);
-            Assert.Equal(layout.RotationIndex(bone), map[bone].FirstChannel + map[bone].Channels.Count - 3);
+            Assert.Equal(layout.GetRotationIndex(bone), map[bone].FirstChannel + map[bone].Channels.Count - 3);
         }
     }
 

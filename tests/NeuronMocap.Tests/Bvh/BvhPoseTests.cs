@@ -130,7 +130,7 @@ public class BvhPoseTests
         BvhDocument without = take.WithoutDisplacement(out PositionChannelLoss loss);
         Assert.Equal("B", loss.Joint);
         Assert.Equal(2, loss.Frame);
-        Assert.Equal(Math.Sqrt(9.01), loss.LargestError, 1e-6);
+        Assert.Equal(Math.Sqrt(9.01), loss.MaxError, 1e-6);
         Assert.Equal(new(1.1f, 2, 3), without.Joints[1].Offset);
         AssertBits([0, 0, 0, 10, 0, 0, 0, 20, 5, 0, 0, 30], Values(without));
     }

@@ -17,7 +17,7 @@ public class BvhReaderTests
         Assert.Equal(9, reader.Hierarchy.ChannelCount);
         Assert.Equal(new BvhFrameTime(1, 120), reader.FrameTime);
         Assert.Equal(0.008, reader.DeclaredFrameTime);
-        Assert.Equal(2, reader.AnnouncedFrameCount);
+        Assert.Equal(2, reader.DeclaredFrameCount);
         Assert.Equal(TwoRows.Length, reader.Length);
         Assert.Equal(0, reader.FrameCount);
 

@@ -83,8 +83,8 @@ public class BvhSkeletonMapTests
         Assert.StartsWith("Hips LeftUpLeg LeftLeg LeftFoot Tail RightUpLeg ", NamesOf(map.Document), StringComparison.Ordinal);
         Assert.Equal(183, map.Document.ChannelCount);
         AssertBits([0, 1, 2, 3, 4, 5], values.AsSpan(0, 6));
-        AssertBits([18, 19, 20], values.AsSpan(map.Layout.RotationIndex(Bone.RightUpLeg), 3));
-        AssertBits([6, 7, 8], values.AsSpan(map.Layout.RotationIndex(Bone.LeftUpLeg), 3));
+        AssertBits([18, 19, 20], values.AsSpan(map.Layout.GetRotationIndex(Bone.RightUpLeg), 3));
+        AssertBits([6, 7, 8], values.AsSpan(map.Layout.GetRotationIndex(Bone.LeftUpLeg), 3));
     }
 
     [Fact]

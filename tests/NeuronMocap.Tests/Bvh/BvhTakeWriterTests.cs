@@ -30,23 +30,23 @@ public class BvhTakeWriterTests
     [Fact]
     public void The_offsets_are_those_of_the_stream_where_it_has_displacement()
     {
-        var body = SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperLeg = 0.5f, FootLength = 0.3f });
+        var body = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperLeg = 0.5f, FootLength = 0.3f });
         float[] values = Displaced(body);
-        BvhDocument take = Write(new BvhTakeOptions { Body = SkeletonBody.Default() }, Frame(1, values));
+        BvhDocument take = Write(new BvhTakeOptions { Body = SkeletonBody.GetDefault() }, Frame(1, values));
 
         Assert.Equal(-50, take.Joints[2].Offset.Y, 1e-3);
-        Assert.Equal(SkeletonBody.Default().EndSites[3], take.Joints[3].EndSite);
+        Assert.Equal(SkeletonBody.GetDefault().EndSites[3], take.Joints[3].EndSite);
         Assert.Equal(0, take.Joints[0].Offset.X);
     }
 
     [Fact]
     public void The_offsets_are_those_of_the_options_where_the_stream_has_none()
     {
-        var body = SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperLeg = 0.5f });
+        var body = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperLeg = 0.5f });
         Assert.Equal(body.Offsets.ToArray(), Write(new BvhTakeOptions { Body = body }, Frame(1, new float[180])).Joints.Select(static joint => joint.Offset));
         Assert.Equal(
-            SkeletonBody.Default().Offsets.ToArray(),
-            Write(new BvhTakeOptions { Body = SkeletonBody.Default(SkeletonVariant.Spine3) }, Frame(1, new float[180])).Joints.Select(static joint => joint.Offset));
+            SkeletonBody.GetDefault().Offsets.ToArray(),
+            Write(new BvhTakeOptions { Body = SkeletonBody.GetDefault(SkeletonVariant.Spine3) }, Frame(1, new float[180])).Joints.Select(static joint => joint.Offset));
     }
 
     // What is no number is a row's, and no body's.
@@ -57,7 +57,7 @@ public class BvhTakeWriterTests
         Array.Fill(values, float.NaN);
         BvhDocument take = Write(null, Frame(1, values));
 
-        Assert.Equal(SkeletonBody.Default().Offsets.ToArray(), take.Joints.Select(static joint => joint.Offset));
+        Assert.Equal(SkeletonBody.GetDefault().Offsets.ToArray(), take.Joints.Select(static joint => joint.Offset));
         AssertBits(values, take.GetFrame(0));
     }
 
@@ -122,7 +122,7 @@ public class BvhTakeWriterTests
         foreach (Bone bone in BoneHierarchy.Bones)
         {
             Vector3 offset = body.GetOffset(bone);
-            (values[layout.PositionIndex(bone)], values[layout.PositionIndex(bone) + 1], values[layout.PositionIndex(bone) + 2]) = (offset.X, offset.Y, offset.Z);
+            (values[layout.GetPositionIndex(bone)], values[layout.GetPositionIndex(bone) + 1], values[layout.GetPositionIndex(bone) + 2]) = (offset.X, offset.Y, offset.Z);
         }
 
         values[0] = 123;

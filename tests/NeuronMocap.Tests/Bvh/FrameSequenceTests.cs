@@ -5,7 +5,7 @@ namespace NeuronMocap.Tests.Bvh;
 
 public class FrameSequenceTests
 {
-    private readonly FrameSequence _sequence = new(BvhGaps.Repeat);
+    private readonly FrameSequence _sequence = new(BvhGapHandling.Repeat);
 
     [Fact]
     public void Frames_in_a_row_are_a_row_each() => Assert.Equal([1, 1, 1], Rows(120, [5, 6, 7]));
@@ -15,7 +15,7 @@ public class FrameSequenceTests
 
     [Fact]
     public void Missing_frames_can_be_left_out() =>
-        Assert.Equal([1, 1, 1, 1], Rows(new FrameSequence(BvhGaps.LeaveOut), 120, [5, 6, 9, 10], [0, 1, 4, 5]));
+        Assert.Equal([1, 1, 1, 1], Rows(new FrameSequence(BvhGapHandling.Skip), 120, [5, 6, 9, 10], [0, 1, 4, 5]));
 
     [Fact]
     public void Every_second_index_is_a_reduced_frequency_and_no_loss() =>
@@ -43,7 +43,7 @@ public class FrameSequenceTests
     public void Frames_of_the_same_index_or_of_none_are_a_row_each()
     {
         Assert.Equal([1, 1, 1], Rows(120, [0, 0, 0]));
-        Assert.Equal([1, 1, 1], Rows(new FrameSequence(BvhGaps.Repeat), 120, [null, null, null], [0, 1, 2]));
+        Assert.Equal([1, 1, 1], Rows(new FrameSequence(BvhGapHandling.Repeat), 120, [null, null, null], [0, 1, 2]));
     }
 
     [Theory]

@@ -8,7 +8,7 @@ internal static class ActorExport
 {
     public static CalculationDocument Write(int frames, bool stands = false)
     {
-        var actor = new SyntheticActor(120);
+        var actor = new SyntheticSource(120);
         using var text = new MemoryStream();
         using (var writer = new CalculationFileWriter(text, CalculationFrame.FullValueCount, leaveOpen: true))
         {

@@ -47,7 +47,7 @@ public sealed class CalculationAxesTests
 
         Assert.Equal(vector, axes.FromBvh(axes.ToBvh(vector)));
         Assert.Equal(rotation, axes.FromBvh(axes.ToBvh(rotation)));
-        Assert.Equal(angular, axes.FromBvhAngular(axes.ToBvhAngular(angular)));
+        Assert.Equal(angular, axes.FromBvhAngularVelocity(axes.ToBvhAngularVelocity(angular)));
         Assert.Equal(Quaternion.Identity, axes.ToBvh(Quaternion.Identity));
 
         Vector3 expected = axes.ToBvh(RotateByHand(vector, rotation));

@@ -28,12 +28,12 @@ public sealed class CalculationKindTests
     [InlineData(1, false)]
     [InlineData(60, true)]
     public void Centres_of_bones_are_not_taken_for_their_ends(int frames, bool stands) =>
-        Assert.Empty(CalculationSkeleton.Measure(ActorExport.Write(frames, stands)).Doubts);
+        Assert.Empty(CalculationSkeleton.Measure(ActorExport.Write(frames, stands)).Warnings);
 
     [Fact]
     public void Lengths_that_nobody_has_are_told()
     {
-        var actor = new SyntheticActor(120);
+        var actor = new SyntheticSource(120);
         using var text = new MemoryStream();
         using (var writer = new CalculationFileWriter(text, CalculationFrame.FullValueCount, leaveOpen: true))
         {
@@ -56,9 +56,9 @@ public sealed class CalculationKindTests
             }
         }
 
-        IReadOnlyList<string> doubts = CalculationSkeleton.Measure(CalculationDocument.Parse(text.ToArray())).Doubts;
-        Assert.Contains(doubts, static doubt => doubt.Contains("lower leg", StringComparison.Ordinal));
-        Assert.DoesNotContain(doubts, static doubt => doubt.Contains("arm", StringComparison.Ordinal));
+        IReadOnlyList<string> warnings = CalculationSkeleton.Measure(CalculationDocument.Parse(text.ToArray())).Warnings;
+        Assert.Contains(warnings, static warning => warning.Contains("lower leg", StringComparison.Ordinal));
+        Assert.DoesNotContain(warnings, static warning => warning.Contains("arm", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -125,7 +125,7 @@ public sealed class CalculationKindTests
         string text = BoneEnds.Write(3);
         CalculationDocument document = Parse(text + "1 2 x\r\n" + text[..^20][text.LastIndexOf("\r\n", text.Length - 3, StringComparison.Ordinal)..]);
         Assert.Equal(3, document.FrameCount);
-        Assert.Equal(2, document.LeftOutRowCount);
+        Assert.Equal(2, document.SkippedRowCount);
         Assert.Equal(2, document.RepairCount);
     }
 

@@ -17,7 +17,7 @@ public sealed class DataCommandsTests : IDisposable
         using TestConnection connection = await _server.AcceptAsync();
 
         Assert.True(reader.DataCommands.TryRequest(DataCommandId.AvatarCount));
-        Assert.True(reader.DataCommands.TryRequest(DataCommandId.BoneSize, avatar: 2));
+        Assert.True(reader.DataCommands.TryRequest(DataCommandId.BoneSize, avatarIndex: 2));
         Assert.True(reader.DataCommands.TryRegister(DataCommandId.CombinationMode));
         Assert.True(reader.DataCommands.TryUnregister(DataCommandId.CombinationMode));
 
@@ -39,7 +39,7 @@ public sealed class DataCommandsTests : IDisposable
         Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.GetBoneSizesAsync();
         Task<int> count = reader.DataCommands.GetAvatarCountAsync();
         Task<string> text = reader.DataCommands.GetBvhTextAsync();
-        Task<SensorCombination> mode = reader.DataCommands.GetCombinationModeAsync(avatar: 1);
+        Task<SensorCombination> mode = reader.DataCommands.GetCombinationModeAsync(avatarIndex: 1);
         await connection.SendPiecesAsync(
             TestPackets.Join(
                 DataReplies.CombinationMode(avatar: 0, mode: 1),
@@ -56,7 +56,7 @@ public sealed class DataCommandsTests : IDisposable
         Assert.Equal("HIERARCHY", await text.Soon());
         Assert.Equal(SensorCombination.FullBody, await mode.Soon());
         await Limits.UntilAsync(() => reader.GetStatistics().CommandPackets == 5);
-        Assert.Equal((2L, 0L, 5L), (reader.GetStatistics().MotionFrames, reader.GetStatistics().SkippedBytes, reader.GetStatistics().CallbackFailures));
+        Assert.Equal((2L, 0L, 5L), (reader.GetStatistics().MotionFrames, reader.GetStatistics().BytesSkipped, reader.GetStatistics().CallbackFailures));
         Assert.Equal(
             [DataCommandId.CombinationMode, DataCommandId.BoneSize, DataCommandId.AvatarCount, DataCommandId.CombinationMode, DataCommandId.BvhText],
             received);
@@ -199,7 +199,7 @@ public sealed class DataCommandsTests : IDisposable
         // Nothing of the old connection is left to wait for.
         using TestConnection second = await _server.AcceptAsync();
         await Limits.UntilAsync(() => reader.Status.IsConnected);
-        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.GetBoneSizesAsync(avatar: 1);
+        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.GetBoneSizesAsync(avatarIndex: 1);
         Assert.Equal(Request(id: 0, parameter: 1), await ReadRequestAsync(second));
         await second.SendAsync(DataReplies.BoneSizes(("Hips", 0.5f)));
         Assert.Equal([new BoneSize("Hips", 0.5f)], await sizes.Soon());
@@ -240,11 +240,11 @@ public sealed class DataCommandsTests : IDisposable
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
         reader.DataCommands.Timeout = TimeSpan.FromMilliseconds(20);
-        await Assert.ThrowsAsync<NeuronCommandException>(() => reader.DataCommands.GetBoneSizesAsync(avatar: 0).Soon());
+        await Assert.ThrowsAsync<NeuronCommandException>(() => reader.DataCommands.GetBoneSizesAsync(avatarIndex: 0).Soon());
         Assert.Equal(Request(id: 0, parameter: 0), await ReadRequestAsync(connection));
 
         reader.DataCommands.Timeout = TimeSpan.FromMinutes(10);
-        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.GetBoneSizesAsync(avatar: 1);
+        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.GetBoneSizesAsync(avatarIndex: 1);
         if (isLate)
             await connection.SendAsync(DataReplies.BoneSizes(("Hips", 0.25f)));
 

@@ -25,7 +25,7 @@ public sealed class AvatarTrackerTests
         foreach (uint index in indices)
             _tracker.OnFrame(default, index, timestamp: 1);
 
-        Assert.Equal((indices.Length, lost, disordered), (_tracker.Snapshot.Frames, _tracker.Snapshot.Lost, _tracker.Snapshot.Disordered));
+        Assert.Equal((indices.Length, lost, disordered), (_tracker.Snapshot.Frames, _tracker.Snapshot.Lost, _tracker.Snapshot.OutOfOrder));
     }
 
     [Fact]

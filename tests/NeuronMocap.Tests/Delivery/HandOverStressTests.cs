@@ -58,7 +58,7 @@ public sealed class HandOverStressTests
     [Fact]
     public async Task The_newest_packet_is_never_torn_never_older_and_stays_while_it_is_held()
     {
-        var newest = new NewestPacket(slotSize: 16);
+        var newest = new LatestPacket(slotSize: 16);
         int published = 0;
         int last = 0;
         using (new Preemption())

@@ -107,7 +107,7 @@ public sealed class StreamCountersTests
             _counters.Count(Packet(frame, avatar: 0, seconds: 3 + (frame / 100.0), run: 1));
 
         AvatarStatistics avatar = Assert.Single(_counters.Trackers).Snapshot;
-        Assert.Equal((70L, 1L, 0L, 0L), (avatar.Frames, avatar.Restarts, avatar.Disordered, avatar.Lost));
+        Assert.Equal((70L, 1L, 0L, 0L), (avatar.Frames, avatar.Restarts, avatar.OutOfOrder, avatar.Lost));
     }
 
     // Datagrams that waited keep the time of their arrival.

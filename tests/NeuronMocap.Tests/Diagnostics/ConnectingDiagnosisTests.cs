@@ -23,7 +23,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
 
         diagnosis.AssertFault(DiagnosisVerdict.HostNotFound, "name", "studio", said, "IP address");
         Assert.Single(diagnosis.Steps);
-        Assert.Null(diagnosis.Code);
+        Assert.Null(diagnosis.SampleCode);
     }
 
     [Fact]
@@ -51,7 +51,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
 
         Assert.Equal(StepOutcome.Warning, diagnosis.Step("name").Outcome);
         Assert.Contains("127.0.0.1", diagnosis.Step("name").Detail, StringComparison.Ordinal);
-        Assert.True(diagnosis.FramesArrive);
+        Assert.True(diagnosis.IsReceiving);
     }
 
     [Fact]
@@ -114,7 +114,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         };
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, Diagnosing.With(Diagnosing.Patient));
 
-        Assert.True(diagnosis.FramesArrive);
+        Assert.True(diagnosis.IsReceiving);
         Assert.Equal(StepOutcome.Warning, diagnosis.Step("port").Outcome);
         Assert.Contains("127.0.0.2", diagnosis.Step("port").Detail, StringComparison.Ordinal);
     }
@@ -129,7 +129,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
 
         diagnosis.AssertFault(DiagnosisVerdict.OtherPort, "port", $"Use port {server.Port} here");
-        Assert.Contains($"new NeuronReader(\"127.0.0.1\", {server.Port})", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Contains($"new NeuronReader(\"127.0.0.1\", {server.Port})", diagnosis.SampleCode, StringComparison.Ordinal);
         Assert.Equal(StepOutcome.Warning, diagnosis.Step("other ports").Outcome);
     }
 
@@ -173,7 +173,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
 
         diagnosis.AssertFault(DiagnosisVerdict.Refused, "port", $"TCP port {server.Port} of 127.0.0.1 has calculation data");
-        Assert.Null(diagnosis.Code);
+        Assert.Null(diagnosis.SampleCode);
     }
 
     [Fact]
@@ -185,7 +185,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         StreamDiagnosis diagnosis = await sender.SendUntilAsync(diagnosing, port, static i => [TestPackets.Motion(i)]);
 
         diagnosis.AssertFault(DiagnosisVerdict.SentOverUdp, "port", $"UDP port {port} of this computer", $"{sender.EndPoint}", "choose TCP");
-        Assert.Contains("TransportKind.Udp", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Contains("TransportKind.Udp", diagnosis.SampleCode, StringComparison.Ordinal);
     }
 
     // The bound is the promise; the slack is for a machine that does other things.
@@ -206,7 +206,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         how.UsualTcpPorts = [hole.Port, server.Port];
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, how);
 
-        Assert.False(diagnosis.FramesArrive);
+        Assert.False(diagnosis.IsReceiving);
         Assert.InRange(diagnosis.Elapsed, TimeSpan.Zero, TimeSpan.FromSeconds(30));
     }
 
@@ -242,7 +242,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     {
         ArgumentException reader = await Assert.ThrowsAsync<ArgumentException>(() => NeuronDiagnostics.DiagnoseAsync(new NeuronReaderOptions { Port = 0 }));
         Assert.Contains("Port is 0", reader.Message, StringComparison.Ordinal);
-        foreach (DiagnosisOptions wrong in (DiagnosisOptions[])[new() { Timeout = TimeSpan.Zero }, new() { Wanted = PacketKind.Command }])
+        foreach (DiagnosisOptions wrong in (DiagnosisOptions[])[new() { Timeout = TimeSpan.Zero }, new() { Expected = PacketKind.Command }])
             await Assert.ThrowsAsync<ArgumentException>(() => NeuronDiagnostics.DiagnoseAsync(new NeuronReaderOptions(), wrong));
     }
 

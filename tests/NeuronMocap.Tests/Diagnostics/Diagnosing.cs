@@ -41,7 +41,7 @@ internal static class Diagnosing
     public static void AssertFault(this StreamDiagnosis diagnosis, DiagnosisVerdict verdict, string step, params string[] said)
     {
         Assert.Equal(verdict, diagnosis.Verdict);
-        Assert.False(diagnosis.FramesArrive);
+        Assert.False(diagnosis.IsReceiving);
         Assert.Equal(StepOutcome.Failed, diagnosis.Step(step).Outcome);
         foreach (string text in said)
             Assert.Contains(text, diagnosis.Summary, StringComparison.Ordinal);

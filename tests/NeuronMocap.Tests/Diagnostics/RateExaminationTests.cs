@@ -80,7 +80,7 @@ public sealed class RateExaminationTests
             Deliver(sample, packet, i / 60.0);
         }
 
-        Assert.Equal([DiagnosisVerdict.StandsStill], Verdicts(Judge(sample, TransportKind.Tcp)));
+        Assert.Equal([DiagnosisVerdict.Motionless], Verdicts(Judge(sample, TransportKind.Tcp)));
     }
 
     [Fact]
@@ -94,7 +94,7 @@ public sealed class RateExaminationTests
             Deliver(sample, packet, i / 60.0);
         }
 
-        Assert.Equal([DiagnosisVerdict.StandsStill], Verdicts(Judge(sample, TransportKind.Tcp)));
+        Assert.Equal([DiagnosisVerdict.Motionless], Verdicts(Judge(sample, TransportKind.Tcp)));
     }
 
     [Fact]
@@ -125,7 +125,7 @@ public sealed class RateExaminationTests
             Deliver(sample, TestPackets.Motion(1, layout: HeaderLayout.Old), i / 20.0);
 
         Assert.Equal(
-            [DiagnosisVerdict.StandsStill, DiagnosisVerdict.LowRate, DiagnosisVerdict.OldHeader], Verdicts(Judge(sample, TransportKind.Tcp)));
+            [DiagnosisVerdict.Motionless, DiagnosisVerdict.LowRate, DiagnosisVerdict.OldHeader], Verdicts(Judge(sample, TransportKind.Tcp)));
     }
 
     private static IEnumerable<(long Index, double Time)> Frames(int count, double rate, int step = 1) =>

@@ -16,13 +16,13 @@ public sealed class StreamDiagnosisTests
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Measuring = 0.01 });
 
         // How fast it comes is this machine's business.
-        Assert.True(diagnosis.FramesArrive);
+        Assert.True(diagnosis.IsReceiving);
         Assert.Equal(["name", "route", "port", "first bytes", "token", "version", "format", "rate"], diagnosis.Steps.Select(static step => step.Name));
         Assert.StartsWith("FF DD 00 00 01 01", diagnosis.Step("first bytes").Detail, StringComparison.Ordinal);
         foreach (string text in (string[])["version 1.1.0.0", "354 values, displacement on, reference off", "2 avatars: 0 Char00, 1 Zoe"])
             Assert.Contains(text, diagnosis.Summary, StringComparison.Ordinal);
 
-        Assert.Contains($"new NeuronReader(\"127.0.0.1\", {server.Port})", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Contains($"new NeuronReader(\"127.0.0.1\", {server.Port})", diagnosis.SampleCode, StringComparison.Ordinal);
         Assert.Equal([(0, "Char00"), (1, "Zoe")], diagnosis.Avatars.Select(static avatar => (avatar.Index, avatar.Name)));
         Assert.All(diagnosis.Avatars, static avatar => Assert.True(avatar is { Kind: PacketKind.Motion, Lost: 0, Frames: > 0, ValueCount: 354, HasDisplacement: true }));
     }
@@ -35,10 +35,10 @@ public sealed class StreamDiagnosisTests
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(
             new NeuronReaderOptions { Port = motion.Port, CalculationPort = calculation.Port }, Diagnosing.With(Diagnosing.Patient));
 
-        Assert.True(diagnosis.FramesArrive);
+        Assert.True(diagnosis.IsReceiving);
         Assert.DoesNotContain(DiagnosisVerdict.CalculationUnavailable, diagnosis.Verdicts);
         Assert.Contains($"Calculation port {calculation.Port}: frames arrive.", diagnosis.Summary, StringComparison.Ordinal);
-        Assert.Contains($"CalculationPort = {calculation.Port}", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Contains($"CalculationPort = {calculation.Port}", diagnosis.SampleCode, StringComparison.Ordinal);
         Assert.Equal(StepOutcome.Ok, diagnosis.Step("calculation first bytes").Outcome);
         Assert.Equal([PacketKind.Motion, PacketKind.Calculation], diagnosis.Avatars.Select(static avatar => avatar.Kind));
     }
@@ -52,7 +52,7 @@ public sealed class StreamDiagnosisTests
         closed.Dispose();
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = motion.Port, CalculationPort = port }, Diagnosing.With(Diagnosing.Patient));
 
-        Assert.True(diagnosis.FramesArrive);
+        Assert.True(diagnosis.IsReceiving);
         Assert.Contains(DiagnosisVerdict.CalculationUnavailable, diagnosis.Verdicts);
         Assert.Contains($"Calculation port {port}: connection refused.", diagnosis.Summary, StringComparison.Ordinal);
         Assert.Contains($"tick Enable under Calculation, with port {port}. In Axis Studio switch the broadcasting of calculation data on", diagnosis.Summary, StringComparison.Ordinal);
@@ -66,7 +66,7 @@ public sealed class StreamDiagnosisTests
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Motion(i, layout: HeaderLayout.Old));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
 
-        Assert.True(diagnosis.FramesArrive);
+        Assert.True(diagnosis.IsReceiving);
         Assert.Contains(DiagnosisVerdict.OldHeader, diagnosis.Verdicts);
         Assert.Equal(StepOutcome.Warning, diagnosis.Step("version").Outcome);
         Assert.Contains("Use old header format", diagnosis.Summary, StringComparison.Ordinal);
@@ -78,13 +78,13 @@ public sealed class StreamDiagnosisTests
         using ScriptedServer server = ScriptedServer.Streaming(PacketKind.Calculation);
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Elsewhere = 0.002 });
         StreamDiagnosis motion = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = server.Port }, how);
-        how.Wanted = PacketKind.Calculation;
+        how.Expected = PacketKind.Calculation;
         StreamDiagnosis calculation = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = server.Port }, how);
 
         motion.AssertFault(DiagnosisVerdict.CalculationOnly, "token", "calculation data", "tick Enable under BVH");
         Assert.EndsWith($"set CalculationPort to {server.Port}.", motion.Advice, StringComparison.Ordinal);
-        Assert.True(calculation.FramesArrive);
-        Assert.Contains("ReadCalculationAsync", calculation.Code, StringComparison.Ordinal);
+        Assert.True(calculation.IsReceiving);
+        Assert.Contains("ReadCalculationAsync", calculation.SampleCode, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -98,7 +98,7 @@ public sealed class StreamDiagnosisTests
 
         diagnosis.AssertFault(DiagnosisVerdict.CalculationOnly, "token", $"Use port {motion.Port} over TCP here");
         Assert.Equal([DiagnosisVerdict.CalculationOnly, DiagnosisVerdict.OtherPort], diagnosis.Verdicts);
-        Assert.Contains($"new NeuronReader(\"127.0.0.1\", {motion.Port})", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Contains($"new NeuronReader(\"127.0.0.1\", {motion.Port})", diagnosis.SampleCode, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -107,7 +107,7 @@ public sealed class StreamDiagnosisTests
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Join(TestPackets.Motion(i), TestPackets.Calculation(i)));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
 
-        Assert.True(diagnosis.FramesArrive);
+        Assert.True(diagnosis.IsReceiving);
         Assert.Equal("0xDDFF and 0x88FF: motion (BVH) and calculation data", diagnosis.Step("token").Detail);
     }
 
@@ -125,7 +125,7 @@ public sealed class StreamDiagnosisTests
         using ScriptedServer server = ScriptedServer.Saying(Encoding.Latin1.GetBytes(bytes));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
         diagnosis.AssertFault(verdict, step, said);
-        Assert.Null(diagnosis.Code);
+        Assert.Null(diagnosis.SampleCode);
     }
 
     [Fact]
@@ -155,7 +155,7 @@ public sealed class StreamDiagnosisTests
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Line(i));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
-        Assert.True(diagnosis.FramesArrive);
+        Assert.True(diagnosis.IsReceiving);
         Assert.Contains(DiagnosisVerdict.TextFormat, diagnosis.Verdicts);
         Assert.Equal("lines of text: motion (BVH) data", diagnosis.Step("token").Detail);
         Assert.Contains("set Format to Binary", diagnosis.Advice, StringComparison.Ordinal);
@@ -170,11 +170,11 @@ public sealed class StreamDiagnosisTests
         diagnosis.AssertFault(DiagnosisVerdict.StudioCalculationOnly, "token", "Axis Studio's calculation data; no motion (BVH) data among them");
 
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient);
-        how.Wanted = PacketKind.StudioCalculation;
+        how.Expected = PacketKind.StudioCalculation;
         diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = server.Port }, how);
-        Assert.True(diagnosis.FramesArrive);
+        Assert.True(diagnosis.IsReceiving);
         Assert.Equal("0xDCCF: Axis Studio's calculation data", diagnosis.Step("token").Detail);
-        Assert.Contains("ReadStudioCalculationAsync", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Contains("ReadStudioCalculationAsync", diagnosis.SampleCode, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -226,7 +226,7 @@ public sealed class StreamDiagnosisTests
         using ScriptedServer server = ScriptedServer.Streaming(i => TestPackets.Join(TestPackets.Motion(i), garbage));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
 
-        Assert.True(diagnosis.FramesArrive);
+        Assert.True(diagnosis.IsReceiving);
         Assert.Contains(DiagnosisVerdict.ForeignBytes, diagnosis.Verdicts);
         Assert.Contains("% of the bytes", diagnosis.Summary, StringComparison.Ordinal);
     }
@@ -240,7 +240,7 @@ public sealed class StreamDiagnosisTests
             return Task.CompletedTask;
         });
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
-        diagnosis.AssertFault(DiagnosisVerdict.ClosedAtOnce, "first bytes", "forwarded port");
+        diagnosis.AssertFault(DiagnosisVerdict.ClosedImmediately, "first bytes", "forwarded port");
     }
 
     [Fact]

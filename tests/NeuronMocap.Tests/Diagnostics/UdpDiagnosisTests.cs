@@ -16,10 +16,10 @@ public sealed class UdpDiagnosisTests
         using var sender = new DatagramSender();
         StreamDiagnosis diagnosis = await sender.SendUntilAsync(RunAsync(Diagnosing.Patient), _port, static i => Halves(TestPackets.Motion(i)));
 
-        Assert.True(diagnosis.FramesArrive);
+        Assert.True(diagnosis.IsReceiving);
         Assert.Contains($"{sender.EndPoint}", diagnosis.Step("first bytes").Detail, StringComparison.Ordinal);
         Assert.Contains("up to 1024 bytes", diagnosis.Step("first bytes").Detail, StringComparison.Ordinal);
-        Assert.Contains($"Transport = TransportKind.Udp, Port = {_port}", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Contains($"Transport = TransportKind.Udp, Port = {_port}", diagnosis.SampleCode, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -56,7 +56,7 @@ public sealed class UdpDiagnosisTests
         Task<StreamDiagnosis> both = other.SendUntilAsync(diagnosing, _port, static i => [TestPackets.Motion(i)]);
         StreamDiagnosis diagnosis = await sender.SendUntilAsync(both, _port, static i => [TestPackets.Motion(i)]);
 
-        Assert.True(diagnosis.FramesArrive);
+        Assert.True(diagnosis.IsReceiving);
         Assert.Contains(DiagnosisVerdict.SeveralSenders, diagnosis.Verdicts);
     }
 
@@ -105,7 +105,7 @@ public sealed class UdpDiagnosisTests
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port }, how);
 
         diagnosis.AssertFault(DiagnosisVerdict.OfferedOverTcp, "first bytes", $"TCP port {server.Port}", "choose UDP on the server");
-        Assert.DoesNotContain("TransportKind.Udp", diagnosis.Code, StringComparison.Ordinal);
+        Assert.DoesNotContain("TransportKind.Udp", diagnosis.SampleCode, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -119,7 +119,7 @@ public sealed class UdpDiagnosisTests
         StreamDiagnosis diagnosis = await sender.SendUntilAsync(Diagnosing.RunAsync(options, how), other, static i => [TestPackets.Motion(i)]);
 
         diagnosis.AssertFault(DiagnosisVerdict.OtherPort, "first bytes", $"Use port {other} here");
-        Assert.Contains($"Port = {other}", diagnosis.Code, StringComparison.Ordinal);
+        Assert.Contains($"Port = {other}", diagnosis.SampleCode, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -75,11 +75,11 @@ public sealed class OneWriterTests : IDisposable
     [Fact]
     public void A_file_that_somebody_has_open_is_seen_without_locks_too()
     {
-        Assert.True(FileClaim.CanBeOpenedAlone(Take));
+        Assert.True(FileWriterLock.CanBeOpenedAlone(Take));
         using (WritableFile.Create(Take))
-            Assert.False(FileClaim.CanBeOpenedAlone(Take));
+            Assert.False(FileWriterLock.CanBeOpenedAlone(Take));
 
-        Assert.True(FileClaim.CanBeOpenedAlone(Take));
+        Assert.True(FileWriterLock.CanBeOpenedAlone(Take));
     }
 
     private static void AssertRefused(string path, Func<IDisposable> open)

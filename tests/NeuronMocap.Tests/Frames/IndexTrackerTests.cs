@@ -54,7 +54,7 @@ public sealed class IndexTrackerTests
     public void Late_frames_in_order_that_fill_a_gap_are_no_restart()
     {
         Feed([5, 9, 6, 7, 8, 10]);
-        Assert.Equal((0, 0, 3, 0), (_tracker.Lost, _tracker.Gaps, _tracker.Disordered, _tracker.Restarts));
+        Assert.Equal((0, 0, 3, 0), (_tracker.Lost, _tracker.Gaps, _tracker.OutOfOrder, _tracker.Restarts));
     }
 
     [Theory]
@@ -101,7 +101,7 @@ public sealed class IndexTrackerTests
         Feed([0, .. Enumerable.Range(1, 100).Select(i => (uint)i * 10).SelectMany(i => Enumerable.Range(1, 9).Select(n => i - 10 + (uint)n)), 1000]);
         Assert.Equal((99, 99), (_tracker.Lost, _tracker.Gaps));
         Feed(Enumerable.Range(0, 40).SelectMany(i => (uint[])[1002 + (2 * (uint)i), 1001 + (2 * (uint)i)]));
-        Assert.Equal((99, 99, 40, 1), (_tracker.Lost, _tracker.Gaps, _tracker.Disordered, _tracker.Step));
+        Assert.Equal((99, 99, 40, 1), (_tracker.Lost, _tracker.Gaps, _tracker.OutOfOrder, _tracker.Step));
     }
 
     [Fact]

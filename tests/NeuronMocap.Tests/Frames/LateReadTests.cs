@@ -74,7 +74,7 @@ public sealed class LateReadTests
     [Fact]
     public void Kept_frames_of_any_usual_number_of_avatars_never_show_a_newer_frame()
     {
-        for (int avatars = 1; avatars < LentFrames.OfHandlers; avatars++)
+        for (int avatars = 1; avatars < FramePool.OfHandlers; avatars++)
         {
             var queue = new FrameQueue(1024, SkeletonFormat.Default, _ => { });
             var kept = new MotionFrame?[avatars];

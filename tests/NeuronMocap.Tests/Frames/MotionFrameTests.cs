@@ -166,7 +166,7 @@ public sealed class MotionFrameTests
     public void A_body_gives_the_positions_that_the_stream_does_not(int count)
     {
         MotionFrame frame = Lend(GoldenPackets.NewMotion(Ascending(count)));
-        var body = SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperArm = 0.4f }, SkeletonVariant.Spine3);
+        var body = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperArm = 0.4f }, SkeletonVariant.Spine3);
         BoneTransform[] local = new BoneTransform[59];
         BoneTransform[] world = new BoneTransform[59];
         BoneTransform[] expected = new BoneTransform[59];
@@ -176,7 +176,7 @@ public sealed class MotionFrameTests
 
         foreach (Bone bone in BoneHierarchy.Bones)
         {
-            bool isCarried = frame.Layout.PositionIndex(bone) >= 0;
+            bool isCarried = frame.Layout.GetPositionIndex(bone) >= 0;
             Assert.Equal(isCarried ? frame.GetPosition(bone) : body.GetOffset(bone), local[(int)bone].Position);
             Assert.Equal(frame.GetRotation(bone), local[(int)bone].Rotation);
         }

@@ -56,7 +56,7 @@ public sealed class CenterOfMassTests
     public void Over_standing_feet_an_actor_keeps_it_between_them()
     {
         // Stops within a programme of forty seconds: both feet planted for a second or more.
-        var actor = new SyntheticActor(60);
+        var actor = new SyntheticSource(60);
         BoneTransform[] pose = new BoneTransform[59];
         int planted = 0;
         int tested = 0;
@@ -69,7 +69,7 @@ public sealed class CenterOfMassTests
             actor.GetPose(frame, pose);
             ForwardKinematics.ToWorld(pose, pose);
             Vector3 feet = (pose[(int)Bone.LeftFoot].Position + pose[(int)Bone.RightFoot].Position) / 2;
-            Vector3 centre = CenterOfMass.Compute(pose, SkeletonBody.Default());
+            Vector3 centre = CenterOfMass.Compute(pose, SkeletonBody.GetDefault());
             Assert.True(new Vector2(centre.X - feet.X, centre.Z - feet.Z).Length() < 20, $"{frame}: {centre} over {feet}");
             tested++;
         }
@@ -81,14 +81,14 @@ public sealed class CenterOfMassTests
     public void Nothing_is_allocated_and_fewer_transforms_are_refused()
     {
         BoneTransform[] pose = Rest(SkeletonVariant.Neck1);
-        Allocations.AssertNone(() => CenterOfMass.Compute(pose, SkeletonBody.Default()));
-        Assert.Throws<ArgumentException>(() => CenterOfMass.Compute(pose.AsSpan(1), SkeletonBody.Default()));
+        Allocations.AssertNone(() => CenterOfMass.Compute(pose, SkeletonBody.GetDefault()));
+        Assert.Throws<ArgumentException>(() => CenterOfMass.Compute(pose.AsSpan(1), SkeletonBody.GetDefault()));
     }
 
     private static BoneTransform[] Rest(SkeletonVariant variant)
     {
         BoneTransform[] pose = new BoneTransform[59];
-        SkeletonBody.Default(variant).CopyRestPose(pose);
+        SkeletonBody.GetDefault(variant).CopyRestPose(pose);
         return pose;
     }
 
@@ -96,6 +96,6 @@ public sealed class CenterOfMassTests
     {
         BoneTransform[] world = new BoneTransform[59];
         ForwardKinematics.ToWorld(local, world, variant);
-        return CenterOfMass.Compute(world, SkeletonBody.Default(variant));
+        return CenterOfMass.Compute(world, SkeletonBody.GetDefault(variant));
     }
 }

@@ -13,8 +13,8 @@ public sealed class FootContactTests
     [InlineData(120)]
     public void The_estimate_agrees_with_the_actor_who_knows(int rate)
     {
-        var actor = new SyntheticActor(rate);
-        var body = SkeletonBody.Default();
+        var actor = new SyntheticSource(rate);
+        var body = SkeletonBody.GetDefault();
         var track = new FootContactTrack();
         var live = new FootContactEstimator();
         List<FootContacts> known = [];
@@ -98,11 +98,11 @@ public sealed class FootContactTests
     public void Nothing_is_allocated()
     {
         BoneTransform[] pose = new BoneTransform[59];
-        SkeletonBody.Default().CopyRestPose(pose);
+        SkeletonBody.GetDefault().CopyRestPose(pose);
         ForwardKinematics.ToWorld(pose, pose);
         var estimator = new FootContactEstimator();
         int frame = 0;
-        Allocations.AssertNone(() => estimator.Update(pose, SkeletonBody.Default(), frame++ / 60.0));
+        Allocations.AssertNone(() => estimator.Update(pose, SkeletonBody.GetDefault(), frame++ / 60.0));
     }
 
     internal static double Agreement(IReadOnlyList<FootContacts> one, IReadOnlyList<FootContacts> other) =>

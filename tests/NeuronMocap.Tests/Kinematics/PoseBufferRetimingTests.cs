@@ -28,9 +28,9 @@ public sealed class PoseBufferRetimingTests
     public void The_retimed_motion_is_fifty_times_as_even_as_the_newest_frames(double displayRate, int delay)
     {
         double newest = VelocityNoise(Newest(displayRate), displayRate);
-        double withIndex = VelocityNoise(Retimed(displayRate, delay, PoseSmoothing.Cubic, hasIndex: true), displayRate);
-        double without = VelocityNoise(Retimed(displayRate, delay, PoseSmoothing.Cubic, hasIndex: false), displayRate);
-        double linear = VelocityNoise(Retimed(displayRate, delay, PoseSmoothing.Linear, hasIndex: true), displayRate);
+        double withIndex = VelocityNoise(Retimed(displayRate, delay, PoseInterpolationMethod.Cubic, hasIndex: true), displayRate);
+        double without = VelocityNoise(Retimed(displayRate, delay, PoseInterpolationMethod.Cubic, hasIndex: false), displayRate);
+        double linear = VelocityNoise(Retimed(displayRate, delay, PoseInterpolationMethod.Linear, hasIndex: true), displayRate);
 
         string figures = FormattableString.Invariant($"newest {newest:F2}, retimed {withIndex:F3}, without index {without:F3}, linear {linear:F3} cm/s");
         TestContext.Current.TestOutputHelper?.WriteLine($"{displayRate} Hz, {delay} ms: {figures}");
@@ -44,14 +44,14 @@ public sealed class PoseBufferRetimingTests
     [InlineData(120)]
     public void The_delay_is_the_one_that_was_asked_for(double displayRate)
     {
-        Vector3[] shown = Retimed(displayRate, 40, PoseSmoothing.Cubic, hasIndex: true);
+        Vector3[] shown = Retimed(displayRate, 40, PoseInterpolationMethod.Cubic, hasIndex: true);
         Assert.Equal(0.040, FindLag(shown, displayRate), 0.002);
     }
 
     private static BoneTransform[][] MakeFrames()
     {
         // Walking, at the rate that frames were sent.
-        var actor = new SyntheticActor(1 / ArrivalPattern.Interval);
+        var actor = new SyntheticSource(1 / ArrivalPattern.Interval);
         var frames = new BoneTransform[ArrivalPattern.FrameCount][];
         for (int i = 0; i < frames.Length; i++)
         {
@@ -76,9 +76,9 @@ public sealed class PoseBufferRetimingTests
     private static Vector3[] Newest(double displayRate) =>
         [.. Moments(displayRate).Select(moment => Shown(Frames[Array.FindLastIndex(Arrivals, arrival => arrival <= moment)]))];
 
-    private static Vector3[] Retimed(double displayRate, int delay, PoseSmoothing smoothing, bool hasIndex)
+    private static Vector3[] Retimed(double displayRate, int delay, PoseInterpolationMethod interpolation, bool hasIndex)
     {
-        var buffer = new PoseBuffer(new PoseBufferOptions { Delay = TimeSpan.FromMilliseconds(delay), Smoothing = smoothing });
+        var buffer = new PoseBuffer(new PoseBufferOptions { Delay = TimeSpan.FromMilliseconds(delay), Interpolation = interpolation });
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
         List<Vector3> shown = [];
         int next = 0;
@@ -132,7 +132,7 @@ public sealed class PoseBufferRetimingTests
 
     private static Vector3[] MakeTruth()
     {
-        var actor = new SyntheticActor(TruthRate);
+        var actor = new SyntheticSource(TruthRate);
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
         var hands = new Vector3[(int)(Arrivals[^1] * TruthRate) + 2];
         for (int i = 0; i < hands.Length; i++)

@@ -16,7 +16,7 @@ public sealed class PoseVelocityTests
         var velocities = new BoneVelocity[1];
         foreach (double time in (double[])[-0.7, 0, 0.4])
         {
-            PoseVelocity.Central(At(time - before), At(time), At(time + after), before, after, velocities);
+            PoseVelocity.ComputeCentral(At(time - before), At(time), At(time + after), before, after, velocities);
             AssertNear(VelocityAt(time), velocities[0].Linear, 0.2f);
             AssertNear(TurnAt(time), velocities[0].Angular, 0.02f);
         }
@@ -26,7 +26,7 @@ public sealed class PoseVelocityTests
     public void Backward_differences_are_the_velocity_halfway()
     {
         var velocities = new BoneVelocity[1];
-        PoseVelocity.Backward(At(0.30), At(0.31), 0.01, velocities);
+        PoseVelocity.ComputeBackward(At(0.30), At(0.31), 0.01, velocities);
         AssertNear(VelocityAt(0.305), velocities[0].Linear, 0.05f);
         AssertNear(TurnAt(0.305), velocities[0].Angular, 0.01f);
     }
@@ -37,7 +37,7 @@ public sealed class PoseVelocityTests
         BoneTransform[] one = At(0.30);
         BoneTransform[] other = [one[0] with { Rotation = Quaternion.Negate(one[0].Rotation) }];
         var velocities = new BoneVelocity[1];
-        PoseVelocity.Backward(one, other, 0.01, velocities);
+        PoseVelocity.ComputeBackward(one, other, 0.01, velocities);
         Assert.True(velocities[0].Angular.Length() < 0.1f, $"{velocities[0].Angular}");
     }
 
@@ -45,13 +45,13 @@ public sealed class PoseVelocityTests
     public void Frames_at_one_time_have_no_velocity_between_them()
     {
         var velocities = new BoneVelocity[1];
-        PoseVelocity.Backward(At(0), At(1), 0, velocities);
+        PoseVelocity.ComputeBackward(At(0), At(1), 0, velocities);
         Assert.Equal(default, velocities[0]);
 
         // The first of a take has itself before it: what is left is the difference to the next.
-        PoseVelocity.Central(At(0), At(0), At(0.01), 0, 0.01, velocities);
+        PoseVelocity.ComputeCentral(At(0), At(0), At(0.01), 0, 0.01, velocities);
         AssertNear(VelocityAt(0.005), velocities[0].Linear, 0.1f);
-        PoseVelocity.Central(At(0), At(0), At(0), 0, 0, velocities);
+        PoseVelocity.ComputeCentral(At(0), At(0), At(0), 0, 0, velocities);
         Assert.Equal(default, velocities[0]);
     }
 
@@ -60,10 +60,10 @@ public sealed class PoseVelocityTests
     {
         BoneTransform[] pose = At(0);
         var velocities = new BoneVelocity[1];
-        Allocations.AssertNone(() => PoseVelocity.Central(pose, pose, pose, 1, 1, velocities));
-        Assert.Throws<ArgumentException>(() => PoseVelocity.Backward(pose, pose, 1, []));
-        Assert.Throws<ArgumentException>(() => PoseVelocity.Backward([], pose, 1, velocities));
-        Assert.Throws<ArgumentException>(() => PoseVelocity.Central(pose, pose, [], 1, 1, velocities));
+        Allocations.AssertNone(() => PoseVelocity.ComputeCentral(pose, pose, pose, 1, 1, velocities));
+        Assert.Throws<ArgumentException>(() => PoseVelocity.ComputeBackward(pose, pose, 1, []));
+        Assert.Throws<ArgumentException>(() => PoseVelocity.ComputeBackward([], pose, 1, velocities));
+        Assert.Throws<ArgumentException>(() => PoseVelocity.ComputeCentral(pose, pose, [], 1, 1, velocities));
     }
 
     // Thrown, and turning ever faster.

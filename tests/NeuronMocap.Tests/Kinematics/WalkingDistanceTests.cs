@@ -58,7 +58,7 @@ public sealed class WalkingDistanceTests
         // The lap is 42 steps of the ring of fourteen, with stops.
         const int Rate = 60;
         const int Lap = 40 * Rate;
-        var actor = new SyntheticActor(Rate);
+        var actor = new SyntheticSource(Rate);
         BoneTransform[] pose = new BoneTransform[59];
         var walk = new WalkingDistance();
         double path = 0;

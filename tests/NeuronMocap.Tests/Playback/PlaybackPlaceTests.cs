@@ -25,7 +25,7 @@ public sealed class PlaybackPlaceTests
 
         Assert.Equal([0u, 1u, 2u, 3u, 4u], frames.Indices);
         Assert.Equal(30, player.Position.TotalMilliseconds);
-        Assert.Equal((2, ConnectionState.Receiving), (reader.GetStatistics().SkippedBytes, reader.Status.State));
+        Assert.Equal((2, ConnectionState.Receiving), (reader.GetStatistics().BytesSkipped, reader.Status.State));
         // At the end steps do nothing, and it is no end as long as it is paused.
         for (int i = 0; i < 3; i++)
             player.Step();
@@ -60,7 +60,7 @@ public sealed class PlaybackPlaceTests
         player.Step();
         await frames.WaitAsync(2);
         Assert.Equal([0u, 1u], frames.Indices);
-        Assert.Equal(100, reader.GetStatistics().SkippedBytes);
+        Assert.Equal(100, reader.GetStatistics().BytesSkipped);
     }
 
     [Fact]
@@ -88,7 +88,7 @@ public sealed class PlaybackPlaceTests
         expected.Add(294u);
         await frames.WaitAsync(expected.Count);
         Assert.Equal(expected, frames.Indices);
-        Assert.Equal((0, 0), (reader.GetStatistics().SkippedBytes, reader.GetStatistics().Lost));
+        Assert.Equal((0, 0), (reader.GetStatistics().BytesSkipped, reader.GetStatistics().Lost));
 
         // Further than what is looked at first, and to the start, where it stays.
         frames.Clear();
@@ -127,7 +127,7 @@ public sealed class PlaybackPlaceTests
         reader.Start();
         await reader.Completion.Soon();
         Assert.Equal(Enumerable.Range(expected, 401 - expected).Select(static index => (uint?)index), frames.Indices);
-        Assert.Equal((0, 0), (reader.GetStatistics().SkippedBytes, reader.GetStatistics().Lost));
+        Assert.Equal((0, 0), (reader.GetStatistics().BytesSkipped, reader.GetStatistics().Lost));
     }
 
     [Fact]
@@ -152,7 +152,7 @@ public sealed class PlaybackPlaceTests
 
         Assert.Equal([.. Enumerable.Range(0, 251), .. Enumerable.Range(200, 100)], frames.Indices.Select(static index => (int)index!));
         ReaderStatistics statistics = reader.GetStatistics();
-        Assert.Equal((0, 0, 0, 1), (statistics.Lost, statistics.Restarts, statistics.SkippedBytes, statistics.Reconnects));
+        Assert.Equal((0, 0, 0, 1), (statistics.Lost, statistics.Restarts, statistics.BytesSkipped, statistics.Reconnects));
         Assert.Equal(
             [ConnectionState.Connecting, ConnectionState.Connected, ConnectionState.Receiving, ConnectionState.Stopped],
             statuses.All.Select(static status => status.State));

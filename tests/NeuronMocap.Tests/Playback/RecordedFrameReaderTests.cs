@@ -91,7 +91,7 @@ public sealed class RecordedFrameReaderTests
         });
         using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
         Assert.Equal([(1u, 0), (2u, 1)], RecordedFrames.ReadAll(reader).Select(static read => ((uint)read.Frame.FrameIndex!, read.Frame.Sender)));
-        Assert.Equal(0, reader.Statistics.SkippedBytes);
+        Assert.Equal(0, reader.Statistics.BytesSkipped);
     }
 
     [Theory]
@@ -103,7 +103,7 @@ public sealed class RecordedFrameReaderTests
     {
         RecordingMetadata metadata = recorded is null
             ? RecordingMetadata.Empty
-            : new RecordingMetadata().With(RecordingMetadata.RotationOrderName, recorded).With(RecordingMetadata.SkeletonVariantName, "Spine3");
+            : new RecordingMetadata().With(RecordingMetadata.RotationOrderKey, recorded).With(RecordingMetadata.SkeletonVariantKey, "Spine3");
         using TemporaryFile file = Recordings.Write(
             writer =>
             {
@@ -119,7 +119,7 @@ public sealed class RecordedFrameReaderTests
     [Fact]
     public void A_packet_is_too_large_where_it_was_for_the_recording_reader()
     {
-        RecordingMetadata metadata = new RecordingMetadata().With(RecordingMetadata.MaxValuesName, "300");
+        RecordingMetadata metadata = new RecordingMetadata().With(RecordingMetadata.MaxValuesKey, "300");
         using TemporaryFile file = Recordings.Write(
             writer =>
             {
@@ -152,7 +152,7 @@ public sealed class RecordedFrameReaderTests
         Assert.Equal(frames, RecordedFrames.ReadAll(ofRecording).Select(static read => Recordings.Describe(read.Frame)));
         Assert.Equal(fixture.Expected.Select(static expected => expected.Index), ofDumpIndices());
         Assert.Equal(fixture.Bytes.Length, ofDump.Statistics.BytesReceived);
-        Assert.Equal(ofDump.Statistics.SkippedBytes, ofRecording.Statistics.SkippedBytes);
+        Assert.Equal(ofDump.Statistics.BytesSkipped, ofRecording.Statistics.BytesSkipped);
 
         IEnumerable<uint?> ofDumpIndices()
         {

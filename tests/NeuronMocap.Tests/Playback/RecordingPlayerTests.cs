@@ -101,7 +101,7 @@ public sealed class RecordingPlayerTests
 
         Assert.Equal([100.0, 200, 300, 5000, 6000], time.Waits.Distinct());
         Assert.Equal([6000.0], frames.Milliseconds);
-        Assert.Equal(777, reader.GetStatistics().SkippedBytes);
+        Assert.Equal(777, reader.GetStatistics().BytesSkipped);
         Assert.Contains(statuses.All, static status => status is { State: ConnectionState.Waiting, Reason: ConnectionReason.Reset, Message: "The recorded connection ended: Reset." });
         Assert.Equal(2, statuses.All.Count(static status => status.State == ConnectionState.Connected));
     }
@@ -160,7 +160,7 @@ public sealed class RecordingPlayerTests
         using TemporaryFile file = Played.Frames(100, interval: 10);
         using RecordingPlayer player = RecordingPlayer.Open(file.Path);
         player.Speed = RecordingPlayer.MaxSpeed;
-        player.WaitsForQueues = false;
+        player.WaitForQueues = false;
         await using var reader = new NeuronReader(player);
         using FrameQueue queue = reader.OpenQueue(capacity: 8);
         reader.Start();
@@ -291,7 +291,7 @@ public sealed class RecordingPlayerTests
         player.Resume();
         player.Passes = player.Pass;
         await reader.Completion.Soon();
-        Assert.Equal((0, 0, 0), (reader.GetStatistics().SkippedBytes, reader.GetStatistics().Lost, reader.GetStatistics().Gaps));
+        Assert.Equal((0, 0, 0), (reader.GetStatistics().BytesSkipped, reader.GetStatistics().Lost, reader.GetStatistics().Gaps));
         Assert.True(reader.GetStatistics().MotionFrames >= 2000);
     }
 }

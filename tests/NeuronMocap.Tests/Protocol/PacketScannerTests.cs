@@ -206,7 +206,7 @@ public sealed class PacketScannerTests
     [InlineData(64, 76)]
     [InlineData(75, 76)]
     public void The_length_asked_for_is_the_token_then_the_header_and_then_the_packet(int given, int asked) =>
-        Assert.Equal(new ScanResult(ScanStatus.NeedMore, asked), new PacketScanner().Scan(First.AsSpan(0, given)));
+        Assert.Equal(new ScanResult(ScanStatus.NeedMoreData, asked), new PacketScanner().Scan(First.AsSpan(0, given)));
 
     [Fact]
     public void Bytes_behind_the_packet_change_nothing()

@@ -85,7 +85,7 @@ public class StreamScannerWorkTests
     {
         var scanner = new StreamScanner(new PacketScanner());
         ReadOnlySpan<byte> rest = bytes;
-        while (!rest.IsEmpty && scanner.Scan(rest) is { Part: not StreamPart.NeedMore } scan)
+        while (!rest.IsEmpty && scanner.Scan(rest) is { Part: not StreamPart.NeedMoreData } scan)
             rest = rest[scan.Length..];
 
         return scanner.Examined;

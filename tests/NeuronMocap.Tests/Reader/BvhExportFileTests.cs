@@ -131,7 +131,7 @@ public sealed class BvhExportFileTests : BvhExportTest
     [Fact]
     public async Task At_any_moment_the_file_opens_with_what_was_flushed()
     {
-        await using var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticActor(240)], Port = 0 });
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticSource(240)], Port = 0 });
         broadcaster.Start();
         await using var reader = new NeuronReader(new NeuronReaderOptions { Port = broadcaster.LocalEndPoint!.Port });
         using BvhExport export = reader.ExportBvh(Target);

@@ -56,7 +56,7 @@ public sealed class BvhExportTests : BvhExportTest
         Assert.Equal(3, read.FrameCount);
         Assert.Equal(TestPackets.Value(2, 0, 353), read.GetFrame(2)[353]);
         Assert.Equal(format is "studio" ? "Zrotation Xrotation Yrotation" : "Yrotation Xrotation Zrotation", string.Join(' ', read.Joints[0].Channels.Skip(3)));
-        Assert.Equal(BvhBodySource.Stream, export.Files[0].BodySource);
+        Assert.Equal(BvhBodyOrigin.Stream, export.Files[0].BodyOrigin);
     }
 
     [Fact]
@@ -91,7 +91,7 @@ public sealed class BvhExportTests : BvhExportTest
         Assert.Equal(["take-part2.bvh", "take-part3.bvh", "take.bvh"], Folder.GetFiles().Select(static file => file.Name).Order(StringComparer.Ordinal));
         Assert.Equal([1, 2, 1], export.Files.Select(static file => file.FrameCount));
         Assert.Equal(180, BvhDocument.Load(export.Files[1].Path).ChannelCount);
-        Assert.Equal([BvhBodySource.Stream, BvhBodySource.Default, BvhBodySource.Stream], export.Files.Select(static file => file.BodySource));
+        Assert.Equal([BvhBodyOrigin.Stream, BvhBodyOrigin.Default, BvhBodyOrigin.Stream], export.Files.Select(static file => file.BodyOrigin));
     }
 
     [Fact]
@@ -108,14 +108,14 @@ public sealed class BvhExportTests : BvhExportTest
     public async Task The_hierarchy_and_the_rotation_order_are_those_of_the_command_channel()
     {
         var told = new SkeletonFormat(RotationOrder.ZXY, SkeletonVariant.Spine3);
-        var body = SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperLeg = 0.5f }, SkeletonVariant.Spine3);
+        var body = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperLeg = 0.5f }, SkeletonVariant.Spine3);
         using var commands = new CommandScript(request => request.ReplyAsync(request.Id == 1003
             ? [(byte)told.RotationOrder, 0, 0, 0]
             : Encoding.ASCII.GetBytes(BvhHierarchyText.Create(BvhBoneHierarchy.Create(told, default, body)))));
         BvhExport export = await ExportAsync([TestPackets.Motion(0, count: 180), TestPackets.Motion(1, count: 180)], Patient, commands.Port);
 
         BvhDocument read = BvhDocument.Load(Target);
-        Assert.Equal(BvhBodySource.Header, Assert.Single(export.Files).BodySource);
+        Assert.Equal(BvhBodyOrigin.Header, Assert.Single(export.Files).BodyOrigin);
         Assert.Equal(2, read.FrameCount);
         Assert.Equal(body.Offsets.ToArray(), read.Joints.Select(static joint => joint.Offset));
         Assert.Equal("Zrotation Xrotation Yrotation", string.Join(' ', read.Joints[5].Channels));
@@ -125,7 +125,7 @@ public sealed class BvhExportTests : BvhExportTest
     [Fact]
     public async Task Without_a_header_the_bone_sizes_make_the_hierarchy()
     {
-        BoneDimensions dimensions = SkeletonBody.Default().Measure() with { UpperLeg = 0.5f };
+        BoneDimensions dimensions = SkeletonBody.GetDefault().Measure() with { UpperLeg = 0.5f };
         byte[] sizes = new byte[BoneDimensions.Size];
         dimensions.Write(sizes);
         using var commands = new CommandScript(request => request.ReplyAsync(request.Id switch
@@ -136,7 +136,7 @@ public sealed class BvhExportTests : BvhExportTest
         }));
         BvhExport export = await ExportAsync([TestPackets.Motion(0, count: 180)], Patient, commands.Port);
 
-        Assert.Equal(BvhBodySource.Dimensions, Assert.Single(export.Files).BodySource);
+        Assert.Equal(BvhBodyOrigin.Dimensions, Assert.Single(export.Files).BodyOrigin);
         Assert.Equal(-50, BvhDocument.Load(Target).Joints[2].Offset.Y, 1e-3);
     }
 
@@ -147,7 +147,7 @@ public sealed class BvhExportTests : BvhExportTest
         BvhExport export = await ExportAsync(
             [TestPackets.Motion(0, count: 180)], new BvhExportOptions { HeaderTimeout = TimeSpan.FromMilliseconds(20) }, commands.Port);
 
-        Assert.Equal(BvhBodySource.Default, Assert.Single(export.Files).BodySource);
+        Assert.Equal(BvhBodyOrigin.Default, Assert.Single(export.Files).BodyOrigin);
         Assert.Equal(1, BvhDocument.Load(Target).FrameCount);
     }
 

@@ -112,7 +112,7 @@ public sealed class CalculationPortTests : IDisposable
     public void An_ordinary_stop_is_not_told_as_a_lack_of_calculation_data()
     {
         List<ConnectionStatus> told = [];
-        var joint = new JointStatus(told.Add, 7003);
+        var joint = new CombinedStatus(told.Add, 7003);
         var receiving = new ConnectionStatus(ConnectionState.Receiving, ConnectionReason.None, "Receiving.");
         var stopped = new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller.");
         joint.OnFirst(receiving);
@@ -170,7 +170,7 @@ public sealed class CalculationPortTests : IDisposable
         await calculation.SendAsync(TestPackets.Motions(0, 10));
         await motion.SendAsync(TestPackets.Motions(0, 10));
         await reader.WaitForFramesAsync(10);
-        await Limits.UntilAsync(() => reader.GetStatistics().SkippedBytes == 10 * 1480);
+        await Limits.UntilAsync(() => reader.GetStatistics().BytesSkipped == 10 * 1480);
         await Limits.UntilAsync(() => reader.CalculationStatus is { State: ConnectionState.Silent, Reason: ConnectionReason.UnknownFormat });
         Assert.Contains("motion data", reader.CalculationStatus!.Value.Message, StringComparison.Ordinal);
         Assert.Equal(10, reader.GetStatistics().MotionFrames);
@@ -235,7 +235,7 @@ public sealed class CalculationPortTests : IDisposable
                 Assert.Equal(0, frames.Frame.Sender);
 
             ReaderStatistics read = frames.Statistics;
-            Assert.Equal((Frames, Frames, 0L, 0L, 0L), (read.MotionFrames, read.CalculationFrames, read.Lost, read.SkippedBytes, read.Reconnects));
+            Assert.Equal((Frames, Frames, 0L, 0L, 0L), (read.MotionFrames, read.CalculationFrames, read.Lost, read.BytesSkipped, read.Reconnects));
         }
 
         using var player = RecordingPlayer.Open(Recording);
@@ -244,7 +244,7 @@ public sealed class CalculationPortTests : IDisposable
         playing.Start();
         await playing.Completion.Soon();
         ReaderStatistics played = playing.GetStatistics();
-        Assert.Equal((Frames, Frames, 0L, 0L, 0L), (played.MotionFrames, played.CalculationFrames, played.Lost, played.SkippedBytes, played.Reconnects));
+        Assert.Equal((Frames, Frames, 0L, 0L, 0L), (played.MotionFrames, played.CalculationFrames, played.Lost, played.BytesSkipped, played.Reconnects));
     }
 
     [Fact]
@@ -347,9 +347,9 @@ public sealed class CalculationPortTests : IDisposable
 
     private static BroadcasterOptions Options() => new()
     {
-        Sources = [new SyntheticActor()],
+        Sources = [new SyntheticSource()],
         Rate = 500,
-        FrameLimit = Frames,
+        MaxFrames = Frames,
         Calculation = CalculationSynthesizer.Write,
     };
 }

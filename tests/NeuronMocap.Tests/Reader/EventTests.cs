@@ -29,7 +29,7 @@ public sealed class EventTests
         Assert.Equal(
             [
                 (ReaderEventId.Connecting, 0L), (ReaderEventId.Connected, 0), (ReaderEventId.Receiving, 0), (ReaderEventId.FramesLost, 2),
-                (ReaderEventId.FramesDropped, 2), (ReaderEventId.BytesSkipped, 100), (ReaderEventId.HandlerFailed, 4), (ReaderEventId.Stopped, 0),
+                (ReaderEventId.FramesDropped, 2), (ReaderEventId.BytesSkipped, 100), (ReaderEventId.CallbackFailed, 4), (ReaderEventId.Stopped, 0),
             ],
             Sums(events));
         Assert.All(events, reported => Assert.Equal("stage", reported.Reader));
@@ -137,7 +137,7 @@ public sealed class EventTests
         // The receive thread tells its state when it comes to it, during the report or before.
         IEnumerable<ReaderEventId> events = Events().Select(reported => reported.Id).Where(id => id != ReaderEventId.Receiving);
         Assert.Equal(
-            [ReaderEventId.Connecting, ReaderEventId.Connected, ReaderEventId.BytesSkipped, ReaderEventId.HandlerFailed, ReaderEventId.Stopped], events);
+            [ReaderEventId.Connecting, ReaderEventId.Connected, ReaderEventId.BytesSkipped, ReaderEventId.CallbackFailed, ReaderEventId.Stopped], events);
     }
 
     [Fact]

@@ -46,7 +46,7 @@ public sealed class FormatTests
             },
             Frames * Avatars * 2);
         Assert.Equal((Frames * Avatars, Frames * Avatars), (motions, calculations));
-        Assert.Equal((0L, 0L), (reader.GetStatistics().SkippedBytes, reader.GetStatistics().Lost));
+        Assert.Equal((0L, 0L), (reader.GetStatistics().BytesSkipped, reader.GetStatistics().Lost));
     }
 
     private static TheoryData<BroadcastFormat, bool, int?, bool> CreateWays()
@@ -68,11 +68,11 @@ public sealed class FormatTests
 
     private static BroadcasterOptions CreateOptions(BroadcastFormat format, bool isOld, int? fragment) => new()
     {
-        Sources = [.. Enumerable.Range(0, Avatars).Select(avatar => new SyntheticActor(60, avatar))],
+        Sources = [.. Enumerable.Range(0, Avatars).Select(avatar => new SyntheticSource(60, avatar))],
         Port = 0,
         Rate = 400,
         WaitForClient = true,
-        QueueLength = 10_000,
+        QueueCapacity = 10_000,
         Format = format,
         DataVersion = isOld ? DataVersion.Old : null,
         RotationOrder = RotationOrder.YXZ,
@@ -134,7 +134,7 @@ public sealed class FormatTests
         options.StudioCalculation!(options.Sources[index % Avatars], index / Avatars, expected);
         Assert.True(frame.Payload.SequenceEqual(expected));
 
-        BoneTransform[] world = ActorMeasures.GetWorld((SyntheticActor)options.Sources[index % Avatars], index / Avatars);
+        BoneTransform[] world = ActorMeasures.GetWorld((SyntheticSource)options.Sources[index % Avatars], index / Avatars);
         foreach (Bone bone in BoneHierarchy.Bones)
         {
             Assert.True(Vector3.Distance(world[(int)bone].Position / 100, frame.GetPosition(bone)) < 1e-5f);

@@ -40,7 +40,7 @@ public sealed class GarbageTests
         connection.Close();
         await reader.Completion.Soon();
 
-        Assert.Equal((sent * BlockSize, 1L), (reader.GetStatistics().SkippedBytes, reader.GetStatistics().MotionFrames));
+        Assert.Equal((sent * BlockSize, 1L), (reader.GetStatistics().BytesSkipped, reader.GetStatistics().MotionFrames));
         Assert.Equal((sent * BlockSize) + 1480, reader.GetStatistics().BytesReceived);
         Assert.NotEmpty((await named).Message);
 

@@ -54,7 +54,7 @@ public abstract class HostileServerTests
         Assert.Equal((1L, 0L), (reader.GetStatistics().Reconnects, reader.GetStatistics().Lost));
 
         // Of the cut frame, what had been read before the reset.
-        Assert.InRange(reader.GetStatistics().SkippedBytes, 0, cut);
+        Assert.InRange(reader.GetStatistics().BytesSkipped, 0, cut);
     }
 
     [Fact]
@@ -74,7 +74,7 @@ public abstract class HostileServerTests
         await reader.Completion.Soon();
 
         Assert.Equal(ConnectionReason.ClosedByPeer, reader.Status.Reason);
-        Assert.Equal((10L, 700L), (reader.GetStatistics().MotionFrames, reader.GetStatistics().SkippedBytes));
+        Assert.Equal((10L, 700L), (reader.GetStatistics().MotionFrames, reader.GetStatistics().BytesSkipped));
     }
 
     [Theory]
@@ -94,7 +94,7 @@ public abstract class HostileServerTests
         await reader.WaitForFramesAsync(10);
 
         Assert.Equal(Enumerable.Range(0, 10).Select(i => (uint?)i), indices);
-        Assert.Equal((0L, 0L, 10L * FrameSize), (reader.GetStatistics().SkippedBytes, reader.GetStatistics().Lost, reader.GetStatistics().BytesReceived));
+        Assert.Equal((0L, 0L, 10L * FrameSize), (reader.GetStatistics().BytesSkipped, reader.GetStatistics().Lost, reader.GetStatistics().BytesReceived));
     }
 
     [Fact]
@@ -126,7 +126,7 @@ public abstract class HostileServerTests
         Assert.InRange(states.Count(static state => state == ConnectionState.Receiving), 3, int.MaxValue);
         Assert.InRange(states.Count(static state => state == ConnectionState.Silent), 2, int.MaxValue);
         Assert.All(log.All.Where(status => status.State == ConnectionState.Silent), status => Assert.Equal(ConnectionReason.NoData, status.Reason));
-        Assert.Equal((0L, 0L), (reader.GetStatistics().SkippedBytes, reader.GetStatistics().Reconnects));
+        Assert.Equal((0L, 0L), (reader.GetStatistics().BytesSkipped, reader.GetStatistics().Reconnects));
 
         Task SilenceAsync(int frames) => Limits.UntilAsync(() => told!.GetStatistics().MotionFrames == frames && told.Status.State == ConnectionState.Silent);
     }
@@ -151,7 +151,7 @@ public abstract class HostileServerTests
         await reader.WaitForFramesAsync(Frames - 1);
 
         Assert.Equal(Enumerable.Range(0, Frames).Where(i => i != 10).Select(i => (uint?)i), indices);
-        Assert.Equal((1380L + noise.Length, 1L), (reader.GetStatistics().SkippedBytes, reader.GetStatistics().Lost));
+        Assert.Equal((1380L + noise.Length, 1L), (reader.GetStatistics().BytesSkipped, reader.GetStatistics().Lost));
     }
 
     [Fact]
@@ -180,7 +180,7 @@ public abstract class HostileServerTests
         List<uint?> indices = Indices(reader);
         reader.Start();
         await reader.WaitForFramesAsync(Frames);
-        await Limits.UntilAsync(() => reader.GetStatistics().SkippedBytes == Frames * 64);
+        await Limits.UntilAsync(() => reader.GetStatistics().BytesSkipped == Frames * 64);
 
         Assert.Equal(Enumerable.Range(0, Frames).Select(i => (uint?)i), indices);
         Assert.Equal((long)Frames, reader.GetStatistics().OversizedPackets);

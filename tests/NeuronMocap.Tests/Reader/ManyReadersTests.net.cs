@@ -33,7 +33,7 @@ public sealed class ManyReadersTests
 
             Assert.All(readers, reader => Assert.Equal(
                 ((long)Frames, 0L, 0L),
-                (reader.GetStatistics().MotionFrames, reader.GetStatistics().Lost, reader.GetStatistics().SkippedBytes)));
+                (reader.GetStatistics().MotionFrames, reader.GetStatistics().Lost, reader.GetStatistics().BytesSkipped)));
 
             // Threads that connected may take a moment to end; those that receive stay.
             await Limits.UntilAsync(() => ProcessResources.TcpThreads is > 0 and <= MaxThreads);

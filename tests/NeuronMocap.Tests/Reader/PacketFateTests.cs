@@ -47,10 +47,10 @@ public sealed class PacketFateTests
             Assert.Equal(queue.Dropped, statistics.Dropped);
             if (stoppedAt == bytes.Length)
             {
-                Assert.Equal((bytes.Length - expected.Pending, expected.Skipped), (statistics.BytesReceived, statistics.SkippedBytes));
+                Assert.Equal((bytes.Length - expected.Pending, expected.Skipped), (statistics.BytesReceived, statistics.BytesSkipped));
                 Assert.Equal(
                     statistics.BytesReceived,
-                    statistics.SkippedBytes + expected.Text + expected.Packets.Where(static packet => !TextLine.IsImage(packet.Bytes)).Sum(static packet => packet.Bytes.Length));
+                    statistics.BytesSkipped + expected.Text + expected.Packets.Where(static packet => !TextLine.IsImage(packet.Bytes)).Sum(static packet => packet.Bytes.Length));
             }
 
             queue.Pump<AvatarFrame>(static _ => { });
@@ -59,7 +59,7 @@ public sealed class PacketFateTests
             dropped += queue.Dropped;
             passedOver += statistics.CommandPackets + statistics.EmptyPackets;
             undelivered += statistics.Undelivered;
-            skipped += statistics.SkippedBytes;
+            skipped += statistics.BytesSkipped;
         });
         Assert.All([delivered, dropped, passedOver, undelivered, skipped], static count => Assert.True(count > 100, "The cases are too poor to prove anything."));
     }

@@ -52,7 +52,7 @@ public sealed class ServerDiscoveryTests : IDisposable
         });
 
         Assert.Equal(Tall(0.5f).Offsets.ToArray(), body!.Offsets.ToArray());
-        Assert.Equal(BvhBodySource.Header, Assert.Single(export.Files).BodySource);
+        Assert.Equal(BvhBodyOrigin.Header, Assert.Single(export.Files).BodyOrigin);
         Assert.Equal(
             [(CommandChannelId.RotationOrder, -1), (CommandChannelId.BoneDimensions, 0), (CommandChannelId.BvhHeader, 0)],
             _asked.OrderBy(static question => question.Id));
@@ -199,7 +199,7 @@ public sealed class ServerDiscoveryTests : IDisposable
     }
 
     private static SkeletonBody Tall(float upperLeg) =>
-        SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperLeg = upperLeg }, Format.Variant);
+        SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperLeg = upperLeg }, Format.Variant);
 
     // Centimetres.
     private static int LegOf(SkeletonBody body) => (int)MathF.Round(body.GetOffset(Bone.LeftLeg).Length());

@@ -67,8 +67,8 @@ public sealed class SoakTests(ITestOutputHelper output)
 
         output.WriteLine($"{sent:N0} frames in {watch.Elapsed.TotalSeconds:N1} s, {sent / watch.Elapsed.TotalSeconds:N0} frames/s; the newest seen was {_newest:N0}");
 
-        Assert.Equal((sent, 0L, 0L), (statistics.MotionFrames, statistics.Lost, statistics.SkippedBytes));
-        Assert.Equal((sent * FrameSize, 0L), (statistics.BytesReceived, Assert.Single(reader.GetAvatarStatistics()).Disordered));
+        Assert.Equal((sent, 0L, 0L), (statistics.MotionFrames, statistics.Lost, statistics.BytesSkipped));
+        Assert.Equal((sent * FrameSize, 0L), (statistics.BytesReceived, Assert.Single(reader.GetAvatarStatistics()).OutOfOrder));
         Assert.Equal(0, _wrong);
         Assert.InRange(_samples.Max(sample => sample.Heap) - _samples[0].Heap, long.MinValue, HeapRoom);
         Assert.InRange(_samples.Max(sample => sample.WorkingSet) - _samples[0].WorkingSet, long.MinValue, WorkingSetRoom);

@@ -200,7 +200,7 @@ public sealed class StreamFormatTests
         ConnectionStatus status = await log.WaitAsync(static status => status is { State: ConnectionState.Silent, Reason: ConnectionReason.UnknownFormat });
         Assert.Contains("180, 186, 354 or 360", status.Message, StringComparison.Ordinal);
         Assert.Contains("set Skeleton to", status.Message, StringComparison.Ordinal);
-        Assert.Equal(line.Length, reader.GetStatistics().SkippedBytes);
+        Assert.Equal(line.Length, reader.GetStatistics().BytesSkipped);
     }
 
     [Theory]

@@ -53,8 +53,8 @@ public class TakeTests
             Sources = [new BvhSource(take)],
             Port = 0,
             Rate = BroadcasterOptions.MaxRate,
-            Displacement = true,
-            Reference = true,
+            IncludeDisplacement = true,
+            IncludeReference = true,
         });
         broadcaster.Start();
         await using NeuronReader reader = Connect(broadcaster);
@@ -86,7 +86,7 @@ public class TakeTests
             Port = 0,
             Rate = BroadcasterOptions.MaxRate,
             Calculation = CalculationSynthesizer.Write,
-            FrameLimit = 200,
+            MaxFrames = 200,
         });
         broadcaster.Start();
         await using NeuronReader reader = Connect(broadcaster);
@@ -119,7 +119,7 @@ public class TakeTests
         await reader.Completion.Soon();
         Assert.Empty(failures);
         ReaderStatistics statistics = reader.GetStatistics();
-        Assert.Equal((0L, 0L, 0L), (statistics.Lost, statistics.Dropped, statistics.SkippedBytes));
+        Assert.Equal((0L, 0L, 0L), (statistics.Lost, statistics.Dropped, statistics.BytesSkipped));
     }
 
     private static void AssertSameBits(ReadOnlySpan<float> expected, ReadOnlySpan<float> actual) =>

@@ -40,7 +40,7 @@ public sealed class TcpReaderTests : IDisposable
         Assert.Equal((uint)FrameCount - 1, newest.FrameIndex);
 
         ReaderStatistics statistics = reader.GetStatistics();
-        Assert.Equal((FrameCount, 0L, 0L, 0L), (statistics.MotionFrames, statistics.Lost, statistics.Dropped, statistics.SkippedBytes));
+        Assert.Equal((FrameCount, 0L, 0L, 0L), (statistics.MotionFrames, statistics.Lost, statistics.Dropped, statistics.BytesSkipped));
         Assert.Equal(FrameCount * 1480L, statistics.BytesReceived);
         Assert.Equal(ConnectionReason.ClosedByPeer, reader.Status.Reason);
     }
@@ -73,7 +73,7 @@ public sealed class TcpReaderTests : IDisposable
         Assert.Equal(["Alice 0 1", "Bob 1 7", "calculation 1 3", "Alice 0 3"], seen);
         ReaderStatistics statistics = reader.GetStatistics();
         Assert.Equal((3L, 1L, 1L, 1L), (statistics.MotionFrames, statistics.CalculationFrames, statistics.CommandPackets, statistics.EmptyPackets));
-        Assert.Equal((1L, 8L), (statistics.Lost, statistics.SkippedBytes));
+        Assert.Equal((1L, 8L), (statistics.Lost, statistics.BytesSkipped));
         Assert.Equal(
             [("Alice", PacketKind.Motion, 2L, 1L), ("Bob", PacketKind.Motion, 1L, 0L), ("Char00", PacketKind.Calculation, 1L, 0L)],
             reader.GetAvatarStatistics().Select(avatar => (avatar.AvatarName, avatar.Kind, avatar.Frames, avatar.Lost)));
@@ -106,7 +106,7 @@ public sealed class TcpReaderTests : IDisposable
         connection.Close();
         await reader.Completion.Soon();
         ReaderStatistics statistics = reader.GetStatistics();
-        Assert.Equal((1L, 1L, 64L + (4 * 355)), (statistics.MotionFrames, statistics.OversizedPackets, statistics.SkippedBytes));
+        Assert.Equal((1L, 1L, 64L + (4 * 355)), (statistics.MotionFrames, statistics.OversizedPackets, statistics.BytesSkipped));
     }
 
     [Fact]

@@ -32,8 +32,8 @@ public sealed class UdpFaultTests
         await Limits.UntilAsync(() => end.Reader.GetStatistics().BytesReceived == (expected.Length * 1480) + skipped);
 
         Assert.Equal(expected, indices);
-        Assert.Equal((skipped, lost), (end.Reader.GetStatistics().SkippedBytes, end.Reader.GetStatistics().Lost));
-        Assert.Equal(disordered, Assert.Single(end.Reader.GetAvatarStatistics()).Disordered);
+        Assert.Equal((skipped, lost), (end.Reader.GetStatistics().BytesSkipped, end.Reader.GetStatistics().Lost));
+        Assert.Equal(disordered, Assert.Single(end.Reader.GetAvatarStatistics()).OutOfOrder);
     }
 
     [Fact]
@@ -53,8 +53,8 @@ public sealed class UdpFaultTests
         }
 
         await Limits.UntilAsync(() => end.Reader.GetStatistics().MotionFrames == 200);
-        Assert.Equal((0L, 0L), (end.Reader.GetStatistics().SkippedBytes, end.Reader.GetStatistics().Lost));
-        Assert.All(end.Reader.GetAvatarStatistics(), avatar => Assert.Equal((100L, 0L), (avatar.Frames, avatar.Disordered)));
+        Assert.Equal((0L, 0L), (end.Reader.GetStatistics().BytesSkipped, end.Reader.GetStatistics().Lost));
+        Assert.All(end.Reader.GetAvatarStatistics(), avatar => Assert.Equal((100L, 0L), (avatar.Frames, avatar.OutOfOrder)));
     }
 
     [Fact]
@@ -71,7 +71,7 @@ public sealed class UdpFaultTests
 
         await Limits.UntilAsync(() => end.Reader.GetStatistics().MotionFrames == Senders);
         Assert.Equal(Enumerable.Range(0, Senders), end.Reader.GetAvatarStatistics().Select(avatar => avatar.Sender));
-        Assert.Equal(0, end.Reader.GetStatistics().SkippedBytes);
+        Assert.Equal(0, end.Reader.GetStatistics().BytesSkipped);
     }
 
     [Fact]
@@ -96,7 +96,7 @@ public sealed class UdpFaultTests
         }
 
         await Limits.UntilAsync(() => end.Reader.GetStatistics().MotionFrames == 200);
-        Assert.Equal((0L, 0L, 296_000L), (end.Reader.GetStatistics().SkippedBytes, end.Reader.GetStatistics().Lost, end.Reader.GetStatistics().BytesReceived));
+        Assert.Equal((0L, 0L, 296_000L), (end.Reader.GetStatistics().BytesSkipped, end.Reader.GetStatistics().Lost, end.Reader.GetStatistics().BytesReceived));
     }
 
     [Fact]

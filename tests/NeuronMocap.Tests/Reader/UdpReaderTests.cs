@@ -31,7 +31,7 @@ public sealed class UdpReaderTests
             Assert.Equal(TestPackets.Value((int)frame.FrameIndex!, 0, 353), frame.Values[353]);
         });
         Assert.Equal(Enumerable.Range(0, 50).Select(i => (uint?)i), indices);
-        Assert.Equal((0L, 0L), (reader.GetStatistics().Lost, reader.GetStatistics().SkippedBytes));
+        Assert.Equal((0L, 0L), (reader.GetStatistics().Lost, reader.GetStatistics().BytesSkipped));
     }
 
     [Fact]
@@ -106,7 +106,7 @@ public sealed class UdpReaderTests
         sender.Send(new byte[60_000]);
         sender.Send(TestPackets.Motions(0, 40));
         await reader.WaitForFramesAsync(40);
-        Assert.Equal(60_000, reader.GetStatistics().SkippedBytes);
+        Assert.Equal(60_000, reader.GetStatistics().BytesSkipped);
     }
 
     private static async Task<NeuronReader> StartAsync(bool share = false, int port = 0)

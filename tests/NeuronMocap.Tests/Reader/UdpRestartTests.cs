@@ -33,7 +33,7 @@ public sealed class UdpRestartTests : IDisposable
         Assert.Equal((0L, 0L), (export.FramesIgnored, export.FramesDropped));
         Assert.Equal(before + after, BvhDocument.Load(Target).FrameCount);
         AvatarStatistics avatar = Assert.Single(end.Reader.GetAvatarStatistics());
-        Assert.Equal((0, before + after, 1L, 0L, 0L), (avatar.Sender, avatar.Frames, avatar.Restarts, avatar.Lost, avatar.Disordered));
+        Assert.Equal((0, before + after, 1L, 0L, 0L), (avatar.Sender, avatar.Frames, avatar.Restarts, avatar.Lost, avatar.OutOfOrder));
     }
 
     // Whether the stop comes before or after the wait for the old port's silence.

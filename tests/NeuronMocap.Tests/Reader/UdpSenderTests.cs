@@ -26,7 +26,7 @@ public sealed class UdpSenderTests
         }
 
         await Limits.UntilAsync(() => end.Reader.GetStatistics() is { MotionFrames: 100, RefusedDatagrams: 100 });
-        Assert.Equal((0L, 0L), (end.Reader.GetStatistics().SkippedBytes, end.Reader.GetStatistics().Lost));
+        Assert.Equal((0L, 0L), (end.Reader.GetStatistics().BytesSkipped, end.Reader.GetStatistics().Lost));
         Assert.Equal(2, end.Reader.GetAvatarStatistics().Count);
     }
 
@@ -157,6 +157,6 @@ public sealed class UdpFloodTests
 
         // 64 assemblers of 4 KiB are what there is room for.
         Assert.InRange(heap, long.MinValue, 1_000_000);
-        Assert.InRange(end.Reader.GetStatistics().SkippedBytes, 1024 * ((Forged / 2) - UdpSenders.Limit), 1504 * Forged);
+        Assert.InRange(end.Reader.GetStatistics().BytesSkipped, 1024 * ((Forged / 2) - UdpSenders.Limit), 1504 * Forged);
     }
 }

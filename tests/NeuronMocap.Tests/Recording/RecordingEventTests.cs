@@ -88,7 +88,7 @@ public sealed class RecordingEventTests : IDisposable
         await Limits.UntilAsync(() =>
         {
             using RecordingReader growing = RecordingReader.Open(path);
-            return growing.Metadata is { BoneDimensions: not null, RotationOrder: not null } metadata && metadata[RecordingMetadata.StreamFormatName] is not null;
+            return growing.Metadata is { BoneDimensions: not null, RotationOrder: not null } metadata && metadata[RecordingMetadata.StreamFormatKey] is not null;
         });
         await reader.DisposeAsync();
 
@@ -97,6 +97,6 @@ public sealed class RecordingEventTests : IDisposable
         Assert.Equal(RotationOrder.ZXY, recorded.Metadata.RotationOrder);
         Assert.Equal(
             ("stage left", $"127.0.0.1:{server.Port}", "Binary"),
-            (recorded.Metadata[RecordingMetadata.Reader], recorded.Metadata[RecordingMetadata.Server], recorded.Metadata[RecordingMetadata.StreamFormatName]));
+            (recorded.Metadata[RecordingMetadata.ReaderKey], recorded.Metadata[RecordingMetadata.ServerKey], recorded.Metadata[RecordingMetadata.StreamFormatKey]));
     }
 }

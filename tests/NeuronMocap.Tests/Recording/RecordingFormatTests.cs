@@ -196,7 +196,7 @@ public sealed class RecordingFormatTests
         byte[] file = Recordings.Write(writer =>
         {
             writer.WriteBytes(default, 0, new byte[100]);
-            writer.SetMetadata(default, RecordingMetadata.SkeletonVariantName, "Spine3");
+            writer.SetMetadata(default, RecordingMetadata.SkeletonVariantKey, "Spine3");
             writer.WriteBytes(default, 0, new byte[100]);
         });
         using RecordingReader reader = RecordingReader.Open(new MemoryStream(file[..^10]));

@@ -11,7 +11,7 @@ public sealed class RecordingRoundTripTests
     {
         var file = new MemoryStream();
         var options = new RecordingWriterOptions { StartTime = Start, Compress = compress, LeaveOpen = true };
-        using (var writer = new RecordingWriter(file, new RecordingMetadata().With(RecordingMetadata.Server, "studio:7001"), options))
+        using (var writer = new RecordingWriter(file, new RecordingMetadata().With(RecordingMetadata.ServerKey, "studio:7001"), options))
         {
             writer.OpenConnection(Ticks(10), new RecordedConnection(0, TransportKind.Tcp, "127.0.0.1:50000", "127.0.0.1:7001"));
             writer.WriteBytes(Ticks(20), 0, [1, 2, 3]);
@@ -23,7 +23,7 @@ public sealed class RecordingRoundTripTests
             writer.AddSender(Ticks(2_000_000_003), 1, 0, "127.0.0.1:4000");
             writer.WriteBytes(Ticks(2_000_000_003), 1, new byte[784]);
             writer.RemoveSender(Ticks(2_000_000_004), 1, 0);
-            writer.SetMetadata(Ticks(2_000_000_005), RecordingMetadata.RotationOrderName, "XYZ");
+            writer.SetMetadata(Ticks(2_000_000_005), RecordingMetadata.RotationOrderKey, "XYZ");
         }
 
         using RecordingReader reader = RecordingReader.Open(file);
@@ -31,7 +31,7 @@ public sealed class RecordingRoundTripTests
         Assert.Equal(Start, reader.StartTime);
         Assert.Equal(Ticks(2_000_000_005), reader.Duration);
         Assert.Equal(new RecordingTotals(4, 790, 3, 4000), reader.Totals);
-        Assert.Equal("XYZ", reader.Metadata[RecordingMetadata.RotationOrderName]);
+        Assert.Equal("XYZ", reader.Metadata[RecordingMetadata.RotationOrderKey]);
         List<RecordedEntry> entries = RecordedEntry.ReadAll(reader);
 
         Assert.Equal(

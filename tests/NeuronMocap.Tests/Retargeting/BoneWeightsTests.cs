@@ -103,7 +103,7 @@ public sealed class BoneWeightsTests
             Assert.Equal(hasSource && (HumanoidBones.GetPart(bone) & parts) != BodyParts.None, humanoid.IsDriven(humanoid.Rig.GetNode(bone)));
         }
 
-        RetargetedPose generic = Retarget(TestRigs.Actor(SkeletonBody.Default()), RandomPoses.Pose(new Random(6)), BoneWeights.Only(parts));
+        RetargetedPose generic = Retarget(TestRigs.Actor(SkeletonBody.GetDefault()), RandomPoses.Pose(new Random(6)), BoneWeights.Only(parts));
         foreach (Bone bone in BoneHierarchy.Bones)
             Assert.Equal((HumanoidBones.GetPart(bone) & parts) != BodyParts.None, generic.IsDriven(generic.Rig.GetNode(bone)));
     }
@@ -111,12 +111,12 @@ public sealed class BoneWeightsTests
     [Fact]
     public void A_headset_has_the_head_and_nothing_else()
     {
-        RetargetedPose humanoid = Retarget(TestRigs.Humanoid(), RandomPoses.Pose(new Random(7)), BoneWeights.HeadLeftToHeadset());
+        RetargetedPose humanoid = Retarget(TestRigs.Humanoid(), RandomPoses.Pose(new Random(7)), BoneWeights.WithoutHead());
         Assert.False(humanoid.IsDriven(humanoid.Rig.GetNode(HumanoidBone.Head)));
         Assert.Equal(49, Enumerable.Range(0, 55).Count(humanoid.IsDriven));
         Assert.True(humanoid.IsDriven(humanoid.Rig.GetNode(HumanoidBone.Neck)));
 
-        RetargetedPose generic = Retarget(TestRigs.Actor(SkeletonBody.Default()), RandomPoses.Pose(new Random(7)), BoneWeights.HeadLeftToHeadset());
+        RetargetedPose generic = Retarget(TestRigs.Actor(SkeletonBody.GetDefault()), RandomPoses.Pose(new Random(7)), BoneWeights.WithoutHead());
         Assert.Equal([(int)Bone.Head], Enumerable.Range(0, 59).Where(node => !generic.IsDriven(node)));
     }
 
@@ -124,7 +124,7 @@ public sealed class BoneWeightsTests
     public void The_weight_of_a_part_and_that_of_a_bone_multiply()
     {
         TargetRig rig = TestRigs.Humanoid();
-        BoneTransform[] pose = TestRigs.RestPose(SkeletonBody.Default());
+        BoneTransform[] pose = TestRigs.RestPose(SkeletonBody.GetDefault());
         pose[(int)Bone.LeftForeArm] = pose[(int)Bone.LeftForeArm] with { Rotation = Quaternion.CreateFromAxisAngle(Vector3.UnitY, 1.6f) };
         var weights = new BoneWeights { [HumanoidBone.LeftLowerArm] = 0.5f };
         weights.SetPart(BodyParts.Arms, 0.25f);
@@ -142,7 +142,7 @@ public sealed class BoneWeightsTests
     [Fact]
     public void Bones_of_a_generic_rig_have_weights_of_their_own()
     {
-        TargetRig rig = TestRigs.Actor(SkeletonBody.Default());
+        TargetRig rig = TestRigs.Actor(SkeletonBody.GetDefault());
         BoneTransform[] pose = RandomPoses.Pose(new Random(8));
         RetargetedPose result = Retarget(rig, pose, new BoneWeights { [Bone.LeftInHandIndex] = 0, [HumanoidBone.Head] = 0 });
         Assert.Equal([rig.GetNode(Bone.LeftInHandIndex)], Enumerable.Range(0, 59).Where(node => !result.IsDriven(node)));
@@ -152,14 +152,14 @@ public sealed class BoneWeightsTests
     [Fact]
     public void The_part_of_a_bone_follows_the_variant()
     {
-        SkeletonBody spine3 = SkeletonBody.Default(SkeletonVariant.Spine3);
+        SkeletonBody spine3 = SkeletonBody.GetDefault(SkeletonVariant.Spine3);
         TargetRig rig = TestRigs.Actor(spine3);
         var result = new RetargetedPose(rig);
         var options = new RetargetOptions { Weights = BoneWeights.Only(BodyParts.Spine) };
         var retargeter = new Retargeter(rig, spine3, options);
         Assert.True(retargeter.TryRetarget(RandomPoses.Pose(new Random(9)), result));
         Assert.True(result.IsDriven(rig.GetNode(Bone.Neck)));
-        retargeter.SetBody(SkeletonBody.Default());
+        retargeter.SetBody(SkeletonBody.GetDefault());
         Assert.True(retargeter.TryRetarget(RandomPoses.Pose(new Random(9)), result));
         Assert.False(result.IsDriven(rig.GetNode(Bone.Neck)));
     }
@@ -190,7 +190,7 @@ public sealed class BoneWeightsTests
     private static RetargetedPose Retarget(TargetRig rig, BoneTransform[] pose, BoneWeights weights)
     {
         var result = new RetargetedPose(rig);
-        Assert.True(new Retargeter(rig, SkeletonBody.Default(), new RetargetOptions { Weights = weights }).TryRetarget(pose, result));
+        Assert.True(new Retargeter(rig, SkeletonBody.GetDefault(), new RetargetOptions { Weights = weights }).TryRetarget(pose, result));
         return result;
     }
 }

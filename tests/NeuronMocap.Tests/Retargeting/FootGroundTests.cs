@@ -19,9 +19,9 @@ public sealed class FootGroundTests
     public FootGroundTests()
     {
         _planter = new FootPlanter(_rig);
-        _retargeter = new Retargeter(_rig, SkeletonBody.Default());
+        _retargeter = new Retargeter(_rig, SkeletonBody.GetDefault());
         _pose = new RetargetedPose(_rig);
-        SkeletonBody.Default().CopyRestPose(_rest);
+        SkeletonBody.GetDefault().CopyRestPose(_rest);
     }
 
     [Fact]
@@ -47,11 +47,11 @@ public sealed class FootGroundTests
         FootWalk walk = FootWalk.OfActor(
             new StandingRig().Create(), Rate, 8, options: new RetargetOptions { HeightOffset = 0.5f }, planting: new FootPlanterOptions { GroundHeight = null });
         Assert.True(walk.LargestSlide(planted: true) < FootWalk.Still);
-        Assert.True(walk.LargestHipsShift < 0.01f, $"{walk.LargestHipsShift}");
+        Assert.True(walk.MaxHipsShift < 0.01f, $"{walk.MaxHipsShift}");
 
         // Half a metre above a ground that is set they stand on something else.
         FootWalk raised = FootWalk.OfActor(new StandingRig().Create(), Rate, 8, options: new RetargetOptions { HeightOffset = 0.5f });
-        Assert.True(raised.LargestSlide(planted: true) < FootWalk.Still && raised.LargestHipsShift < 0.01f, raised.Describe("Raised"));
+        Assert.True(raised.LargestSlide(planted: true) < FootWalk.Still && raised.MaxHipsShift < 0.01f, raised.Describe("Raised"));
     }
 
     [Fact]
@@ -100,7 +100,7 @@ public sealed class FootGroundTests
     [InlineData(0.9)]
     public void A_step_in_frames_that_were_missed_is_a_step(double missed)
     {
-        var actor = new SyntheticActor(Rate);
+        var actor = new SyntheticSource(Rate);
         int gap = (int)(missed * Rate);
         for (int last = 30; last < 300; last += 7)
         {
@@ -142,7 +142,7 @@ public sealed class FootGroundTests
     }
 
     // Where the feet are without planting.
-    private (Vector3 Left, Vector3 Right) Plant(SyntheticActor actor, int frame)
+    private (Vector3 Left, Vector3 Right) Plant(SyntheticSource actor, int frame)
     {
         BoneTransform[] source = new BoneTransform[BoneHierarchy.BoneCount];
         actor.GetPose(frame, source);

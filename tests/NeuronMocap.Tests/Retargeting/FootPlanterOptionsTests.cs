@@ -14,9 +14,9 @@ public sealed class FootPlanterOptionsTests
     public void The_sole_is_kept_as_the_actor_has_it_or_flat(FootRotation rotation)
     {
         TargetRig rig = new StandingRig().WithAxes(new Random(3)).Create();
-        var walk = new FootWalk(rig, SkeletonBody.Default(), Rate, planting: new FootPlanterOptions { FootRotation = rotation });
+        var walk = new FootWalk(rig, SkeletonBody.GetDefault(), Rate, planting: new FootPlanterOptions { FootRotation = rotation });
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
-        SkeletonBody.Default().CopyRestPose(pose);
+        SkeletonBody.GetDefault().CopyRestPose(pose);
         pose[(int)Bone.LeftFoot] = pose[(int)Bone.LeftFoot] with { Rotation = Quaternion.CreateFromYawPitchRoll(0.4f, -0.2f, 0.15f) };
         for (int frame = 0; frame < 30; frame++)
             walk.Add(pose, new FootContacts(Left: true, Right: true));
@@ -35,7 +35,7 @@ public sealed class FootPlanterOptionsTests
         var options = new RetargetOptions();
         options.Weights.SetPart(BodyParts.LeftLeg | BodyParts.Hips, 0);
         FootWalk walk = FootWalk.OfActor(new StandingRig().Create(), Rate, 4, options: options);
-        Assert.Equal(0, walk.LargestHipsShift);
+        Assert.Equal(0, walk.MaxHipsShift);
         Assert.All(Enumerable.Range(0, walk.Count), frame => Assert.Equal(walk.FreeAnkle(0, frame), walk.Ankle(0, frame)));
         Assert.NotEqual(walk.FreeAnkle(1, walk.Count - 1), walk.Ankle(1, walk.Count - 1));
     }
@@ -58,7 +58,7 @@ public sealed class FootPlanterOptionsTests
         Assert.Throws<ArgumentOutOfRangeException>(() => options.BlendIn = -1);
         Assert.Throws<ArgumentOutOfRangeException>(() => options.BlendOut = double.NaN);
         Assert.Throws<ArgumentOutOfRangeException>(() => options.GroundHeight = float.PositiveInfinity);
-        Assert.Throws<ArgumentOutOfRangeException>(() => options.LargestHipsShift = 1.1f);
-        Assert.Equal((0.1, 0.2, 0f, 0.1f), (options.BlendIn, options.BlendOut, options.GroundHeight, options.LargestHipsShift));
+        Assert.Throws<ArgumentOutOfRangeException>(() => options.MaxHipsShift = 1.1f);
+        Assert.Equal((0.1, 0.2, 0f, 0.1f), (options.BlendIn, options.BlendOut, options.GroundHeight, options.MaxHipsShift));
     }
 }

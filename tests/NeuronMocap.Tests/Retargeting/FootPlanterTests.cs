@@ -24,7 +24,7 @@ public sealed class FootPlanterTests
             Assert.True(walk.LargestSlide(planted: true) < Still, figures);
             Assert.True(walk.LargestMove(planted: true, after: walk.Planter.Options.BlendIn) < Still, figures);
             Assert.True(walk.FramesLetGo == 0, figures);
-            Assert.True(walk.LargestHipsShift <= 0.1001f * walk.Rig.LegLength, figures);
+            Assert.True(walk.MaxHipsShift <= 0.1001f * walk.Rig.LegLength, figures);
             Assert.True(walk.LeastKnee > -1e-4f, figures);
             Assert.True(walk.LargestAddedSpeed() < 0.6f && walk.LargestKneeSpeed < 0.8f && walk.LargestTurn < 100, figures);
             slide = Math.Max(slide, walk.LargestSlide(planted: false));
@@ -48,7 +48,7 @@ public sealed class FootPlanterTests
             string figures = walk.Describe($"Rig {seed}");
             Assert.True(walk.LargestSlide(planted: true) < Still && walk.LargestMove(planted: true, after: 0.1) < Still, figures);
             Assert.True(walk.LargestSlide(planted: false) > 0.03f && walk.FramesLetGo == 0, figures);
-            Assert.True(walk.LargestHipsShift <= 0.1001f * rig.LegLength && walk.LeastKnee > -1e-4f, figures);
+            Assert.True(walk.MaxHipsShift <= 0.1001f * rig.LegLength && walk.LeastKnee > -1e-4f, figures);
         }
     }
 
@@ -60,10 +60,10 @@ public sealed class FootPlanterTests
     {
         // Both see the contacts that the slower one sees.
         TargetRig rig = StandingRig.Random(new Random(5)).Create();
-        var actor = new SyntheticActor(other);
+        var actor = new SyntheticSource(other);
         int stride = other / rate;
-        var slow = new FootWalk(rig, SkeletonBody.Default(), rate);
-        var fast = new FootWalk(rig, SkeletonBody.Default(), other);
+        var slow = new FootWalk(rig, SkeletonBody.GetDefault(), rate);
+        var fast = new FootWalk(rig, SkeletonBody.GetDefault(), other);
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
         for (int frame = 0; frame < 8 * other; frame++)
         {
@@ -115,16 +115,16 @@ public sealed class FootPlanterTests
     [Fact]
     public void A_generic_rig_is_held_as_well()
     {
-        FootWalk walk = FootWalk.OfActor(TestRigs.Actor(SkeletonBody.Default()), Rate, 8, drift: new Vector3(3, 0, 2));
+        FootWalk walk = FootWalk.OfActor(TestRigs.Actor(SkeletonBody.GetDefault()), Rate, 8, drift: new Vector3(3, 0, 2));
         Assert.True(walk.LargestSlide(planted: true) < Still && walk.LargestSlide(planted: false) > 0.02f && walk.FramesLetGo == 0, walk.Describe("Generic"));
     }
 
     [Fact]
     public void A_sheared_rig_is_held_as_well()
     {
-        (RigNode[] nodes, int[] nodeOf) = new StandingRig().WithAxes(new Random(1)).Build();
+        (RigNode[] nodes, int[] nodeByBone) = new StandingRig().WithAxes(new Random(1)).Build();
         nodes[0] = nodes[0] with { Scale = new Vector3(1.1f, 1, 0.95f) };
-        FootWalk walk = FootWalk.OfActor(TargetRig.Humanoid(nodes, nodeOf), Rate, 8);
+        FootWalk walk = FootWalk.OfActor(TargetRig.CreateHumanoid(nodes, nodeByBone), Rate, 8);
         Assert.True(walk.Rig.IsSheared);
         Assert.True(walk.LargestSlide(planted: true) < 0.005f, walk.Describe("Sheared"));
     }
@@ -135,13 +135,13 @@ public sealed class FootPlanterTests
         for (int seed = 0; seed < 20; seed++)
         {
             TargetRig rig = StandingRig.Random(new Random(seed)).Create();
-            var walk = new FootWalk(rig, SkeletonBody.Default(), Rate);
+            var walk = new FootWalk(rig, SkeletonBody.GetDefault(), Rate);
             BoneTransform[] rest = new BoneTransform[BoneHierarchy.BoneCount];
-            SkeletonBody.Default().CopyRestPose(rest);
+            SkeletonBody.GetDefault().CopyRestPose(rest);
             for (int frame = 0; frame < 60; frame++)
                 walk.Add(rest, new FootContacts(Left: frame % 20 < 10, Right: true));
 
-            Assert.True(walk.LargestHipsShift < 1e-3f, $"Rig {seed}: {walk.LargestHipsShift}");
+            Assert.True(walk.MaxHipsShift < 1e-3f, $"Rig {seed}: {walk.MaxHipsShift}");
             for (int side = 0; side < 2; side++)
                 Assert.True(Vector3.Distance(walk.Ankle(side, 59), walk.FreeAnkle(side, 0)) < 1e-3f, $"Rig {seed}");
         }
@@ -150,9 +150,9 @@ public sealed class FootPlanterTests
     [Fact]
     public void A_foot_that_the_leg_cannot_hold_is_let_go_gently()
     {
-        var walk = new FootWalk(new StandingRig().Create(), SkeletonBody.Default(), Rate);
+        var walk = new FootWalk(new StandingRig().Create(), SkeletonBody.GetDefault(), Rate);
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
-        SkeletonBody.Default().CopyRestPose(pose);
+        SkeletonBody.GetDefault().CopyRestPose(pose);
         for (int frame = 0; frame < 180; frame++)
         {
             // Slides away at a metre a second while both feet are said to stand.
@@ -170,9 +170,9 @@ public sealed class FootPlanterTests
     public void Toes_of_a_planted_foot_do_not_go_into_the_ground()
     {
         TargetRig rig = new StandingRig().Create();
-        var walk = new FootWalk(rig, SkeletonBody.Default(), Rate);
+        var walk = new FootWalk(rig, SkeletonBody.GetDefault(), Rate);
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
-        SkeletonBody.Default().CopyRestPose(pose);
+        SkeletonBody.GetDefault().CopyRestPose(pose);
         for (int frame = 0; frame < 60; frame++)
         {
             // The heel comes off while the foot is said to stand.
@@ -185,11 +185,11 @@ public sealed class FootPlanterTests
     [Fact]
     public void Knees_that_are_bent_backwards_are_bent_forward()
     {
-        var walk = new FootWalk(new StandingRig().WithAxes(new Random(3)).Create(), SkeletonBody.Default(), Rate);
+        var walk = new FootWalk(new StandingRig().WithAxes(new Random(3)).Create(), SkeletonBody.GetDefault(), Rate);
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
         for (int frame = 0; frame < 120; frame++)
         {
-            SkeletonBody.Default().CopyRestPose(pose);
+            SkeletonBody.GetDefault().CopyRestPose(pose);
             float bend = MathF.Sin(frame / 10f) * 0.12f;
             pose[(int)Bone.LeftUpLeg] = pose[(int)Bone.LeftUpLeg] with { Rotation = Quaternion.CreateFromAxisAngle(Vector3.UnitX, -bend) };
             pose[(int)Bone.LeftLeg] = pose[(int)Bone.LeftLeg] with { Rotation = Quaternion.CreateFromAxisAngle(Vector3.UnitX, 2 * bend) };
@@ -202,8 +202,8 @@ public sealed class FootPlanterTests
     [Fact]
     public void Without_contacts_feet_go_where_the_actor_has_them()
     {
-        var walk = new FootWalk(new StandingRig().WithAxes(new Random(9)).Create(), SkeletonBody.Default(), Rate);
-        var actor = new SyntheticActor(Rate);
+        var walk = new FootWalk(new StandingRig().WithAxes(new Random(9)).Create(), SkeletonBody.GetDefault(), Rate);
+        var actor = new SyntheticSource(Rate);
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
         for (int frame = 0; frame < 300; frame++)
         {
@@ -218,10 +218,10 @@ public sealed class FootPlanterTests
     public void Rigs_without_legs_or_with_loose_ones_are_left_alone()
     {
         TargetRig rig = new StandingRig().Without(HumanoidBone.LeftLowerLeg).Without(HumanoidBone.RightFoot).Create();
-        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        var retargeter = new Retargeter(rig, SkeletonBody.GetDefault());
         var pose = new RetargetedPose(rig);
         BoneTransform[] source = new BoneTransform[BoneHierarchy.BoneCount];
-        new SyntheticActor().GetPose(0, source);
+        new SyntheticSource().GetPose(0, source);
         Assert.True(retargeter.TryRetarget(source, pose));
         Quaternion[] before = pose.LocalRotations.ToArray();
         Vector3 hips = pose.HipsLocalPosition;
@@ -238,10 +238,10 @@ public sealed class FootPlanterTests
     {
         TargetRig rig = new StandingRig().Create();
         var planter = new FootPlanter(rig);
-        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        var retargeter = new Retargeter(rig, SkeletonBody.GetDefault());
         var pose = new RetargetedPose(rig);
         BoneTransform[] source = new BoneTransform[BoneHierarchy.BoneCount];
-        var actor = new SyntheticActor();
+        var actor = new SyntheticSource();
         double[] times = [0, 0, 0.1, 0.05, double.NaN, 0.2, 100, 100.1, -5];
         for (int i = 0; i < times.Length; i++)
         {
@@ -260,10 +260,10 @@ public sealed class FootPlanterTests
     {
         TargetRig rig = StandingRig.Random(new Random(1)).Create();
         var planter = new FootPlanter(rig, new FootPlanterOptions { FootRotation = FootRotation.Flatten, GroundHeight = null });
-        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        var retargeter = new Retargeter(rig, SkeletonBody.GetDefault());
         var pose = new RetargetedPose(rig);
         BoneTransform[] source = new BoneTransform[BoneHierarchy.BoneCount];
-        var actor = new SyntheticActor();
+        var actor = new SyntheticSource();
         int frame = 0;
         Allocations.AssertNone(() =>
         {

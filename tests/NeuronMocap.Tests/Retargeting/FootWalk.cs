@@ -39,7 +39,7 @@ internal sealed class FootWalk
 
     public int Count => _contacts.Count;
 
-    public float LargestHipsShift { get; private set; }
+    public float MaxHipsShift { get; private set; }
 
     /// <summary>The least that a knee was in front of the line from hip to ankle; metres, negative: behind it.</summary>
     public float LeastKnee { get; private set; } = float.PositiveInfinity;
@@ -54,8 +54,8 @@ internal sealed class FootWalk
 
     public static FootWalk OfActor(TargetRig rig, double rate, double seconds, int avatar = 0, RetargetOptions? options = null, FootPlanterOptions? planting = null, Vector3 drift = default)
     {
-        var walk = new FootWalk(rig, SkeletonBody.Default(), rate, options, planting);
-        var actor = new SyntheticActor(rate, avatar);
+        var walk = new FootWalk(rig, SkeletonBody.GetDefault(), rate, options, planting);
+        var actor = new SyntheticSource(rate, avatar);
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
         for (int frame = 0; frame < seconds * rate; frame++)
         {
@@ -92,7 +92,7 @@ internal sealed class FootWalk
 
         _contacts.Add(contacts);
         _held.Add(Planter.Planted);
-        LargestHipsShift = Math.Max(LargestHipsShift, Math.Abs(Planter.HipsShift));
+        MaxHipsShift = Math.Max(MaxHipsShift, Math.Abs(Planter.HipsShift));
         if (contacts != Planter.Planted)
             FramesLetGo++;
     }
@@ -134,7 +134,7 @@ internal sealed class FootWalk
     public string Describe(string name)
     {
         string figures = FormattableString.Invariant(
-            $"{name}: slides {LargestSlide(planted: false) * 1000:0.0} mm, planted {LargestSlide(planted: true) * 1000:0.000}, settled {LargestMove(planted: true, 0.1) * 1000:0.000}; hips {LargestHipsShift * 1000:0} mm of leg {Rig.LegLength:0.00}; knee {LeastKnee * 1000:0.00}; added {LargestAddedSpeed():0.00} m/s, knee {LargestKneeSpeed:0.00} m/s, {LargestTurn:0} degrees/s; let go {FramesLetGo}");
+            $"{name}: slides {LargestSlide(planted: false) * 1000:0.0} mm, planted {LargestSlide(planted: true) * 1000:0.000}, settled {LargestMove(planted: true, 0.1) * 1000:0.000}; hips {MaxHipsShift * 1000:0} mm of leg {Rig.LegLength:0.00}; knee {LeastKnee * 1000:0.00}; added {LargestAddedSpeed():0.00} m/s, knee {LargestKneeSpeed:0.00} m/s, {LargestTurn:0} degrees/s; let go {FramesLetGo}");
         TestContext.Current.TestOutputHelper?.WriteLine(figures);
         return figures;
     }

@@ -36,7 +36,7 @@ internal static class RandomPoses
     public static SkeletonBody Body(Random random)
     {
         SkeletonVariant variant = random.Next(2) == 0 ? SkeletonVariant.Neck1 : SkeletonVariant.Spine3;
-        Vector3[] offsets = [.. SkeletonBody.Default(variant).Offsets.ToArray().Select(offset => offset * (0.6f + (random.NextSingle() * 0.8f)))];
+        Vector3[] offsets = [.. SkeletonBody.GetDefault(variant).Offsets.ToArray().Select(offset => offset * (0.6f + (random.NextSingle() * 0.8f)))];
         offsets[0] = new Vector3(0, random.NextSingle() * 100, 0);
         return new SkeletonBody(offsets, default, variant);
     }

@@ -48,7 +48,7 @@ internal sealed class RandomRig
 
     public Quaternion Facing { get; }
 
-    public TargetRig Create() => TargetRig.Humanoid(Nodes, NodeOf, Facing);
+    public TargetRig Create() => TargetRig.CreateHumanoid(Nodes, NodeOf, Facing);
 
     // One time in four even required bones are missing.
     private HumanoidBoneSet SomeBones()

@@ -12,7 +12,7 @@ public sealed class RetargetedPoseTests
         TargetRig rig = new RandomRig(1, RigScales.Signs).Create();
         var pose = new RetargetedPose(rig);
         AssertRest(pose);
-        Assert.True(new Retargeter(rig, SkeletonBody.Default()).TryRetarget(RandomPoses.Pose(new Random(1)), pose));
+        Assert.True(new Retargeter(rig, SkeletonBody.GetDefault()).TryRetarget(RandomPoses.Pose(new Random(1)), pose));
         Assert.True(pose.IsDriven(rig.HipsNode));
         pose.Reset();
         AssertRest(pose);
@@ -27,7 +27,7 @@ public sealed class RetargetedPoseTests
             var random = new Random(seed);
             TargetRig rig = new RandomRig(seed, (RigScales)(seed % 4)).Create();
             var pose = new RetargetedPose(rig);
-            Assert.True(new Retargeter(rig, SkeletonBody.Default()).TryRetarget(RandomPoses.Pose(random), pose));
+            Assert.True(new Retargeter(rig, SkeletonBody.GetDefault()).TryRetarget(RandomPoses.Pose(random), pose));
             pose.UpdateWorld();
             for (int i = 0; i < 5; i++)
             {
@@ -51,7 +51,7 @@ public sealed class RetargetedPoseTests
         {
             TargetRig rig = new RandomRig(seed, (RigScales)(seed % 4)).Create();
             var pose = new RetargetedPose(rig);
-            Assert.True(new Retargeter(rig, SkeletonBody.Default()).TryRetarget(RandomPoses.Pose(new Random(seed)), pose));
+            Assert.True(new Retargeter(rig, SkeletonBody.GetDefault()).TryRetarget(RandomPoses.Pose(new Random(seed)), pose));
             pose.UpdateWorld();
             Vector3 place = RandomPoses.Direction(new Random(seed)) * 2;
             pose.SetHipsWorldPosition(place);

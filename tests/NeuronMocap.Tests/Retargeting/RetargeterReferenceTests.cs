@@ -45,7 +45,7 @@ public sealed class RetargeterReferenceTests
             var character = new RandomRig(seed, (RigScales)(seed % 4));
             SkeletonBody body = RandomPoses.Body(random);
             BoneTransform[] pose = RandomPoses.Pose(random);
-            TargetRig rig = TargetRig.Humanoid(character.Nodes, character.NodeOf, Quaternion.Identity);
+            TargetRig rig = TargetRig.CreateHumanoid(character.Nodes, character.NodeOf, Quaternion.Identity);
             var result = new RetargetedPose(rig);
             Assert.True(new Retargeter(rig, body).TryRetarget(pose, result));
             result.UpdateWorld();

@@ -13,7 +13,7 @@ public sealed class RetargeterRejectionTests
     public void One_broken_number_rejects_the_frame(float broken)
     {
         TargetRig rig = TestRigs.Humanoid();
-        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        var retargeter = new Retargeter(rig, SkeletonBody.GetDefault());
         var result = new RetargetedPose(rig);
         BoneTransform[] good = RandomPoses.Pose(new Random(1));
         Assert.True(retargeter.TryRetarget(good, result));
@@ -41,7 +41,7 @@ public sealed class RetargeterRejectionTests
     public void A_broken_reference_rejects_the_frame()
     {
         TargetRig rig = TestRigs.Humanoid();
-        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        var retargeter = new Retargeter(rig, SkeletonBody.GetDefault());
         var result = new RetargetedPose(rig);
         BoneTransform[] pose = RandomPoses.Pose(new Random(3));
         for (int component = 0; component < 7; component++)
@@ -54,7 +54,7 @@ public sealed class RetargeterRejectionTests
     public void A_rotation_without_direction_rejects_the_frame()
     {
         TargetRig rig = TestRigs.Humanoid();
-        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        var retargeter = new Retargeter(rig, SkeletonBody.GetDefault());
         var result = new RetargetedPose(rig);
         BoneTransform[] pose = RandomPoses.Pose(new Random(4));
         pose[20] = pose[20] with { Rotation = default };
@@ -71,7 +71,7 @@ public sealed class RetargeterRejectionTests
         var random = new Random(5);
         BoneTransform[] pose = RandomPoses.Pose(random);
         BoneTransform[] stretched = [.. pose.Select(bone => bone with { Rotation = bone.Rotation * MathF.Pow(10, random.Next(-2, 18)) })];
-        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        var retargeter = new Retargeter(rig, SkeletonBody.GetDefault());
         var one = new RetargetedPose(rig);
         var other = new RetargetedPose(rig);
         Assert.True(retargeter.TryRetarget(pose, one));
@@ -84,11 +84,11 @@ public sealed class RetargeterRejectionTests
     public void Arguments_are_checked()
     {
         TargetRig rig = TestRigs.Humanoid();
-        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        var retargeter = new Retargeter(rig, SkeletonBody.GetDefault());
         Assert.Throws<ArgumentException>(() => retargeter.TryRetarget(new BoneTransform[58], new RetargetedPose(rig)));
         Assert.Throws<ArgumentException>(() => retargeter.TryRetarget(new BoneTransform[59], new RetargetedPose(TestRigs.Humanoid())));
         Assert.Throws<ArgumentNullException>(() => retargeter.TryRetarget(new BoneTransform[59], null!));
-        Assert.Throws<ArgumentNullException>(() => new Retargeter(null!, SkeletonBody.Default()));
+        Assert.Throws<ArgumentNullException>(() => new Retargeter(null!, SkeletonBody.GetDefault()));
         Assert.Throws<ArgumentNullException>(() => new Retargeter(rig, null!));
         Assert.Throws<ArgumentNullException>(() => retargeter.SetBody(null!));
         Assert.Throws<ArgumentNullException>(() => new RetargetedPose(null!));

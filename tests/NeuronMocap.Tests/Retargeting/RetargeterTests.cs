@@ -13,7 +13,7 @@ public sealed class RetargeterTests
     [InlineData(SkeletonVariant.Spine3)]
     public void The_actors_own_skeleton_moves_as_the_actor(SkeletonVariant variant)
     {
-        var body = SkeletonBody.Default(variant);
+        var body = SkeletonBody.GetDefault(variant);
         TargetRig rig = TestRigs.Actor(body);
         var random = new Random(1);
         for (int i = 0; i < 100; i++)
@@ -33,7 +33,7 @@ public sealed class RetargeterTests
         {
             var character = new RandomRig(seed, (RigScales)(seed % 4));
             TargetRig rig = character.Create();
-            SkeletonBody body = SkeletonBody.Default((SkeletonVariant)(seed % 2));
+            SkeletonBody body = SkeletonBody.GetDefault((SkeletonVariant)(seed % 2));
             RetargetedPose result = Retarget(rig, body, TestRigs.RestPose(body));
             result.UpdateWorld();
             AssertNear(rig.RestPositions[rig.HipsNode], result.WorldPositions[rig.HipsNode], 1e-5f);
@@ -57,8 +57,8 @@ public sealed class RetargeterTests
         BoneTransform[] pose = RandomPoses.Pose(new Random(2));
         foreach (SkeletonVariant variant in Enum.GetValues<SkeletonVariant>())
         {
-            RetargetedPose one = Retarget(whole, SkeletonBody.Default(variant), pose);
-            RetargetedPose other = Retarget(lacking, SkeletonBody.Default(variant), pose);
+            RetargetedPose one = Retarget(whole, SkeletonBody.GetDefault(variant), pose);
+            RetargetedPose other = Retarget(lacking, SkeletonBody.GetDefault(variant), pose);
             one.UpdateWorld();
             other.UpdateWorld();
             foreach (HumanoidBone bone in TestRigs.Order)
@@ -82,24 +82,24 @@ public sealed class RetargeterTests
     public void A_twist_bone_between_stays_at_rest_and_what_hangs_from_it_is_right()
     {
         RigNode[] nodes = TestRigs.HumanoidNodes();
-        int[] nodeOf = TestRigs.NodeOf();
-        int forearm = nodeOf[(int)HumanoidBone.LeftLowerArm];
-        int hand = nodeOf[(int)HumanoidBone.LeftHand];
+        int[] nodeByBone = TestRigs.NodeOf();
+        int forearm = nodeByBone[(int)HumanoidBone.LeftLowerArm];
+        int hand = nodeByBone[(int)HumanoidBone.LeftHand];
         Quaternion twist = RandomPoses.Turn(new Random(3));
         var back = Quaternion.Conjugate(twist);
 
         // At the end of the list, so the hand has to move behind it.
         nodes = [.. nodes, new RigNode("Twist", forearm, nodes[hand].Position / 2, twist), nodes[hand] with { Parent = nodes.Length, Rotation = back }];
-        nodeOf[(int)HumanoidBone.LeftHand] = nodes.Length - 1;
+        nodeByBone[(int)HumanoidBone.LeftHand] = nodes.Length - 1;
 
         // One that is a bone without a source is no different.
-        nodeOf[(int)HumanoidBone.Jaw] = nodes.Length - 2;
+        nodeByBone[(int)HumanoidBone.Jaw] = nodes.Length - 2;
         foreach (HumanoidBone bone in TestRigs.Order.Where(bone => HumanoidBones.GetPart(bone) == BodyParts.LeftFingers))
-            nodeOf[(int)bone] = -1;
+            nodeByBone[(int)bone] = -1;
 
         BoneTransform[] pose = RandomPoses.Pose(new Random(4));
-        RetargetedPose plain = Retarget(TestRigs.Humanoid(), SkeletonBody.Default(), pose);
-        RetargetedPose twisted = Retarget(TargetRig.Humanoid(nodes, nodeOf), SkeletonBody.Default(), pose);
+        RetargetedPose plain = Retarget(TestRigs.Humanoid(), SkeletonBody.GetDefault(), pose);
+        RetargetedPose twisted = Retarget(TargetRig.CreateHumanoid(nodes, nodeByBone), SkeletonBody.GetDefault(), pose);
         plain.UpdateWorld();
         twisted.UpdateWorld();
         AssertTurn(plain.WorldRotations[hand], twisted.WorldRotations[^1], 3e-6, "hand");
@@ -113,17 +113,17 @@ public sealed class RetargeterTests
     {
         var random = new Random(5);
         BoneTransform[] pose = RandomPoses.Pose(random);
-        RetargetedPose straight = Retarget(TestRigs.Humanoid(), SkeletonBody.Default(), pose);
+        RetargetedPose straight = Retarget(TestRigs.Humanoid(), SkeletonBody.GetDefault(), pose);
         foreach (Quaternion turn in QuarterTurns)
         {
             RigNode[] nodes = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, turn), TestRigs.HumanoidNodes());
-            var found = TargetRig.Humanoid(nodes, TestRigs.Under(TestRigs.NodeOf()));
+            var found = TargetRig.CreateHumanoid(nodes, TestRigs.Under(TestRigs.NodeOf()));
             AssertTurn(turn, found.Facing, 1e-6, "facing");
-            AssertAlike(straight, Retarget(found, SkeletonBody.Default(), pose));
+            AssertAlike(straight, Retarget(found, SkeletonBody.GetDefault(), pose));
 
             Quaternion any = RandomPoses.Turn(random);
             nodes[0] = nodes[0] with { Rotation = any };
-            AssertAlike(straight, Retarget(TargetRig.Humanoid(nodes, TestRigs.Under(TestRigs.NodeOf()), any), SkeletonBody.Default(), pose));
+            AssertAlike(straight, Retarget(TargetRig.CreateHumanoid(nodes, TestRigs.Under(TestRigs.NodeOf()), any), SkeletonBody.GetDefault(), pose));
         }
     }
 
@@ -132,10 +132,10 @@ public sealed class RetargeterTests
     {
         var half = Quaternion.CreateFromAxisAngle(Vector3.UnitY, MathF.PI);
         RigNode[] nodes = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, half), TestRigs.HumanoidNodes());
-        var rig = TargetRig.Humanoid(nodes, TestRigs.Under(TestRigs.NodeOf()));
-        BoneTransform[] pose = TestRigs.RestPose(SkeletonBody.Default());
+        var rig = TargetRig.CreateHumanoid(nodes, TestRigs.Under(TestRigs.NodeOf()));
+        BoneTransform[] pose = TestRigs.RestPose(SkeletonBody.GetDefault());
         pose[(int)Bone.LeftArm] = pose[(int)Bone.LeftArm] with { Rotation = Quaternion.CreateFromAxisAngle(Vector3.UnitZ, -MathF.PI / 2) };
-        RetargetedPose result = Retarget(rig, SkeletonBody.Default(), pose);
+        RetargetedPose result = Retarget(rig, SkeletonBody.GetDefault(), pose);
         result.UpdateWorld();
         Vector3 arm = result.WorldPositions[rig.GetNode(HumanoidBone.LeftHand)] - result.WorldPositions[rig.GetNode(HumanoidBone.LeftUpperArm)];
         AssertNear(new Vector3(0, -0.5f, 0), arm, 1e-5f);
@@ -165,8 +165,8 @@ public sealed class RetargeterTests
         ];
         RigNode[] nodes = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, Quaternion.Identity, scale), inside);
         BoneTransform[] pose = RandomPoses.Pose(new Random(7));
-        RetargetedPose one = Retarget(plain.Create(), SkeletonBody.Default(), pose);
-        RetargetedPose other = Retarget(TargetRig.Humanoid(nodes, TestRigs.Under(plain.NodeOf), plain.Facing), SkeletonBody.Default(), pose);
+        RetargetedPose one = Retarget(plain.Create(), SkeletonBody.GetDefault(), pose);
+        RetargetedPose other = Retarget(TargetRig.CreateHumanoid(nodes, TestRigs.Under(plain.NodeOf), plain.Facing), SkeletonBody.GetDefault(), pose);
         one.UpdateWorld();
         other.UpdateWorld();
         for (int node = 0; node < plain.Nodes.Length; node++)
@@ -184,8 +184,8 @@ public sealed class RetargeterTests
         {
             TargetRig rig = SymmetricRig(random);
             BoneTransform[] pose = RandomPoses.Pose(random);
-            RetargetedPose one = Retarget(rig, SkeletonBody.Default(), pose);
-            RetargetedPose other = Retarget(rig, SkeletonBody.Default(), MirroredPose(pose));
+            RetargetedPose one = Retarget(rig, SkeletonBody.GetDefault(), pose);
+            RetargetedPose other = Retarget(rig, SkeletonBody.GetDefault(), MirroredPose(pose));
             AssertNear(UnityAxes.Mirror(one.HipsLocalPosition), other.HipsLocalPosition, 1e-5f);
             foreach (HumanoidBone bone in TestRigs.Order)
             {
@@ -208,8 +208,8 @@ public sealed class RetargeterTests
             spine3[(int)Bone.Spine2] = neck1[(int)Bone.Spine2] with { Rotation = Quaternion.Identity };
             spine3[(int)Bone.Neck] = neck1[(int)Bone.Neck] with { Rotation = neck1[(int)Bone.Spine2].Rotation };
             spine3[(int)Bone.Neck1] = neck1[(int)Bone.Neck1] with { Rotation = neck1[(int)Bone.Neck].Rotation * neck1[(int)Bone.Neck1].Rotation };
-            RetargetedPose one = Retarget(rig, SkeletonBody.Default(), neck1);
-            RetargetedPose other = Retarget(rig, SkeletonBody.Default(SkeletonVariant.Spine3), spine3);
+            RetargetedPose one = Retarget(rig, SkeletonBody.GetDefault(), neck1);
+            RetargetedPose other = Retarget(rig, SkeletonBody.GetDefault(SkeletonVariant.Spine3), spine3);
             foreach (HumanoidBone bone in TestRigs.Order)
                 AssertTurn(one.LocalRotations[rig.GetNode(bone)], other.LocalRotations[rig.GetNode(bone)], 3e-6, bone.ToString());
         }
@@ -220,14 +220,14 @@ public sealed class RetargeterTests
     {
         TargetRig rig = TestRigs.Humanoid();
         BoneTransform[] pose = RandomPoses.Pose(new Random(10));
-        RetargetedPose expected = Retarget(rig, SkeletonBody.Default(SkeletonVariant.Spine3), pose);
-        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        RetargetedPose expected = Retarget(rig, SkeletonBody.GetDefault(SkeletonVariant.Spine3), pose);
+        var retargeter = new Retargeter(rig, SkeletonBody.GetDefault());
         var result = new RetargetedPose(rig);
         Assert.True(retargeter.TryRetarget(pose, result));
         int chest = rig.GetNode(HumanoidBone.UpperChest);
         Assert.True(Affine.Turned(expected.LocalRotations[chest]).AngleTo(result.LocalRotations[chest]) > 0.1);
 
-        retargeter.SetBody(SkeletonBody.Default(SkeletonVariant.Spine3));
+        retargeter.SetBody(SkeletonBody.GetDefault(SkeletonVariant.Spine3));
         Assert.True(retargeter.TryRetarget(pose, result));
         Assert.Equal(SkeletonVariant.Spine3, retargeter.Body.Variant);
         AssertAlike(expected, result, 0);
@@ -242,7 +242,7 @@ public sealed class RetargeterTests
             var random = new Random(seed);
             Vector3[] axes = [.. Enumerable.Range(0, BoneHierarchy.BoneCount).Select(_ => RandomPoses.Direction(random))];
             TargetRig rig = new RandomRig(seed, (RigScales)(seed % 4)).Create();
-            var retargeter = new Retargeter(rig, SkeletonBody.Default());
+            var retargeter = new Retargeter(rig, SkeletonBody.GetDefault());
             var result = new RetargetedPose(rig);
             Quaternion[] before = result.LocalRotations.ToArray();
             for (int degrees = 0; degrees < 750; degrees += 5)
@@ -272,7 +272,7 @@ public sealed class RetargeterTests
         var options = new RetargetOptions();
         options.Weights.SetPart(BodyParts.Arms, 0.5f);
         options.Weights.SetPart(BodyParts.Head, 0);
-        var retargeter = new Retargeter(rig, SkeletonBody.Default(), options);
+        var retargeter = new Retargeter(rig, SkeletonBody.GetDefault(), options);
         var result = new RetargetedPose(rig);
         BoneTransform[] pose = RandomPoses.Pose(new Random(12));
         BoneTransform[] broken = [.. pose];
@@ -294,11 +294,11 @@ public sealed class RetargeterTests
     private static TargetRig SymmetricRig(Random random)
     {
         RigNode[] nodes = TestRigs.HumanoidNodes();
-        int[] nodeOf = TestRigs.NodeOf();
+        int[] nodeByBone = TestRigs.NodeOf();
         for (int i = 0; i < nodes.Length; i++)
         {
             HumanoidBone bone = TestRigs.Order[i];
-            RigNode left = nodes[nodeOf[(int)TestRigs.Partner(bone)]];
+            RigNode left = nodes[nodeByBone[(int)TestRigs.Partner(bone)]];
             nodes[i] = bone == TestRigs.Partner(bone)
                 ? nodes[i] with { Rotation = Quaternion.CreateFromAxisAngle(Vector3.UnitX, random.NextSingle() * 6) }
                 : bone.ToString().StartsWith("Left", StringComparison.Ordinal)
@@ -306,7 +306,7 @@ public sealed class RetargeterTests
                     : nodes[i] with { Rotation = UnityAxes.ToUnityRotation(left.Rotation), Position = UnityAxes.Mirror(left.Position) };
         }
 
-        return TargetRig.Humanoid(nodes, nodeOf, Quaternion.Identity);
+        return TargetRig.CreateHumanoid(nodes, nodeByBone, Quaternion.Identity);
     }
 
     private static BoneTransform[] MirroredPose(BoneTransform[] pose)

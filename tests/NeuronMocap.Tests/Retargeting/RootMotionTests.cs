@@ -47,10 +47,10 @@ public sealed class RootMotionTests
     {
         var lying = Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2);
         RigNode[] nodes = TestRigs.Under(new RigNode("Armature", -1, new Vector3(3, 4, 5), lying), TestRigs.HumanoidNodes());
-        var rig = TargetRig.Humanoid(nodes, TestRigs.Under(TestRigs.NodeOf()));
+        var rig = TargetRig.CreateHumanoid(nodes, TestRigs.Under(TestRigs.NodeOf()));
         AssertNear(Vector3.UnitZ, rig.Up);
 
-        RetargetedPose result = Retarget(rig, SkeletonBody.Default(), Way, new RetargetOptions { HeightOffset = 0.1f });
+        RetargetedPose result = Retarget(rig, SkeletonBody.GetDefault(), Way, new RetargetOptions { HeightOffset = 0.1f });
         AssertNear(new Vector3(0, Height + 0.1f, 0) + Way, result.HipsLocalPosition);
         result.UpdateWorld();
         AssertNear(new Vector3(3, 4, 5) + Vector3.Transform(new Vector3(0, Height + 0.1f, 0) + Way, lying), result.WorldPositions[rig.HipsNode]);
@@ -61,7 +61,7 @@ public sealed class RootMotionTests
     {
         RigNode[] nodes = TestRigs.HumanoidNodes();
         nodes[0] = nodes[0] with { Position = new Vector3(0.1f, 1.1f, -0.2f) };
-        AssertNear(nodes[0].Position + Way, HipsOf(TargetRig.Humanoid(nodes, TestRigs.NodeOf()), new RetargetOptions()));
+        AssertNear(nodes[0].Position + Way, HipsOf(TargetRig.CreateHumanoid(nodes, TestRigs.NodeOf()), new RetargetOptions()));
     }
 
     // A hierarchy says anything of its hips; where the feet are says how high they stand.
@@ -70,7 +70,7 @@ public sealed class RootMotionTests
     [InlineData(93)]
     public void The_actors_height_is_measured_from_the_feet(float offset)
     {
-        Vector3[] offsets = SkeletonBody.Default().Offsets.ToArray();
+        Vector3[] offsets = SkeletonBody.GetDefault().Offsets.ToArray();
         offsets[0] = new Vector3(0, offset, 0);
         TargetRig rig = TestRigs.Humanoid();
         AssertNear(new Vector3(0, Height, 0) + Way, Retarget(rig, new SkeletonBody(offsets), Way, new RetargetOptions()).HipsLocalPosition);
@@ -80,10 +80,10 @@ public sealed class RootMotionTests
     public void The_legs_of_the_actor_count_too()
     {
         TargetRig rig = TestRigs.Humanoid();
-        var tall = SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperLeg = 0.6f, LowerLeg = 0.6f });
+        var tall = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperLeg = 0.6f, LowerLeg = 0.6f });
         var retargeter = new Retargeter(rig, tall);
         Assert.Equal(0.74102f / 1.2f, retargeter.Scale, 1e-5f);
-        retargeter.SetBody(SkeletonBody.Default());
+        retargeter.SetBody(SkeletonBody.GetDefault());
         Assert.Equal(1, retargeter.Scale, 1e-5f);
         retargeter.Options.Scale = 3;
         Assert.Equal(3, retargeter.Scale);
@@ -93,12 +93,12 @@ public sealed class RootMotionTests
     public void Without_legs_the_height_of_the_hips_counts_and_else_nothing()
     {
         HumanoidBone[] shins = [HumanoidBone.LeftLowerLeg, HumanoidBone.RightLowerLeg];
-        Assert.Equal(2, new Retargeter(TestRigs.Humanoid(2, shins), SkeletonBody.Default()).Scale, 1e-5f);
-        Assert.Equal(2, new Retargeter(TestRigs.Humanoid(2, shins[0]), SkeletonBody.Default()).Scale, 1e-5f);
+        Assert.Equal(2, new Retargeter(TestRigs.Humanoid(2, shins), SkeletonBody.GetDefault()).Scale, 1e-5f);
+        Assert.Equal(2, new Retargeter(TestRigs.Humanoid(2, shins[0]), SkeletonBody.GetDefault()).Scale, 1e-5f);
 
         RigNode[] nodes = TestRigs.HumanoidNodes();
         nodes[0] = nodes[0] with { Position = Vector3.Zero };
-        Assert.Equal(1, new Retargeter(TargetRig.Humanoid(nodes, TestRigs.NodeOf(shins)), SkeletonBody.Default()).Scale);
+        Assert.Equal(1, new Retargeter(TargetRig.CreateHumanoid(nodes, TestRigs.NodeOf(shins)), SkeletonBody.GetDefault()).Scale);
     }
 
     [Fact]
@@ -108,7 +108,7 @@ public sealed class RootMotionTests
         BoneTransform[] pose = RandomPoses.Pose(new Random(1));
         var reference = new BoneTransform(new Vector3(10, 20, 30), RandomPoses.Turn(new Random(2)));
         var result = new RetargetedPose(rig);
-        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        var retargeter = new Retargeter(rig, SkeletonBody.GetDefault());
         Assert.True(retargeter.TryRetarget(pose, result, reference));
         Quaternion[] expected = result.LocalRotations.ToArray();
         Vector3 place = result.HipsLocalPosition;
@@ -127,7 +127,7 @@ public sealed class RootMotionTests
         BoneTransform[] pose = RandomPoses.Pose(new Random(3));
         var one = new RetargetedPose(rig);
         var other = new RetargetedPose(rig);
-        var retargeter = new Retargeter(rig, SkeletonBody.Default());
+        var retargeter = new Retargeter(rig, SkeletonBody.GetDefault());
         Assert.True(retargeter.TryRetarget(pose, one));
         for (int bone = 1; bone < pose.Length; bone++)
             pose[bone] = pose[bone] with { Position = new Vector3(bone, 7, -bone) };
@@ -151,11 +151,11 @@ public sealed class RootMotionTests
         Assert.Null(options.Scale);
     }
 
-    private static Vector3 HipsOf(TargetRig rig, RetargetOptions options) => Retarget(rig, SkeletonBody.Default(), Way, options).HipsLocalPosition;
+    private static Vector3 HipsOf(TargetRig rig, RetargetOptions options) => Retarget(rig, SkeletonBody.GetDefault(), Way, options).HipsLocalPosition;
 
     private static RetargetedPose Retarget(TargetRig rig, SkeletonBody body, Vector3 way, RetargetOptions options)
     {
-        BoneTransform[] pose = TestRigs.RestPose(SkeletonBody.Default());
+        BoneTransform[] pose = TestRigs.RestPose(SkeletonBody.GetDefault());
         pose[0] = pose[0] with { Position = UnityAxes.FromUnityPosition(new Vector3(0, Height, 0) + way) };
         var result = new RetargetedPose(rig);
         Assert.True(new Retargeter(rig, body, options).TryRetarget(pose, result));

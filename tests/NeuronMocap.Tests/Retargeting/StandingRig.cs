@@ -136,17 +136,17 @@ internal sealed class StandingRig
         foreach (RigNode node in nodes)
             worlds.Add((node.Parent < 0 ? Place.Identity : worlds[node.Parent]).Of(node));
 
-        int[] nodeOf = [.. Enumerable.Repeat(-1, HumanoidBones.Count)];
+        int[] nodeByBone = [.. Enumerable.Repeat(-1, HumanoidBones.Count)];
         foreach (HumanoidBone bone in _joints.Keys.OrderBy(Depth))
         {
             HumanoidBone? parent = ParentOf(bone);
-            int above = parent is { } mapped ? nodeOf[(int)mapped] : Above.Count - 1;
+            int above = parent is { } mapped ? nodeByBone[(int)mapped] : Above.Count - 1;
             if (HasTwistNodes && parent is { } upper && HumanoidBones.GetPart(bone) is BodyParts.LeftArm or BodyParts.RightArm or BodyParts.LeftLeg or BodyParts.RightLeg)
                 above = Add($"{_names[bone]} Twist", above, (_joints[upper] + _joints[bone]) / 2, TwistAxes * _axes[upper]);
-            nodeOf[(int)bone] = Add(_names[bone], above, _joints[bone], _axes[bone]);
+            nodeByBone[(int)bone] = Add(_names[bone], above, _joints[bone], _axes[bone]);
         }
 
-        return ([.. nodes], nodeOf);
+        return ([.. nodes], nodeByBone);
 
         int Add(string name, int parent, Vector3 position, Quaternion rotation)
         {
@@ -160,8 +160,8 @@ internal sealed class StandingRig
 
     public TargetRig Create()
     {
-        (RigNode[] nodes, int[] nodeOf) = Build();
-        return TargetRig.Humanoid(nodes, nodeOf);
+        (RigNode[] nodes, int[] nodeByBone) = Build();
+        return TargetRig.CreateHumanoid(nodes, nodeByBone);
     }
 
     private static bool IsOrHangsFrom(HumanoidBone bone, HumanoidBone ancestor) =>

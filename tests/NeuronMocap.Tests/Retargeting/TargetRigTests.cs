@@ -28,7 +28,7 @@ public sealed class TargetRigTests
     [Fact]
     public void A_generic_rig_knows_the_bones_of_the_stream()
     {
-        TargetRig rig = TestRigs.Actor(SkeletonBody.Default());
+        TargetRig rig = TestRigs.Actor(SkeletonBody.GetDefault());
         Assert.False(rig.IsHumanoid);
         Assert.Equal((int)Bone.LeftInHandRing, rig.GetNode(Bone.LeftInHandRing));
         Assert.Equal(Bone.LeftHand, rig.GetBone((int)Bone.LeftHand));
@@ -45,13 +45,13 @@ public sealed class TargetRigTests
     public void Which_way_a_character_faces_is_found()
     {
         Assert.Equal(Quaternion.Identity, TestRigs.Humanoid().Facing);
-        Assert.Equal(Quaternion.Identity, TestRigs.Actor(SkeletonBody.Default()).Facing);
+        Assert.Equal(Quaternion.Identity, TestRigs.Actor(SkeletonBody.GetDefault()).Facing);
         var tilted = Quaternion.CreateFromYawPitchRoll(0.3f, 0.2f, -0.2f);
         foreach (float degrees in (ReadOnlySpan<float>)[0, 90, 180, 270])
         {
             var turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, degrees * MathF.PI / 180);
             RigNode[] nodes = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, turn * tilted), TestRigs.HumanoidNodes());
-            TargetRig rig = TargetRig.Humanoid(nodes, TestRigs.Under(TestRigs.NodeOf()));
+            TargetRig rig = TargetRig.CreateHumanoid(nodes, TestRigs.Under(TestRigs.NodeOf()));
             Assert.True(Affine.Turned(turn).AngleTo(rig.Facing) < 1e-6, $"{degrees}");
         }
     }
@@ -61,12 +61,12 @@ public sealed class TargetRigTests
     {
         var between = Quaternion.CreateFromAxisAngle(Vector3.UnitY, MathF.PI / 4);
         RigNode[] nodes = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, between), TestRigs.HumanoidNodes());
-        Assert.Equal(Quaternion.Identity, TargetRig.Humanoid(nodes, TestRigs.Under(TestRigs.NodeOf())).Facing);
+        Assert.Equal(Quaternion.Identity, TargetRig.CreateHumanoid(nodes, TestRigs.Under(TestRigs.NodeOf())).Facing);
 
         // Nothing but hips.
-        int[] nodeOf = [.. Enumerable.Repeat(-1, HumanoidBones.Count)];
-        nodeOf[0] = 0;
-        TargetRig lone = TargetRig.Humanoid([new RigNode("Hips", -1, Vector3.UnitY, Quaternion.Identity)], nodeOf);
+        int[] nodeByBone = [.. Enumerable.Repeat(-1, HumanoidBones.Count)];
+        nodeByBone[0] = 0;
+        TargetRig lone = TargetRig.CreateHumanoid([new RigNode("Hips", -1, Vector3.UnitY, Quaternion.Identity)], nodeByBone);
         Assert.Equal(Quaternion.Identity, lone.Facing);
         Assert.Equal(0, lone.LegLength);
     }
@@ -76,7 +76,7 @@ public sealed class TargetRigTests
     {
         RigNode[] nodes = TestRigs.HumanoidNodes();
         nodes[3] = nodes[3] with { Rotation = new Quaternion(0, 3, 0, 4) };
-        Assert.Equal(new Quaternion(0, 0.6f, 0, 0.8f), TargetRig.Humanoid(nodes, TestRigs.NodeOf()).Nodes[3].Rotation);
+        Assert.Equal(new Quaternion(0, 0.6f, 0, 0.8f), TargetRig.CreateHumanoid(nodes, TestRigs.NodeOf()).Nodes[3].Rotation);
     }
 
     [Fact]
@@ -84,14 +84,14 @@ public sealed class TargetRigTests
     {
         RigNode[] nodes = TestRigs.HumanoidNodes();
         nodes[0] = nodes[0] with { Scale = new Vector3(1, 1.1f, 1) };
-        Assert.True(TargetRig.Humanoid(nodes, TestRigs.NodeOf()).IsSheared);
+        Assert.True(TargetRig.CreateHumanoid(nodes, TestRigs.NodeOf()).IsSheared);
         nodes[0] = nodes[0] with { Scale = new Vector3(1.1f, -1.1f, 1.1f) };
-        Assert.False(TargetRig.Humanoid(nodes, TestRigs.NodeOf()).IsSheared);
+        Assert.False(TargetRig.CreateHumanoid(nodes, TestRigs.NodeOf()).IsSheared);
 
         // Nothing hangs from it.
         nodes[0] = nodes[0] with { Scale = Vector3.One };
         nodes[^1] = nodes[^1] with { Scale = new Vector3(1, 2, 3) };
-        Assert.False(TargetRig.Humanoid(nodes, TestRigs.NodeOf()).IsSheared);
+        Assert.False(TargetRig.CreateHumanoid(nodes, TestRigs.NodeOf()).IsSheared);
     }
 
     [Fact]
@@ -103,16 +103,16 @@ public sealed class TargetRigTests
         AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Scale = new Vector3(0, 0, float.PositiveInfinity) });
         AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Rotation = new Quaternion(float.NaN, 0, 0, 1) });
         AssertRefused("length zero", nodes => nodes[2] = nodes[2] with { Rotation = default });
-        AssertRefused("is two bones", change: null, nodeOf => nodeOf[5] = nodeOf[6]);
-        AssertRefused("no node 55", change: null, nodeOf => nodeOf[5] = 55);
-        AssertRefused("no node -2", change: null, nodeOf => nodeOf[5] = -2);
-        AssertRefused("hips have no node", change: null, nodeOf => nodeOf[0] = -1);
-        AssertRefused("hang from another bone", change: null, nodeOf => (nodeOf[0], nodeOf[7]) = (nodeOf[7], nodeOf[0]));
+        AssertRefused("is two bones", change: null, nodeByBone => nodeByBone[5] = nodeByBone[6]);
+        AssertRefused("no node 55", change: null, nodeByBone => nodeByBone[5] = 55);
+        AssertRefused("no node -2", change: null, nodeByBone => nodeByBone[5] = -2);
+        AssertRefused("hips have no node", change: null, nodeByBone => nodeByBone[0] = -1);
+        AssertRefused("hang from another bone", change: null, nodeByBone => (nodeByBone[0], nodeByBone[7]) = (nodeByBone[7], nodeByBone[0]));
         RigNode[] flat = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, Quaternion.Identity, Vector3.Zero), TestRigs.HumanoidNodes());
-        ArgumentException error = Assert.Throws<ArgumentException>(() => TargetRig.Humanoid(flat, TestRigs.Under(TestRigs.NodeOf())));
+        ArgumentException error = Assert.Throws<ArgumentException>(() => TargetRig.CreateHumanoid(flat, TestRigs.Under(TestRigs.NodeOf())));
         Assert.Contains("scale of zero", error.Message, StringComparison.Ordinal);
-        Assert.Throws<ArgumentException>(() => TargetRig.Humanoid(TestRigs.HumanoidNodes(), new int[59]));
-        Assert.Throws<ArgumentException>(() => TargetRig.Generic(TestRigs.HumanoidNodes(), new int[55]));
+        Assert.Throws<ArgumentException>(() => TargetRig.CreateHumanoid(TestRigs.HumanoidNodes(), new int[59]));
+        Assert.Throws<ArgumentException>(() => TargetRig.CreateGeneric(TestRigs.HumanoidNodes(), new int[55]));
     }
 
     // Bones that hang side by side, as some exporters and physics set-ups have them.
@@ -120,30 +120,30 @@ public sealed class TargetRigTests
     public void A_flat_rig_takes_over_the_turns_in_the_world()
     {
         RigNode[] nodes = [.. TestRigs.HumanoidNodes().Select(node => node with { Parent = -1 }).Reverse()];
-        int[] nodeOf = [.. TestRigs.NodeOf().Select(node => nodes.Length - 1 - node)];
-        TargetRig rig = TargetRig.Humanoid(nodes, nodeOf, Quaternion.Identity);
+        int[] nodeByBone = [.. TestRigs.NodeOf().Select(node => nodes.Length - 1 - node)];
+        TargetRig rig = TargetRig.CreateHumanoid(nodes, nodeByBone, Quaternion.Identity);
         BoneTransform[] pose = RandomPoses.Pose(new Random(1));
         var result = new RetargetedPose(rig);
-        Assert.True(new Retargeter(rig, SkeletonBody.Default()).TryRetarget(pose, result));
+        Assert.True(new Retargeter(rig, SkeletonBody.GetDefault()).TryRetarget(pose, result));
         Affine[] turns = ReferenceRetargeter.SourceTurns(pose, SkeletonVariant.Neck1);
-        Assert.True(turns[(int)Bone.LeftHand].AngleTo(result.LocalRotations[nodeOf[(int)HumanoidBone.LeftHand]]) < 3e-6);
+        Assert.True(turns[(int)Bone.LeftHand].AngleTo(result.LocalRotations[nodeByBone[(int)HumanoidBone.LeftHand]]) < 3e-6);
         Assert.True(turns[0].AngleTo(result.LocalRotations[rig.HipsNode]) < 1e-6);
         Vector3 way = UnityAxes.ToUnityPosition(pose[0].Position) - new Vector3(0, 0.84102f, 0);
-        Vector3 expected = nodes[rig.HipsNode].Position + (way * new Retargeter(rig, SkeletonBody.Default()).Scale);
+        Vector3 expected = nodes[rig.HipsNode].Position + (way * new Retargeter(rig, SkeletonBody.GetDefault()).Scale);
         Assert.True(Vector3.Distance(expected, result.HipsLocalPosition) < 1e-5f);
 
         var options = new RetargetOptions { Weights = BoneWeights.Only(BodyParts.All & ~BodyParts.Hips) };
-        Assert.True(new Retargeter(rig, SkeletonBody.Default(), options).TryRetarget(pose, result));
+        Assert.True(new Retargeter(rig, SkeletonBody.GetDefault(), options).TryRetarget(pose, result));
         Assert.Equal(nodes[rig.HipsNode].Position, result.HipsLocalPosition);
     }
 
     private static void AssertRefused(string words, Action<RigNode[]>? change, Action<int[]>? remap = null)
     {
         RigNode[] nodes = TestRigs.HumanoidNodes();
-        int[] nodeOf = TestRigs.NodeOf();
+        int[] nodeByBone = TestRigs.NodeOf();
         change?.Invoke(nodes);
-        remap?.Invoke(nodeOf);
-        ArgumentException error = Assert.Throws<ArgumentException>(() => TargetRig.Humanoid(nodes, nodeOf));
+        remap?.Invoke(nodeByBone);
+        ArgumentException error = Assert.Throws<ArgumentException>(() => TargetRig.CreateHumanoid(nodes, nodeByBone));
         Assert.Contains(words, error.Message, StringComparison.Ordinal);
     }
 }

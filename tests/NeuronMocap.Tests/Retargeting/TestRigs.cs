@@ -17,7 +17,7 @@ internal static class TestRigs
             nodes.Add(new RigNode(bone.ToString(), parent, UnityAxes.ToUnityPosition(body.GetOffset(bone)), Quaternion.Identity));
         }
 
-        return TargetRig.Generic([.. nodes], [.. Enumerable.Range(0, BoneHierarchy.BoneCount)]);
+        return TargetRig.CreateGeneric([.. nodes], [.. Enumerable.Range(0, BoneHierarchy.BoneCount)]);
     }
 
     /// <summary>Nodes of all 55 Humanoid bones, parents first; node i is bone <c>Order[i]</c>.</summary>
@@ -37,19 +37,19 @@ internal static class TestRigs
     /// <summary>The node of each bone, -1 for those left out.</summary>
     public static int[] NodeOf(params HumanoidBone[] without)
     {
-        int[] nodeOf = Indices(Order);
+        int[] nodeByBone = Indices(Order);
         foreach (HumanoidBone bone in without)
-            nodeOf[(int)bone] = -1;
+            nodeByBone[(int)bone] = -1;
 
-        return nodeOf;
+        return nodeByBone;
     }
 
-    public static TargetRig Humanoid(float size = 1, params HumanoidBone[] without) => TargetRig.Humanoid(HumanoidNodes(size), NodeOf(without));
+    public static TargetRig Humanoid(float size = 1, params HumanoidBone[] without) => TargetRig.CreateHumanoid(HumanoidNodes(size), NodeOf(without));
 
     /// <summary>The same character with a node above all others.</summary>
     public static RigNode[] Under(RigNode top, RigNode[] nodes) => [top with { Parent = -1 }, .. nodes.Select(node => node with { Parent = node.Parent + 1 })];
 
-    public static int[] Under(int[] nodeOf) => [.. nodeOf.Select(node => node < 0 ? -1 : node + 1)];
+    public static int[] Under(int[] nodeByBone) => [.. nodeByBone.Select(node => node < 0 ? -1 : node + 1)];
 
     /// <summary>The actor at rest above the origin.</summary>
     public static BoneTransform[] RestPose(SkeletonBody body)

@@ -97,8 +97,8 @@ public sealed class BoneHierarchyTests
         Assert.Throws<ArgumentOutOfRangeException>(() => BoneHierarchy.GetName(bone));
         Assert.Throws<ArgumentOutOfRangeException>(() => CalculationOrder.IndexOf(bone));
         Assert.Throws<ArgumentOutOfRangeException>(() => DefaultOffsets.Get(bone));
-        Assert.Throws<ArgumentOutOfRangeException>(() => default(ChannelLayout).PositionIndex(bone));
-        Assert.Throws<ArgumentOutOfRangeException>(() => default(ChannelLayout).RotationIndex(bone));
+        Assert.Throws<ArgumentOutOfRangeException>(() => default(ChannelLayout).GetPositionIndex(bone));
+        Assert.Throws<ArgumentOutOfRangeException>(() => default(ChannelLayout).GetRotationIndex(bone));
         Assert.False(DefaultOffsets.TryGetEndSite(bone, out _));
     }
 }

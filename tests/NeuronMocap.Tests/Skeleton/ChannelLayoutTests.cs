@@ -51,8 +51,8 @@ public sealed class ChannelLayoutTests
     public void A_bones_values_stand_where_the_manual_says(int values, int bone, int position, int rotation)
     {
         Assert.True(ChannelLayout.TryFromValueCount(values, out ChannelLayout layout));
-        Assert.Equal(position, layout.PositionIndex((Bone)bone));
-        Assert.Equal(rotation, layout.RotationIndex((Bone)bone));
+        Assert.Equal(position, layout.GetPositionIndex((Bone)bone));
+        Assert.Equal(rotation, layout.GetRotationIndex((Bone)bone));
     }
 
     [Theory]
@@ -71,9 +71,9 @@ public sealed class ChannelLayoutTests
         {
             for (int i = 0; i < 3; i++)
             {
-                owners[layout.RotationIndex(bone) + i]++;
-                if (layout.PositionIndex(bone) >= 0)
-                    owners[layout.PositionIndex(bone) + i]++;
+                owners[layout.GetRotationIndex(bone) + i]++;
+                if (layout.GetPositionIndex(bone) >= 0)
+                    owners[layout.GetPositionIndex(bone) + i]++;
             }
         }
 

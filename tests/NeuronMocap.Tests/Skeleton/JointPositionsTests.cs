@@ -10,27 +10,27 @@ public sealed class JointPositionsTests
     {
         BoneTransform[] world = Pose();
         Vector3[] points = new Vector3[JointPositions.Count];
-        JointPositions.Copy(world, SkeletonBody.Default(), points);
+        JointPositions.Copy(world, SkeletonBody.GetDefault(), points);
 
         Assert.Equal(72, JointPositions.Count);
         foreach (Bone bone in BoneHierarchy.Bones)
         {
             Assert.Equal(world[(int)bone].Position, points[(int)bone]);
-            int end = JointPositions.EndSiteIndex(bone);
+            int end = JointPositions.GetEndSiteIndex(bone);
             bool isLeaf = DefaultOffsets.TryGetEndSite(bone, out Vector3 offset);
             Assert.Equal(isLeaf, end >= 0);
             if (isLeaf)
                 Assert.Equal(world[(int)bone].TransformPoint(offset), points[end]);
         }
 
-        Assert.Equal(Enumerable.Range(59, 13), JointPositions.EndSiteBones.ToArray().Select(JointPositions.EndSiteIndex));
+        Assert.Equal(Enumerable.Range(59, 13), JointPositions.EndSiteBones.ToArray().Select(JointPositions.GetEndSiteIndex));
     }
 
     [Fact]
     public void The_lowest_point_may_be_an_end()
     {
         BoneTransform[] world = Pose();
-        var body = SkeletonBody.Default();
+        var body = SkeletonBody.GetDefault();
         Vector3[] points = new Vector3[JointPositions.Count];
         JointPositions.Copy(world, body, points);
 
@@ -44,18 +44,18 @@ public sealed class JointPositionsTests
     [Fact]
     public void Too_few_transforms_and_too_little_room_are_refused()
     {
-        var body = SkeletonBody.Default();
+        var body = SkeletonBody.GetDefault();
         Assert.Equal("world", Assert.Throws<ArgumentException>(() => JointPositions.Copy(new BoneTransform[58], body, new Vector3[72])).ParamName);
         Assert.Equal("positions", Assert.Throws<ArgumentException>(() => JointPositions.Copy(new BoneTransform[59], body, new Vector3[71])).ParamName);
         Assert.Equal("world", Assert.Throws<ArgumentException>(() => JointPositions.GetLowest(new BoneTransform[58], body)).ParamName);
-        Assert.Throws<ArgumentOutOfRangeException>(() => JointPositions.EndSiteIndex((Bone)59));
+        Assert.Throws<ArgumentOutOfRangeException>(() => JointPositions.GetEndSiteIndex((Bone)59));
     }
 
     // The right leg points a little down, so that its toes are lower than all else.
     private static BoneTransform[] Pose()
     {
         BoneTransform[] pose = new BoneTransform[59];
-        SkeletonBody.Default().CopyRestPose(pose);
+        SkeletonBody.GetDefault().CopyRestPose(pose);
         pose[(int)Bone.RightFoot] = pose[(int)Bone.RightFoot] with { Rotation = EulerAngles.ToQuaternion(new Vector3(0, 30, 0), RotationOrder.YXZ) };
         ForwardKinematics.ToWorld(pose, pose);
         return pose;

@@ -28,7 +28,7 @@ public sealed class PoseDecoderTests
         {
             var random = new Random(count);
             float[] values = RandomValues(random, count);
-            var body = SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperArm = 0.31f, Body = 0.55f }, variant);
+            var body = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperArm = 0.31f, Body = 0.55f }, variant);
             BoneTransform[] local = new BoneTransform[59];
             BoneTransform[] world = new BoneTransform[59];
 
@@ -38,7 +38,7 @@ public sealed class PoseDecoderTests
             AssertReference(values, layout, order, body, world);
             foreach (Bone bone in BoneHierarchy.Bones)
             {
-                var angles = new Vector3(values.AsSpan(layout.RotationIndex(bone), 3));
+                var angles = new Vector3(values.AsSpan(layout.GetRotationIndex(bone), 3));
                 Assert.Equal(EulerAngles.ToQuaternion(angles, order), local[(int)bone].Rotation);
             }
         }
@@ -50,7 +50,7 @@ public sealed class PoseDecoderTests
         float[] values = RandomValues(new Random(1), 354);
         BoneTransform[] pose = new BoneTransform[59];
         Vector3[] points = new Vector3[JointPositions.Count];
-        var body = SkeletonBody.Default();
+        var body = SkeletonBody.GetDefault();
         Allocations.AssertNone(() =>
         {
             PoseDecoder.Decode(values, new ChannelLayout(hasDisplacement: true, hasReference: false), RotationOrder.YXZ, body, pose);
@@ -64,7 +64,7 @@ public sealed class PoseDecoderTests
     public void Too_few_values_too_little_room_and_unknown_orders_are_refused()
     {
         var layout = new ChannelLayout(hasDisplacement: true, hasReference: false);
-        var body = SkeletonBody.Default();
+        var body = SkeletonBody.GetDefault();
         BoneTransform[] room = new BoneTransform[59];
         Assert.Equal("values", Assert.Throws<ArgumentException>(() => PoseDecoder.Decode(new float[353], layout, RotationOrder.YXZ, body, room)).ParamName);
         Assert.Equal("local", Assert.Throws<ArgumentException>(() => PoseDecoder.Decode(new float[354], layout, RotationOrder.YXZ, body, new BoneTransform[58])).ParamName);
@@ -88,10 +88,10 @@ public sealed class PoseDecoderTests
         double[][] positions = new double[59][];
         foreach (Bone bone in BoneHierarchy.Bones)
         {
-            int index = layout.PositionIndex(bone);
+            int index = layout.GetPositionIndex(bone);
             Vector3 offset = index < 0 ? body.GetOffset(bone) : new Vector3(values.AsSpan(index, 3));
             double[] position = [offset.X, offset.Y, offset.Z];
-            var rotation = ReferenceRotation.FromAngles(new Vector3(values.AsSpan(layout.RotationIndex(bone), 3)), order);
+            var rotation = ReferenceRotation.FromAngles(new Vector3(values.AsSpan(layout.GetRotationIndex(bone), 3)), order);
             if (BoneHierarchy.GetParent(bone, body.Variant) is { } parent)
             {
                 double[] turned = rotations[(int)parent].Turn(position);

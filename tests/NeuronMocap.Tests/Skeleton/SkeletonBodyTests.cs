@@ -10,8 +10,8 @@ public sealed class SkeletonBodyTests
     [InlineData(SkeletonVariant.Spine3)]
     public void The_default_body_has_the_default_offsets_and_stands_on_the_ground(SkeletonVariant variant)
     {
-        var body = SkeletonBody.Default(variant);
-        Assert.Same(body, SkeletonBody.Default(variant));
+        var body = SkeletonBody.GetDefault(variant);
+        Assert.Same(body, SkeletonBody.GetDefault(variant));
         Assert.Equal(variant, body.Variant);
         Assert.Equal(0, GroundOf(body), 1e-4f);
         foreach (Bone bone in BoneHierarchy.Bones)
@@ -42,7 +42,7 @@ public sealed class SkeletonBodyTests
     [Fact]
     public void The_sizes_of_the_default_body_make_the_default_body()
     {
-        var made = SkeletonBody.FromDimensions(SkeletonBody.Default().Measure());
+        var made = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure());
         foreach (Bone bone in BoneHierarchy.Bones)
             Assert.True(Vector3.Distance(DefaultOffsets.Get(bone), made.GetOffset(bone)) < 1e-3f, $"{bone}: {made.GetOffset(bone)}");
     }
@@ -52,7 +52,7 @@ public sealed class SkeletonBodyTests
     [InlineData(float.NaN)]
     [InlineData(float.PositiveInfinity)]
     public void Sizes_that_none_has_are_refused(float size) =>
-        Assert.Throws<ArgumentException>(() => SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { Palm = size }));
+        Assert.Throws<ArgumentException>(() => SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { Palm = size }));
 
     [Fact]
     public void A_pose_of_a_body_makes_that_body()
@@ -74,15 +74,15 @@ public sealed class SkeletonBodyTests
     [Fact]
     public void A_body_keeps_what_it_was_given()
     {
-        Vector3[] offsets = SkeletonBody.Default().Offsets.ToArray();
-        Vector3[] ends = SkeletonBody.Default().EndSites.ToArray();
+        Vector3[] offsets = SkeletonBody.GetDefault().Offsets.ToArray();
+        Vector3[] ends = SkeletonBody.GetDefault().EndSites.ToArray();
         ends[(int)Bone.Hips] = Vector3.One; // Has children, so it has no meaning.
         var body = new SkeletonBody(offsets, ends, SkeletonVariant.Spine3);
         Array.Clear(offsets);
         Array.Clear(ends);
 
-        Assert.Equal(SkeletonBody.Default().Offsets.ToArray(), body.Offsets.ToArray());
-        Assert.Equal(SkeletonBody.Default().EndSites.ToArray(), body.EndSites.ToArray());
+        Assert.Equal(SkeletonBody.GetDefault().Offsets.ToArray(), body.Offsets.ToArray());
+        Assert.Equal(SkeletonBody.GetDefault().EndSites.ToArray(), body.EndSites.ToArray());
         Assert.Equal(SkeletonVariant.Spine3, body.Variant);
     }
 
@@ -92,7 +92,7 @@ public sealed class SkeletonBodyTests
         Assert.Equal("offsets", Assert.Throws<ArgumentException>(() => new SkeletonBody(new Vector3[58])).ParamName);
         Assert.Equal("endSites", Assert.Throws<ArgumentException>(() => new SkeletonBody(new Vector3[59], new Vector3[58])).ParamName);
         Assert.Equal("pose", Assert.Throws<ArgumentException>(() => SkeletonBody.FromPose(new BoneTransform[58])).ParamName);
-        Assert.Equal("pose", Assert.Throws<ArgumentException>(() => SkeletonBody.Default().CopyRestPose(new BoneTransform[58])).ParamName);
+        Assert.Equal("pose", Assert.Throws<ArgumentException>(() => SkeletonBody.GetDefault().CopyRestPose(new BoneTransform[58])).ParamName);
     }
 
     private static BoneDimensions RandomSizes(Random random)

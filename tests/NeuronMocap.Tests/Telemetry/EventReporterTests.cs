@@ -127,7 +127,7 @@ public sealed class EventReporterTests
         Assert.False(end.IsCompleted);
         release.Set();
         await Task.WhenAll(running, end, reporter.Over).Soon();
-        Assert.Equal([ReaderEventId.FramesLost, ReaderEventId.HandlerFailed], _events.Select(reported => reported.Id));
+        Assert.Equal([ReaderEventId.FramesLost, ReaderEventId.CallbackFailed], _events.Select(reported => reported.Id));
     }
 
     [Fact]
@@ -185,7 +185,7 @@ public sealed class EventReporterTests
         public override string Message => throw new InvalidOperationException("No words.");
     }
 
-    private sealed class Figures : IReaderFigures
+    private sealed class Figures : IReaderStatistics
     {
         public List<ConsumerStatistics> Consumers { get; } = [];
 

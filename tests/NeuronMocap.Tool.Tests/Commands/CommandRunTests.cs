@@ -12,7 +12,7 @@ public sealed class CommandRunTests : IDisposable
 {
     private readonly Broadcaster _broadcaster = new(new BroadcasterOptions
     {
-        Sources = [new SyntheticActor(), new SyntheticActor(avatar: 1)],
+        Sources = [new SyntheticSource(), new SyntheticSource(avatarIndex: 1)],
         RotationOrder = RotationOrder.ZXY,
         Port = 0,
     });

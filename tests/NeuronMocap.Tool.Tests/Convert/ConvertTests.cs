@@ -62,7 +62,7 @@ public sealed class ConvertTests : IDisposable
 
         AssertSame(BvhDocument.Load(_folder["take.bvh"]), BvhDocument.Load(_folder["back.bvh"]));
         using RecordingReader recording = RecordingReader.Open(_folder["take.nmrec"]);
-        Assert.Equal(order.ToString(), recording.Metadata[RecordingMetadata.RotationOrderName]);
+        Assert.Equal(order.ToString(), recording.Metadata[RecordingMetadata.RotationOrderKey]);
         Assert.Equal(TimeSpan.FromTicks((long)Math.Round(119 * TimeSpan.TicksPerSecond / 60.0)), recording.Duration);
     }
 
@@ -119,7 +119,7 @@ public sealed class ConvertTests : IDisposable
         Assert.Equal(Enumerable.Range(60, 30).Select(static index => (uint?)index), frames.Select(static frame => frame.Index));
         Assert.Equal(TimeSpan.Zero, frames[0].Time);
         Assert.Equal(29 / 60.0, frames[^1].Time.TotalSeconds, 1e-6);
-        Assert.Equal(0, reader.Statistics.SkippedBytes);
+        Assert.Equal(0, reader.Statistics.BytesSkipped);
     }
 
     [Fact]
@@ -249,13 +249,13 @@ public sealed class ConvertTests : IDisposable
     {
         Takes.Actor(120).Save(_folder["a.bvh"]);
         Assert.Equal(
-            "neuron-mocap: b.bvh: 120 frames, 2.000 s at 60 Hz; no gaps; no rows left out; no doubts.",
+            "neuron-mocap: b.bvh: 120 frames, 2.000 s at 60 Hz; no gaps; no rows left out; no warnings.",
             await ConvertAsync(_folder["a.bvh"], _folder["b.bvh"]));
         Assert.Equal(
-            "neuron-mocap: b.nmrec: 120 frames, 2.000 s at 60 Hz; no gaps; no rows left out; no doubts.",
+            "neuron-mocap: b.nmrec: 120 frames, 2.000 s at 60 Hz; no gaps; no rows left out; no warnings.",
             await ConvertAsync(_folder["a.bvh"], _folder["b.nmrec"]));
         Assert.StartsWith(
-            "neuron-mocap: c.nmrec: 120 frames, 1.983 s; no gaps; no rows left out; no doubts.",
+            "neuron-mocap: c.nmrec: 120 frames, 1.983 s; no gaps; no rows left out; no warnings.",
             await ConvertAsync(_folder["b.nmrec"], _folder["c.nmrec"]),
             StringComparison.Ordinal);
     }
@@ -272,7 +272,7 @@ public sealed class ConvertTests : IDisposable
         {
             string summary = await ConvertAsync(_folder["cut.bvh"], _folder[output]);
             Assert.Contains(": 163 frames, ", summary, StringComparison.Ordinal);
-            Assert.Matches(@"; 1 row left out; 2 doubts: \(1\) .*, \(2\) ", summary);
+            Assert.Matches(@"; 1 row left out; 2 warnings: \(1\) .*, \(2\) ", summary);
             Assert.Contains("'358' frames are announced and 163 rows are there", summary, StringComparison.Ordinal);
         }
     }
@@ -301,7 +301,7 @@ public sealed class ConvertTests : IDisposable
         string text = await File.ReadAllTextAsync(_folder["take.calc"], Token);
         _folder.Write("cut.calc", text[..(text.Length / 2)]);
         foreach (string output in (string[])["a.calc", "a.nmrec", "a.bvh"])
-            Assert.Contains("; 1 row left out; 1 doubt: ", await ConvertAsync(_folder["cut.calc"], _folder[output]), StringComparison.Ordinal);
+            Assert.Contains("; 1 row left out; 1 warning: ", await ConvertAsync(_folder["cut.calc"], _folder[output]), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -310,14 +310,14 @@ public sealed class ConvertTests : IDisposable
         Takes.Actor(50, rate: 120).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.bin"]);
         Assert.Contains("120 Hz, is assumed", await ConvertAsync(_folder["take.bin"], _folder["d.nmrec"]), StringComparison.Ordinal);
-        Assert.Contains("no doubts", await ConvertAsync(_folder["take.bin"], _folder["e.nmrec"], "--rate", "60"), StringComparison.Ordinal);
+        Assert.Contains("no warnings", await ConvertAsync(_folder["take.bin"], _folder["e.nmrec"], "--rate", "60"), StringComparison.Ordinal);
         await ConvertAsync(_folder["take.bvh"], _folder["take.calc"]);
         string text = await File.ReadAllTextAsync(_folder["take.calc"], Token);
         _folder.Write("bare.calc", text[(text.IndexOf('\n') + 1)..]);
 
-        Assert.Contains("no doubts", await ConvertAsync(_folder["take.calc"], _folder["a.nmrec"]), StringComparison.Ordinal);
+        Assert.Contains("no warnings", await ConvertAsync(_folder["take.calc"], _folder["a.nmrec"]), StringComparison.Ordinal);
         Assert.Contains("120 Hz is assumed", await ConvertAsync(_folder["bare.calc"], _folder["b.nmrec"]), StringComparison.Ordinal);
-        Assert.Contains("no doubts", await ConvertAsync(_folder["bare.calc"], _folder["c.nmrec"], "--rate", "60"), StringComparison.Ordinal);
+        Assert.Contains("no warnings", await ConvertAsync(_folder["bare.calc"], _folder["c.nmrec"], "--rate", "60"), StringComparison.Ordinal);
     }
 
     [Fact]

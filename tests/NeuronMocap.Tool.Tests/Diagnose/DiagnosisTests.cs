@@ -98,7 +98,7 @@ public sealed class DiagnosisTests
         using JsonDocument diagnosis = JsonDocument.Parse(Assert.Single(result.Output));
         JsonElement avatar = Assert.Single(diagnosis.RootElement.GetProperty("avatars").EnumerateArray());
         Assert.Equal("Char00", avatar.GetProperty("name").GetString());
-        Assert.Equal("StandsStill", diagnosis.RootElement.GetProperty("verdict").GetString());
+        Assert.Equal("Motionless", diagnosis.RootElement.GetProperty("verdict").GetString());
     }
 
     [Theory]

@@ -51,7 +51,7 @@ internal static class Takes
     /// <summary>Some seconds of the simulator's actor, who walks and waves.</summary>
     public static BvhDocument Actor(int frames, double rate = 60, bool displacement = true, RotationOrder order = RotationOrder.YXZ)
     {
-        var actor = new SyntheticActor(rate);
+        var actor = new SyntheticSource(rate);
         return Neuron(frames, (frame, pose) => actor.GetPose(frame, pose), rate, displacement, order);
     }
 

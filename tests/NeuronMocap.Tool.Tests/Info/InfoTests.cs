@@ -119,11 +119,11 @@ public sealed class InfoTests : IDisposable
             displacement: true);
         var layout = new ChannelLayout(hasDisplacement: true, hasReference: false);
         float[] values = [.. Enumerable.Range(0, take.FrameCount).SelectMany(frame => take.GetFrame(frame).ToArray())];
-        int head = layout.RotationIndex(Bone.Head);
+        int head = layout.GetRotationIndex(Bone.Head);
         for (int frame = 20; frame < 40; frame++)
             (values[(frame * 354) + head], values[(frame * 354) + head + 1], values[(frame * 354) + head + 2]) = (180, 180, 180);
 
-        values[(30 * 354) + layout.RotationIndex(Bone.RightHand)] = float.NaN;
+        values[(30 * 354) + layout.GetRotationIndex(Bone.RightHand)] = float.NaN;
         new BvhDocument(take.Hierarchy, take.FrameTime, values).Save(_folder["odd.bvh"]);
         JsonElement[] oddities = [.. (await JsonAsync("odd.bvh")).GetProperty("oddities").EnumerateArray()];
 
@@ -169,7 +169,7 @@ public sealed class InfoTests : IDisposable
     [Fact]
     public async Task A_recording_tells_avatars_gaps_and_what_is_no_frame()
     {
-        using (RecordingWriter writer = RecordingWriter.Create(_folder["two.nmrec"], RecordingMetadata.Empty.With(RecordingMetadata.Server, "studio:7001")))
+        using (RecordingWriter writer = RecordingWriter.Create(_folder["two.nmrec"], RecordingMetadata.Empty.With(RecordingMetadata.ServerKey, "studio:7001")))
         {
             writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, "10.0.0.2:50000", "10.0.0.1:7001"));
             writer.WriteBytes(TimeSpan.Zero, 0, "hello"u8);
@@ -209,7 +209,7 @@ public sealed class InfoTests : IDisposable
     {
         const string Odd = "\e[2J\u009b31m\u202e\r";
         using (RecordingWriter writer = RecordingWriter.Create(
-            _folder["odd.nmrec"], RecordingMetadata.Empty.With("key" + Odd, "value" + Odd).With(RecordingMetadata.Server, "server" + Odd)))
+            _folder["odd.nmrec"], RecordingMetadata.Empty.With("key" + Odd, "value" + Odd).With(RecordingMetadata.ServerKey, "server" + Odd)))
         {
             writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, "local" + Odd, "remote" + Odd));
             for (uint frame = 0; frame < 20; frame++)

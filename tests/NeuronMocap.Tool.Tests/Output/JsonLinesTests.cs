@@ -151,7 +151,7 @@ public sealed class JsonLinesTests
                     CalculationFrames = 2,
                     Lost = 3,
                     Dropped = 4,
-                    SkippedBytes = 5,
+                    BytesSkipped = 5,
                     Gaps = 6,
                     Restarts = 7,
                     Reconnects = 8,

@@ -77,9 +77,9 @@ public sealed class RecordingTests : IDisposable
         using RecordingReader reader = RecordingReader.Open(Take);
         Assert.True(reader.IsComplete);
         Assert.Equal(RotationOrder.ZXY, reader.Metadata.RotationOrder);
-        Assert.Equal("Binary", reader.Metadata[RecordingMetadata.StreamFormatName]);
-        Assert.Equal("Tcp", reader.Metadata[RecordingMetadata.TransportName]);
-        Assert.Contains("NeuronMocap 0.", reader.Metadata[RecordingMetadata.Program], StringComparison.Ordinal);
+        Assert.Equal("Binary", reader.Metadata[RecordingMetadata.StreamFormatKey]);
+        Assert.Equal("Tcp", reader.Metadata[RecordingMetadata.TransportKey]);
+        Assert.Contains("NeuronMocap 0.", reader.Metadata[RecordingMetadata.ProgramKey], StringComparison.Ordinal);
         Assert.Equal(10_224, reader.Metadata.MaxValues);
         Assert.InRange(reader.Totals!.Value.Bytes, 5 * 1480, 500 * 1480);
     }

@@ -16,7 +16,7 @@ public sealed class SkeletonLabelTests : IDisposable
     [InlineData(SkeletonVariant.Spine3, "Neck1")]
     public void Names_of_the_variant_s_bones_stand_at_their_joints_but_for_the_fingers(SkeletonVariant variant, string other)
     {
-        using NeuronMocap.Server.Broadcaster server = Stage.Broadcast(new StandingActor(SkeletonBody.Default(variant)));
+        using NeuronMocap.Server.Broadcaster server = Stage.Broadcast(new StandingActor(SkeletonBody.GetDefault(variant)));
         MocapSource source = Stage.AddClient(server);
         source.SkeletonVariant = variant == SkeletonVariant.Neck1 ? SkeletonVariantSetting.Neck1 : SkeletonVariantSetting.Spine3;
         var view = new GameObject("View").AddComponent<SkeletonView>();

@@ -37,7 +37,7 @@ public sealed class SkeletonViewTests : IDisposable
     [Fact]
     public void Feet_on_the_ground_are_marked()
     {
-        var actor = new StandingActor(SkeletonBody.Default());
+        var actor = new StandingActor(SkeletonBody.GetDefault());
         using NeuronMocap.Server.Broadcaster server = Stage.Broadcast(actor);
         MocapSource source = Stage.AddClient(server);
         SkeletonView view = AddView(source);

@@ -70,7 +70,7 @@ public sealed class GenericRigDriverTests : SourceFixture
     {
         var root = new GameObject("Rig");
         bones = [];
-        SkeletonBody body = SkeletonBody.Default();
+        SkeletonBody body = SkeletonBody.GetDefault();
         foreach (Bone bone in BoneHierarchy.Bones)
         {
             Transform added = new GameObject(prefix + BoneHierarchy.GetName(bone)).transform;

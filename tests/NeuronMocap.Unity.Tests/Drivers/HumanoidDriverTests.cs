@@ -41,7 +41,7 @@ public sealed class HumanoidDriverTests : SourceFixture
         driver.Scale = 0;
         driver.HeightOffset = 0.25f;
         Loop.Frame();
-        AssertNear(new Vector3(0, (SkeletonBody.Default().GetOffset(Bone.Hips).Y * 0.005f) + 0.25f, 0), InRoot(figure, Bone.Hips));
+        AssertNear(new Vector3(0, (SkeletonBody.GetDefault().GetOffset(Bone.Hips).Y * 0.005f) + 0.25f, 0), InRoot(figure, Bone.Hips));
         driver.RootMotion = RootMotion.InPlace;
         driver.AutomaticScale = true;
         Loop.Frame();
@@ -183,7 +183,7 @@ public sealed class HumanoidDriverTests : SourceFixture
         driver.Weight = 0.5f;
         Loop.Frame();
         float height = InRoot(figure, Bone.Hips).y;
-        float rest = SkeletonBody.Default().GetOffset(Bone.Hips).Y * 0.008f;
+        float rest = SkeletonBody.GetDefault().GetOffset(Bone.Hips).Y * 0.008f;
         Assert.Equal(rest + 0.2f, height, 0.001f);
         Loop.Frames(10);
         Assert.Equal(rest + 0.2f, InRoot(figure, Bone.Hips).y, 0.001f);
@@ -194,8 +194,8 @@ public sealed class HumanoidDriverTests : SourceFixture
     [InlineData(IdleBehaviour.BlendToRest)]
     public void When_data_stops_it_holds_its_pose_or_goes_to_rest(IdleBehaviour behaviour)
     {
-        Broadcaster server = Serve(new SyntheticActor());
-        MocapSource source = Add(server, static source => (source.IdleTimeout, source.GoneTimeout) = (0.1f, 0.3f));
+        Broadcaster server = Serve(new SyntheticSource());
+        MocapSource source = Add(server, static source => (source.IdleTimeout, source.LeaveTimeout) = (0.1f, 0.3f));
         TestFigure figure = TestFigure.Build("Figure");
         HumanoidDriver driver = figure.Drive(source);
         (driver.WhenIdle, driver.IdleBlendTime) = (behaviour, 0.2f);
@@ -217,9 +217,9 @@ public sealed class HumanoidDriverTests : SourceFixture
     public void Feet_that_stand_do_not_slide()
     {
         TestFigure figure = TestFigure.Build("Figure", size: 0.7f);
-        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], Calculation = CalculationSynthesizer.Write });
+        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticSource()], Calculation = CalculationSynthesizer.Write });
         HumanoidDriver driver = figure.Drive(Add(server));
-        driver.GroundFeet = true;
+        driver.FootPlanting = true;
         driver.HeightOffset = 0.02f;
 
         // Shorter ways than the legs make: without planting the feet slide.
@@ -295,7 +295,7 @@ public sealed class HumanoidDriverTests : SourceFixture
         TestFigure figure = TestFigure.Build("Figure");
         HumanoidDriver driver = figure.Drive(Add(Serve(new ValuesSource(static (_, layout, values) =>
         {
-            int arm = layout.RotationIndex(Bone.LeftArm);
+            int arm = layout.GetRotationIndex(Bone.LeftArm);
             (values[arm], values[arm + 1], values[arm + 2]) = (20, 10, 40);
         }))));
         Loop.RunUntil(() => driver.IsDriving);

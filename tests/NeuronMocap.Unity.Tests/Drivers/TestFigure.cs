@@ -39,7 +39,7 @@ internal sealed class TestFigure
 
         // World positions of the T-pose, mirrored, at another size; rotations are anything.
         var world = new BoneTransform[BoneHierarchy.BoneCount];
-        SkeletonBody.Default().CopyRestPose(world);
+        SkeletonBody.GetDefault().CopyRestPose(world);
         ForwardKinematics.ToWorld(world, world);
         foreach (Bone bone in BoneHierarchy.Bones)
         {

@@ -35,7 +35,7 @@ public sealed class ComponentInspectorTests : IDisposable
         MocapSource source = Stage.AddSimulator(performers: 2);
         PerformerSpawner spawner = new GameObject("Spawner").AddComponent<PerformerSpawner>();
         spawner.Source = source;
-        spawner.MostFigures = 1;
+        spawner.MaxFigures = 1;
         UnityEditor.Editor inspector = _world.Inspect(spawner);
         ImmediateGui.Draw(inspector.OnInspectorGUI);
         Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf("0 figures"));
@@ -43,9 +43,9 @@ public sealed class ComponentInspectorTests : IDisposable
         _world.Loop.RunUntil(() => spawner.Problem.Length > 0);
         ImmediateGui.Draw(inspector.OnInspectorGUI);
         Assert.Equal(Dot(Severity.Warning), EditorWorld.DotOf("1 figure"));
-        Assert.Contains("raise Most Figures", Assert.Single(EditorWorld.Labels("HelpBox")), StringComparison.Ordinal);
+        Assert.Contains("raise Max Figures", Assert.Single(EditorWorld.Labels("HelpBox")), StringComparison.Ordinal);
 
-        ImmediateGui.Set(inspector.OnInspectorGUI, "Most Figures", 2);
+        ImmediateGui.Set(inspector.OnInspectorGUI, "Max Figures", 2);
         _world.Loop.RunUntil(() => spawner.Figures.Count == 2);
         ImmediateGui.Draw(inspector.OnInspectorGUI);
         Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf("2 figures"));

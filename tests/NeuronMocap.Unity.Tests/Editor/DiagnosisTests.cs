@@ -50,7 +50,7 @@ public class DiagnosisTests
     public async Task Frames_that_arrive_are_said_to()
     {
         using var world = new EditorWorld();
-        using var server = new Server.Broadcaster(new Server.BroadcasterOptions { Port = 0, Sources = [new Server.SyntheticActor(60, 0)] });
+        using var server = new Server.Broadcaster(new Server.BroadcasterOptions { Port = 0, Sources = [new Server.SyntheticSource(60, 0)] });
         server.Start();
         world.AddSource(source => source.Port = server.LocalEndPoint!.Port);
 

@@ -15,7 +15,7 @@ public sealed class DriverInspectorTests : IDisposable
     [InlineData(typeof(GenericRigDriver))]
     public void It_says_why_the_figure_does_not_move_and_after_whom_it_does(Type type)
     {
-        var driver = (FigureDriver)HumanoidFigure.Build(SkeletonBody.Default()).Root.AddComponent(type);
+        var driver = (FigureDriver)HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent(type);
         UnityEditor.Editor inspector = _world.Inspect(driver);
         _world.Loop.Frame();
         ImmediateGui.Draw(inspector.OnInspectorGUI);
@@ -38,7 +38,7 @@ public sealed class DriverInspectorTests : IDisposable
     [Fact]
     public void A_performer_that_is_not_there_is_named_with_those_that_are()
     {
-        HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.Default()).Root.AddComponent<HumanoidDriver>();
+        HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<HumanoidDriver>();
         (driver.Source, driver.PerformerIndex) = (Stage.AddSimulator(performers: 2), 7);
         _world.Loop.RunUntil(() => Stage.IsLive(driver.Source, performers: 2));
         _world.Loop.Frame();
@@ -55,7 +55,7 @@ public sealed class DriverInspectorTests : IDisposable
     public void Out_of_play_mode_it_says_when_the_figure_will_move()
     {
         using var world = new EditorWorld();
-        HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.Default()).Root.AddComponent<HumanoidDriver>();
+        HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<HumanoidDriver>();
 
         ImmediateGui.Draw(world.Inspect(driver).OnInspectorGUI);
 
@@ -67,7 +67,7 @@ public sealed class DriverInspectorTests : IDisposable
     public void Fields_without_a_meaning_are_not_shown()
     {
         using var world = new EditorWorld();
-        HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.Default()).Root.AddComponent<HumanoidDriver>();
+        HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<HumanoidDriver>();
         UnityEditor.Editor inspector = world.Inspect(driver);
         ImmediateGui.Draw(inspector.OnInspectorGUI);
         Assert.Contains("Performer Index", EditorWorld.Labels("Property"));

@@ -10,7 +10,7 @@ public sealed class ModelImportTests : IDisposable
     private const string File = "Assets/Model.fbx";
 
     private readonly EditorWorld _world = new();
-    private readonly HumanoidFigure _figure = HumanoidFigure.Build(SkeletonBody.Default());
+    private readonly HumanoidFigure _figure = HumanoidFigure.Build(SkeletonBody.GetDefault());
     private readonly ModelImporter _importer = AssetImporter.Add(File, new ModelImporter());
 
     public void Dispose() => _world.Dispose();

@@ -132,7 +132,7 @@ public sealed class SourceCommandsTests : IDisposable
     // Stands still and looks aside.
     private sealed class TurnedActor(float degrees) : MotionSource
     {
-        private readonly SkeletonBody _body = SkeletonBody.Default();
+        private readonly SkeletonBody _body = SkeletonBody.GetDefault();
 
         public override double FrameRate => 60;
 

@@ -7,7 +7,7 @@ namespace NeuronMocap.Unity.Tests.Editor;
 
 public class SourceInspectorTests
 {
-    private static readonly string[] Always = ["Kind", "Resample", "Delay", "Smoothing", "Idle Timeout", "Gone Timeout", "Keep Through Scenes"];
+    private static readonly string[] Always = ["Kind", "Resample", "Delay", "Interpolation", "Idle Timeout", "Leave Timeout", "Persist Across Scenes"];
 
     [Theory]
     [InlineData(SourceKind.Network, "Address,Port,Calculation Port,Transport,Local Address,Reconnect,Command Port,Rotation Order,Skeleton Variant")]
@@ -120,7 +120,7 @@ public class SourceInspectorTests
         using var server = new Broadcaster(new BroadcasterOptions
         {
             Port = 0,
-            Sources = [new SyntheticActor(60, 0)],
+            Sources = [new SyntheticSource(60, 0)],
             Format = BroadcastFormat.Studio,
             RotationOrder = RotationOrder.YXZ,
         });

@@ -36,7 +36,7 @@ public sealed class FigureBuilderTests : IDisposable
     {
         _ = Shader.Find("Standard");
         int before = Measure.LiveObjects;
-        var actor = new StandingActor(SkeletonBody.Default());
+        var actor = new StandingActor(SkeletonBody.GetDefault());
         using Broadcaster server = Stage.Broadcast(actor);
         MocapSource source = Stage.AddClient(server);
         FigureBuilder builder = AddBuilder(source);

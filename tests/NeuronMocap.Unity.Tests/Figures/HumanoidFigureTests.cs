@@ -16,7 +16,7 @@ public sealed class HumanoidFigureTests : IDisposable
     [MemberData(nameof(Variants))]
     public void A_figure_is_a_human_with_50_of_the_55_bones(SkeletonVariant variant)
     {
-        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.Default(variant));
+        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault(variant));
 
         Assert.Empty(ConsoleLog.Entries);
         Assert.True(figure.Avatar.isValid);
@@ -65,7 +65,7 @@ public sealed class HumanoidFigureTests : IDisposable
         Transform parent = new GameObject("Parent").transform;
         parent.SetPositionAndRotation(new Vector3(3, 1, -2), Quaternion.Euler(0, 90, 0));
 
-        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.Default(), parent: parent);
+        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault(), parent: parent);
 
         Assert.Empty(ConsoleLog.Entries);
         Assert.Equal(parent, figure.Root.transform.parent);
@@ -77,7 +77,7 @@ public sealed class HumanoidFigureTests : IDisposable
     [Fact]
     public void A_name_that_a_bone_has_is_changed()
     {
-        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.Default(), name: "Head");
+        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault(), name: "Head");
 
         Assert.True(figure.Avatar.isValid);
         Assert.NotEqual("Head", figure.Root.name);
@@ -114,7 +114,7 @@ public sealed class HumanoidFigureTests : IDisposable
     public void Every_triangle_shows_its_outer_side(SkeletonVariant variant)
     {
         var joints = new Vector3[BoneHierarchy.BoneCount];
-        foreach (FigureShape shape in FigureShapes.Of(SkeletonBody.Default(variant)))
+        foreach (FigureShape shape in FigureShapes.Of(SkeletonBody.GetDefault(variant)))
         {
             Mesh mesh = FigureMesh.Create([shape], joints);
             Vector3 centre = mesh.vertices.Aggregate(Vector3.zero, static (sum, vertex) => sum + vertex) / mesh.vertexCount;
@@ -133,12 +133,12 @@ public sealed class HumanoidFigureTests : IDisposable
     [Fact]
     public void Nothing_is_left_of_a_figure_however_it_ends()
     {
-        HumanoidFigure.Build(SkeletonBody.Default()).Dispose();
+        HumanoidFigure.Build(SkeletonBody.GetDefault()).Dispose();
         _loop.Frame();
         int before = Measure.LiveObjects;
 
-        HumanoidFigure.Build(SkeletonBody.Default()).Dispose();
-        Object.Destroy(HumanoidFigure.Build(SkeletonBody.Default()).Root);
+        HumanoidFigure.Build(SkeletonBody.GetDefault()).Dispose();
+        Object.Destroy(HumanoidFigure.Build(SkeletonBody.GetDefault()).Root);
         _loop.Frames(2);
 
         Assert.Equal(before, Measure.LiveObjects);
@@ -148,10 +148,10 @@ public sealed class HumanoidFigureTests : IDisposable
     public void Nothing_is_left_of_a_figure_in_edit_mode()
     {
         using var loop = new PlayerLoop(play: false);
-        HumanoidFigure.Build(SkeletonBody.Default()).Dispose();
+        HumanoidFigure.Build(SkeletonBody.GetDefault()).Dispose();
         int before = Measure.LiveObjects;
 
-        HumanoidFigure.Build(SkeletonBody.Default()).Dispose();
+        HumanoidFigure.Build(SkeletonBody.GetDefault()).Dispose();
 
         Assert.Equal(before, Measure.LiveObjects);
         Assert.Empty(ConsoleLog.Entries);
@@ -160,7 +160,7 @@ public sealed class HumanoidFigureTests : IDisposable
     [Fact]
     public void A_body_that_is_no_human_is_refused_and_leaves_nothing()
     {
-        System.Numerics.Vector3[] offsets = SkeletonBody.Default().Offsets.ToArray();
+        System.Numerics.Vector3[] offsets = SkeletonBody.GetDefault().Offsets.ToArray();
         offsets[(int)Bone.LeftForeArm] = new System.Numerics.Vector3(0, -25, 0);
         offsets[(int)Bone.LeftHand] = new System.Numerics.Vector3(0, -25, 0);
         var body = new SkeletonBody(offsets);
@@ -175,21 +175,21 @@ public sealed class HumanoidFigureTests : IDisposable
     [Fact]
     public void The_material_is_that_of_the_render_pipeline()
     {
-        Assert.Equal("Standard", HumanoidFigure.Build(SkeletonBody.Default()).Renderer.sharedMaterials[0]!.shader.name);
+        Assert.Equal("Standard", HumanoidFigure.Build(SkeletonBody.GetDefault()).Renderer.sharedMaterials[0]!.shader.name);
 
         Shader.Available.Add("Universal Render Pipeline/Lit");
         GraphicsSettings.currentRenderPipeline = ScriptableObject.CreateInstance<TestPipeline>();
         try
         {
             FigureLook look = FigureLook.Of(Color.red, Color.blue);
-            Material?[] materials = HumanoidFigure.Build(SkeletonBody.Default(), look).Renderer.sharedMaterials;
+            Material?[] materials = HumanoidFigure.Build(SkeletonBody.GetDefault(), look).Renderer.sharedMaterials;
             Assert.Equal("Universal Render Pipeline/Lit", materials[0]!.shader.name);
             Assert.Equal(Color.red, materials[0]!.GetColor("_BaseColor"));
             Assert.Equal(Color.blue, materials[1]!.GetColor("_BaseColor"));
 
             // A player whose lit shaders were stripped still shows something.
             Shader.Available.Remove("Universal Render Pipeline/Lit");
-            Assert.Equal("Sprites/Default", HumanoidFigure.Build(SkeletonBody.Default()).Renderer.sharedMaterials[0]!.shader.name);
+            Assert.Equal("Sprites/Default", HumanoidFigure.Build(SkeletonBody.GetDefault()).Renderer.sharedMaterials[0]!.shader.name);
         }
         finally
         {
@@ -205,7 +205,7 @@ public sealed class HumanoidFigureTests : IDisposable
         FigureLook look = FigureLook.Of(Color.green, Color.red);
         look.Material = template;
 
-        Material shown = HumanoidFigure.Build(SkeletonBody.Default(), look).Renderer.sharedMaterials[0]!;
+        Material shown = HumanoidFigure.Build(SkeletonBody.GetDefault(), look).Renderer.sharedMaterials[0]!;
 
         Assert.NotEqual(template, shown);
         Assert.Equal(Color.green, shown.GetColor("_Color"));
@@ -214,7 +214,7 @@ public sealed class HumanoidFigureTests : IDisposable
 
     internal static SkeletonBody Tall(SkeletonVariant variant)
     {
-        BoneDimensions sizes = SkeletonBody.Default(variant).Measure();
+        BoneDimensions sizes = SkeletonBody.GetDefault(variant).Measure();
         return SkeletonBody.FromDimensions(sizes with { UpperLeg = 0.47f, LowerLeg = 0.45f, UpperArm = 0.31f, ShoulderWidth = 0.36f, Body = 0.6f }, variant);
     }
 

@@ -94,14 +94,14 @@ public sealed class PerformerSpawnerTests : IDisposable
     {
         MocapSource source = Stage.AddSimulator(performers: 3);
         PerformerSpawner spawner = AddSpawner(source);
-        spawner.MostFigures = 2;
+        spawner.MaxFigures = 2;
         _loop.RunUntil(() => Stage.IsLive(source, 3));
         _loop.Frames(3);
 
         Assert.Equal(2, spawner.Figures.Count);
-        Assert.Contains("Most Figures", spawner.Problem);
+        Assert.Contains("Max Figures", spawner.Problem);
 
-        spawner.MostFigures = 3;
+        spawner.MaxFigures = 3;
         _loop.Frames(2);
         Assert.Equal(3, spawner.Figures.Count);
         Assert.Empty(spawner.Problem);
@@ -127,7 +127,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     [Fact]
     public void A_prefab_gets_a_driver()
     {
-        GameObject prefab = HumanoidFigure.Build(SkeletonBody.Default()).Root;
+        GameObject prefab = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root;
         MocapSource source = Stage.AddSimulator();
         PerformerSpawner spawner = AddSpawner(source);
         spawner.Prefab = prefab;

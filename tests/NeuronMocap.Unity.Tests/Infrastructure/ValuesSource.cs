@@ -12,7 +12,7 @@ internal sealed class ValuesSource(Action<long, ChannelLayout, float[]> write, S
 
     public override bool HasDisplacement => true;
 
-    public override void GetPose(long frame, Span<BoneTransform> pose) => (body ?? SkeletonBody.Default()).CopyRestPose(pose);
+    public override void GetPose(long frame, Span<BoneTransform> pose) => (body ?? SkeletonBody.GetDefault()).CopyRestPose(pose);
 
     public override FootContacts GetFootContacts(long frame) => new(frame % 2 == 0, false);
 

@@ -19,7 +19,7 @@ public sealed class ClipRecorderTests : IDisposable
     [Fact]
     public void A_frame_is_what_the_character_was_like()
     {
-        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.Default());
+        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault());
         ClipRecorder recorder = figure.Root.AddComponent<ClipRecorder>();
         recorder.Kind = ClipKind.Generic;
         Assert.True(recorder.StartRecording());
@@ -49,7 +49,7 @@ public sealed class ClipRecorderTests : IDisposable
     [Fact]
     public void Rotations_run_on_without_a_jump()
     {
-        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.Default());
+        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault());
         ClipRecorder recorder = figure.Root.AddComponent<ClipRecorder>();
         recorder.Kind = ClipKind.Generic;
         recorder.StartRecording();
@@ -77,7 +77,7 @@ public sealed class ClipRecorderTests : IDisposable
         {
             Transform parent = new GameObject("Parent").transform;
             parent.SetPositionAndRotation(new Vector3(5 * i, 0, -3 * i), Quaternion.Euler(0, 120 * i, 0));
-            HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.Default(), parent: parent);
+            HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault(), parent: parent);
             figure.GetBone(Bone.LeftForeArm).localRotation = Quaternion.Euler(0, 40, 0);
             ClipRecorder recorder = figure.Root.AddComponent<ClipRecorder>();
             recorder.StartRecording();
@@ -96,7 +96,7 @@ public sealed class ClipRecorderTests : IDisposable
     [Fact]
     public void There_are_no_more_frames_than_asked_for()
     {
-        ClipRecorder recorder = HumanoidFigure.Build(SkeletonBody.Default()).Root.AddComponent<ClipRecorder>();
+        ClipRecorder recorder = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<ClipRecorder>();
         recorder.FrameRate = 30;
         recorder.StartRecording();
 

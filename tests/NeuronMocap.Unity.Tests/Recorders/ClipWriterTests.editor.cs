@@ -93,7 +93,7 @@ public sealed class ClipWriterTests : IDisposable
     [Fact]
     public void Play_mode_s_end_saves_the_take()
     {
-        ClipRecorder recorder = HumanoidFigure.Build(SkeletonBody.Default()).Root.AddComponent<ClipRecorder>();
+        ClipRecorder recorder = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<ClipRecorder>();
         recorder.Folder = "Takes/Monday";
         recorder.FileName = "{source}";
         recorder.RecordOnPlay = true;
@@ -107,7 +107,7 @@ public sealed class ClipWriterTests : IDisposable
     [Fact]
     public void A_folder_outside_the_project_is_refused()
     {
-        ClipRecorder recorder = HumanoidFigure.Build(SkeletonBody.Default()).Root.AddComponent<ClipRecorder>();
+        ClipRecorder recorder = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<ClipRecorder>();
         recorder.Folder = "../elsewhere";
         recorder.StartRecording();
         _loop.Frame();

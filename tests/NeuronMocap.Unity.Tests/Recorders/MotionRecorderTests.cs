@@ -58,7 +58,7 @@ public sealed class MotionRecorderTests : IDisposable
     {
         MocapSource source = Stage.AddSimulator();
         MotionRecorder recorder = AddRecorder(source);
-        recorder.EveryPerformer = false;
+        recorder.AllPerformers = false;
         recorder.RecordOnPlay = true;
         IReadOnlyList<string>? finished = null;
         recorder.Finished += files => finished = files;

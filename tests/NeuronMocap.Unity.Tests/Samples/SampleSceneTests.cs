@@ -207,6 +207,6 @@ public sealed class SampleSceneTests : IDisposable
 
     private static class HumanoidFigureSizes
     {
-        public static SkeletonBody Tall => SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperLeg = 0.47f });
+        public static SkeletonBody Tall => SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperLeg = 0.47f });
     }
 }

@@ -33,10 +33,10 @@ public sealed class MocapSourceTests : SourceFixture
         Broadcaster server = Serve(new ValuesSource(static (_, layout, values) =>
         {
             Array.Clear(values);
-            Write(values, layout.PositionIndex(Bone.Hips), 100, 90, 50);
-            Write(values, layout.RotationIndex(Bone.Hips), 30, 0, 0);
-            Write(values, layout.PositionIndex(Bone.LeftArm), 10, 0, 0);
-            Write(values, layout.RotationIndex(Bone.LeftArm), 10, 20, 40);
+            Write(values, layout.GetPositionIndex(Bone.Hips), 100, 90, 50);
+            Write(values, layout.GetRotationIndex(Bone.Hips), 30, 0, 0);
+            Write(values, layout.GetPositionIndex(Bone.LeftArm), 10, 0, 0);
+            Write(values, layout.GetRotationIndex(Bone.LeftArm), 10, 20, 40);
         }));
         Performer performer = WaitForPose(Add(server));
 
@@ -50,7 +50,7 @@ public sealed class MocapSourceTests : SourceFixture
     [Fact]
     public void Several_performers_are_found_by_number_and_by_name()
     {
-        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticActor(), new SyntheticActor(avatar: 1)], AvatarNames = ["Anna", "Ben"] });
+        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticSource(), new SyntheticSource(avatarIndex: 1)], AvatarNames = ["Anna", "Ben"] });
         MocapSource source = Add(server);
         var joined = new List<string>();
         source.PerformerJoined += performer => joined.Add(performer.Name);
@@ -68,7 +68,7 @@ public sealed class MocapSourceTests : SourceFixture
     [Fact]
     public void Equal_settings_share_one_connection()
     {
-        Broadcaster server = Serve(new SyntheticActor());
+        Broadcaster server = Serve(new SyntheticSource());
         MocapSource[] sources = [.. Enumerable.Range(0, 10).Select(_ => Add(server))];
         foreach (MocapSource source in sources)
             WaitForPose(source);
@@ -90,7 +90,7 @@ public sealed class MocapSourceTests : SourceFixture
     [Fact]
     public void Disabled_it_closes_and_enabled_it_opens_again()
     {
-        Broadcaster server = Serve(new SyntheticActor());
+        Broadcaster server = Serve(new SyntheticSource());
         MocapSource source = Add(server);
         var left = new List<Performer>();
         source.PerformerLeft += left.Add;
@@ -114,7 +114,7 @@ public sealed class MocapSourceTests : SourceFixture
     public void A_server_that_goes_and_comes_back_is_found_again()
     {
         int port = FreePort();
-        var first = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticActor()], Port = port });
+        var first = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticSource()], Port = port });
         first.Start();
         MocapSource source = Add(source => source.Port = port);
         var states = new List<SourceState>();
@@ -128,7 +128,7 @@ public sealed class MocapSourceTests : SourceFixture
         Assert.Equal(0, source.FrameRate);
         Assert.Same(performer, source.Performers[0]);
 
-        Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], Port = port });
+        Serve(new BroadcasterOptions { Sources = [new SyntheticSource()], Port = port });
         Loop.RunUntil(() => source.State == SourceState.Receiving && performer.IsLive);
         Assert.Same(performer, Assert.Single(source.Performers));
         Assert.Contains(SourceState.Waiting, states);
@@ -137,8 +137,8 @@ public sealed class MocapSourceTests : SourceFixture
     [Fact]
     public void A_performer_without_frames_is_gone_after_a_while_and_joins_again()
     {
-        Broadcaster server = Serve(new SyntheticActor());
-        MocapSource source = Add(server, static source => (source.IdleTimeout, source.GoneTimeout) = (0.1f, 0.2f));
+        Broadcaster server = Serve(new SyntheticSource());
+        MocapSource source = Add(server, static source => (source.IdleTimeout, source.LeaveTimeout) = (0.1f, 0.2f));
         int joined = 0;
         source.PerformerJoined += _ => joined++;
         Performer performer = WaitForPose(source);
@@ -147,7 +147,7 @@ public sealed class MocapSourceTests : SourceFixture
         Loop.RunUntil(() => source.Performers.Count == 0);
         Assert.False(performer.IsLive);
 
-        Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], Port = port });
+        Serve(new BroadcasterOptions { Sources = [new SyntheticSource()], Port = port });
         WaitForPose(source);
         Assert.Equal(2, joined);
     }
@@ -190,12 +190,12 @@ public sealed class MocapSourceTests : SourceFixture
     [Fact]
     public void A_setting_that_is_changed_opens_anew_and_others_do_not()
     {
-        Broadcaster first = Serve(new SyntheticActor());
-        Broadcaster second = Serve(new SyntheticActor());
+        Broadcaster first = Serve(new SyntheticSource());
+        Broadcaster second = Serve(new SyntheticSource());
         MocapSource source = Add(first);
         WaitForPose(source);
         NeuronReader? reader = source.Reader;
-        (source.Delay, source.Resample, source.Smoothing, source.Reconnect) = (100, false, PoseSmoothing.Linear, true);
+        (source.Delay, source.Resample, source.Interpolation, source.Reconnect) = (100, false, PoseInterpolationMethod.Linear, true);
         Loop.Frames(3);
         Assert.Same(reader, source.Reader);
         Performer performer = WaitForPose(source);
@@ -221,7 +221,7 @@ public sealed class MocapSourceTests : SourceFixture
     {
         int port = FreeUdpPort();
         MocapSource source = Add(source => (source.Transport, source.Port) = (TransportKind.Udp, port));
-        Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], UdpDestinations = [new IPEndPoint(IPAddress.Loopback, port)] });
+        Serve(new BroadcasterOptions { Sources = [new SyntheticSource()], UdpDestinations = [new IPEndPoint(IPAddress.Loopback, port)] });
         for (int i = 0; i < 5; i++)
         {
             WaitForPose(source);
@@ -238,7 +238,7 @@ public sealed class MocapSourceTests : SourceFixture
     public void A_performer_that_is_live_is_found_before_one_that_is_not()
     {
         int port = FreeUdpPort();
-        MocapSource source = Add(source => (source.Transport, source.Port, source.GoneTimeout, source.IdleTimeout) = (TransportKind.Udp, port, 0, 0.1f));
+        MocapSource source = Add(source => (source.Transport, source.Port, source.LeaveTimeout, source.IdleTimeout) = (TransportKind.Udp, port, 0, 0.1f));
         using System.Net.Sockets.UdpClient first = SenderFrom("127.0.0.11"), second = SenderFrom("127.0.0.12");
         var to = new IPEndPoint(IPAddress.Loopback, port);
         Performer? found = null;

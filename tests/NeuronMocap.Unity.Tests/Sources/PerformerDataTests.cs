@@ -14,7 +14,7 @@ public sealed class PerformerDataTests : SourceFixture
     [InlineData(BroadcastFormat.Binary)]
     public void A_performer_has_the_timecode_of_its_newest_frame(BroadcastFormat format)
     {
-        MocapSource source = Add(Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], Format = format }));
+        MocapSource source = Add(Serve(new BroadcasterOptions { Sources = [new SyntheticSource()], Format = format }));
         Performer performer = WaitForPose(source);
         if (format == BroadcastFormat.Studio)
             Loop.RunUntil(() => performer.Timecode is { Hours: < 24, Minutes: < 60, Seconds: < 60 });
@@ -47,7 +47,7 @@ public sealed class PerformerDataTests : SourceFixture
     public void Sizes_are_learnt_from_the_stream()
     {
         float thigh = 40;
-        Broadcaster server = Serve(new ValuesSource((_, layout, values) => values[layout.PositionIndex(Bone.LeftLeg) + 1] = -Volatile.Read(ref thigh)));
+        Broadcaster server = Serve(new ValuesSource((_, layout, values) => values[layout.GetPositionIndex(Bone.LeftLeg) + 1] = -Volatile.Read(ref thigh)));
         MocapSource source = Add(server);
         Performer performer = WaitForPose(source);
         Assert.Equal(-40, performer.Body.GetOffset(Bone.LeftLeg).Y, 0.001f);
@@ -63,8 +63,8 @@ public sealed class PerformerDataTests : SourceFixture
     [Fact]
     public void Sizes_are_asked_for_on_the_command_channel_where_the_stream_has_none()
     {
-        var tall = SkeletonBody.FromDimensions(SkeletonBody.Default().Measure() with { UpperLeg = 0.6f });
-        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new ValuesSource(static (_, _, _) => { }, tall)], Displacement = false });
+        var tall = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperLeg = 0.6f });
+        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new ValuesSource(static (_, _, _) => { }, tall)], IncludeDisplacement = false });
         using var commands = new CommandServer(server, new CommandServerOptions { Port = 0 });
         commands.Start();
         MocapSource without = Add(server);
@@ -76,18 +76,18 @@ public sealed class PerformerDataTests : SourceFixture
 
         // The pose is a short delay behind.
         Loop.RunUntil(() => Math.Abs((performer.GetPosition(Bone.LeftLeg) - performer.GetPosition(Bone.LeftUpLeg)).magnitude - 0.6f) < 1e-4f);
-        Assert.Same(SkeletonBody.Default(), WaitForPose(without).Body);
+        Assert.Same(SkeletonBody.GetDefault(), WaitForPose(without).Body);
     }
 
     [Fact]
     public void Contacts_are_those_of_calculation_frames_where_there_are_any()
     {
-        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], Calculation = CalculationSynthesizer.Write });
+        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticSource()], Calculation = CalculationSynthesizer.Write });
         MocapSource source = Add(server);
         Performer performer = WaitForPose(source);
         Loop.RunUntil(() => performer.HasMeasuredContacts && performer.Contacts != default);
 
-        MocapSource estimated = Add(Serve(new SyntheticActor()));
+        MocapSource estimated = Add(Serve(new SyntheticSource()));
         Performer other = WaitForPose(estimated);
         Loop.RunUntil(() => other.Contacts != default);
         Assert.False(other.HasMeasuredContacts);
@@ -96,7 +96,7 @@ public sealed class PerformerDataTests : SourceFixture
     [Fact]
     public void Contacts_arrive_over_a_calculation_port_of_TCP()
     {
-        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticActor()], Calculation = CalculationSynthesizer.Write, CalculationPort = 0 });
+        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticSource()], Calculation = CalculationSynthesizer.Write, CalculationPort = 0 });
         MocapSource source = Add(server, source => source.CalculationPort = server.CalculationEndPoint!.Port);
         Performer performer = WaitForPose(source);
         Loop.RunUntil(() => performer.HasMeasuredContacts && performer.Contacts != default);
@@ -111,7 +111,7 @@ public sealed class PerformerDataTests : SourceFixture
         MocapSource source = Add(source => (source.Transport, source.Port, source.CalculationPort) = (TransportKind.Udp, port, calculationPort));
         Serve(new BroadcasterOptions
         {
-            Sources = [new SyntheticActor()],
+            Sources = [new SyntheticSource()],
             UdpDestinations = [new IPEndPoint(IPAddress.Loopback, port)],
             Calculation = CalculationSynthesizer.Write,
             CalculationPort = calculationPort,
@@ -125,7 +125,7 @@ public sealed class PerformerDataTests : SourceFixture
     public void A_calculation_port_that_refuses_is_told_while_the_figure_moves()
     {
         int port = FreePort();
-        MocapSource source = Add(Serve(new SyntheticActor()), source => source.CalculationPort = port);
+        MocapSource source = Add(Serve(new SyntheticSource()), source => source.CalculationPort = port);
         Performer performer = WaitForPose(source);
         Loop.RunUntil(() => source.StatusMessage.Contains($"Calculation port {port}: connection refused", StringComparison.Ordinal));
         Assert.Equal(SourceState.Receiving, source.State);

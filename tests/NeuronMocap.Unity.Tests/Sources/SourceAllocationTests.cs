@@ -13,13 +13,13 @@ public sealed class SourceAllocationTests : SourceFixture
     {
         Broadcaster server = Serve(new BroadcasterOptions
         {
-            Sources = [new SyntheticActor(), new SyntheticActor(avatar: 1)],
+            Sources = [new SyntheticSource(), new SyntheticSource(avatarIndex: 1)],
             Calculation = CalculationSynthesizer.Write,
         });
         MocapSource source = Add(server);
         HumanoidDriver byIndex = TestFigure.Build("A").Drive(source);
         HumanoidDriver byName = TestFigure.Build("B").Drive(null);
-        (byName.PerformerChoice, byName.PerformerName, byName.GroundFeet, byName.Weight) = (PerformerChoice.ByName, "Char01", true, 0.5f);
+        (byName.PerformerChoice, byName.PerformerName, byName.FootPlanting, byName.Weight) = (PerformerChoice.ByName, "Char01", true, 0.5f);
         byName.BoneWeights.Add(new HumanoidBoneWeight { Bone = HumanoidBone.Head, Weight = 0 });
         HumanoidDriver lost = TestFigure.Build("C").Drive(source);
         lost.PerformerIndex = 7;

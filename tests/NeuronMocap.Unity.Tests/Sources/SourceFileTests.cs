@@ -119,7 +119,7 @@ public sealed class SourceFileTests : SourceFixture
     private string WriteTake()
     {
         string file = Path.Combine(_folder, "take.bvh");
-        var actor = new SyntheticActor(60);
+        var actor = new SyntheticSource(60);
         using var writer = new BvhTakeWriter(file, new BvhTakeOptions { FrameTime = BvhFrameTime.FromFrameRate(60) });
         float[] values = new float[Layout.ValueCount];
         for (uint frame = 0; frame < 30; frame++)
@@ -134,7 +134,7 @@ public sealed class SourceFileTests : SourceFixture
     private string WriteRecording()
     {
         string file = Path.Combine(_folder, "take.nmrec");
-        Broadcaster server = Serve(new SyntheticActor(100));
+        Broadcaster server = Serve(new SyntheticSource(100));
         using var reader = new NeuronReader("127.0.0.1", server.LocalEndPoint!.Port);
         int frames = 0;
         reader.MotionReceived += _ => Interlocked.Increment(ref frames);

@@ -64,12 +64,12 @@ public sealed class SourceHandlerTests : SourceFixture
     [Fact]
     public void A_handler_of_leaving_may_disable_the_source()
     {
-        Broadcaster server = Serve(new SyntheticActor(), new SyntheticActor(avatar: 1));
+        Broadcaster server = Serve(new SyntheticSource(), new SyntheticSource(avatarIndex: 1));
         MocapSource source = Add(server, source =>
         {
             source.Reconnect = false;
             source.IdleTimeout = 0.1f;
-            source.GoneTimeout = 0.1f;
+            source.LeaveTimeout = 0.1f;
         });
         WaitForPose(source, 0);
         WaitForPose(source, 1);

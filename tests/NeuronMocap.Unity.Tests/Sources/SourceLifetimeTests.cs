@@ -20,7 +20,7 @@ public sealed class SourceLifetimeTests : SourceFixture
     public void Disabled_in_every_state_it_stops_at_once()
     {
         using var silent = new TestServer();
-        Broadcaster server = Serve(new SyntheticActor());
+        Broadcaster server = Serve(new SyntheticSource());
         (SourceState State, Action<MocapSource> Set)[] cases =
         [
             (SourceState.Connected, source => source.Port = silent.Port),
@@ -49,7 +49,7 @@ public sealed class SourceLifetimeTests : SourceFixture
     [Fact]
     public void A_scene_change_closes_it_and_the_next_scene_opens_its_own()
     {
-        Broadcaster server = Serve(new SyntheticActor());
+        Broadcaster server = Serve(new SyntheticSource());
         MocapSource first = Add(server);
         WaitForPose(first);
         MocapSource? second = null;
@@ -63,11 +63,11 @@ public sealed class SourceLifetimeTests : SourceFixture
     [Fact]
     public void Kept_through_scenes_it_goes_on_and_a_second_one_is_not_kept()
     {
-        Broadcaster server = Serve(new SyntheticActor());
+        Broadcaster server = Serve(new SyntheticSource());
         GameObject prefab = Loop.CreatePrefab("Source", root =>
         {
             MocapSource asset = root.AddComponent<MocapSource>();
-            (asset.Port, asset.KeepThroughScenes) = (server.LocalEndPoint!.Port, true);
+            (asset.Port, asset.PersistAcrossScenes) = (server.LocalEndPoint!.Port, true);
         });
         MocapSource kept = Object.Instantiate(prefab).GetComponent<MocapSource>();
         WaitForPose(kept);
@@ -90,7 +90,7 @@ public sealed class SourceLifetimeTests : SourceFixture
     {
         Loop.Dispose();
         Loop = new PlayerLoop(play: false);
-        Broadcaster server = Serve(new SyntheticActor());
+        Broadcaster server = Serve(new SyntheticSource());
         Add(server);
         for (int i = 1; i <= 3; i++)
         {
@@ -109,7 +109,7 @@ public sealed class SourceLifetimeTests : SourceFixture
     [Fact]
     public void The_end_of_the_program_closes_what_is_open()
     {
-        Broadcaster server = Serve(new SyntheticActor());
+        Broadcaster server = Serve(new SyntheticSource());
         Loop.Dispose();
         Loop = new PlayerLoop(play: false);
         Loop.EnterPlayMode(reloadDomain: false);
@@ -123,7 +123,7 @@ public sealed class SourceLifetimeTests : SourceFixture
     [Fact]
     public void New_scripts_in_play_mode_open_it_again()
     {
-        Broadcaster server = Serve(new SyntheticActor());
+        Broadcaster server = Serve(new SyntheticSource());
         MocapSource source = Add(server);
         WaitForPose(source);
         Loop.ReloadDomain();
@@ -135,7 +135,7 @@ public sealed class SourceLifetimeTests : SourceFixture
     [Fact]
     public void Opened_and_closed_by_a_script_it_does_as_it_is_told()
     {
-        Broadcaster server = Serve(new SyntheticActor());
+        Broadcaster server = Serve(new SyntheticSource());
         MocapSource source = Add(server);
         source.Open();
         source.Open();

@@ -27,7 +27,7 @@ internal static class BoneEnds
     /// <summary>Writes a take of the synthetic actor.</summary>
     public static string Write(int frames, bool stands = false)
     {
-        var actor = new SyntheticActor(120);
+        var actor = new SyntheticSource(120);
         var text = new StringBuilder("Zd:\t0.1736\t0.9848\t0.0000\r\nbones:\t59\r\n\r\n\r\n\r\n");
         text.Append(string.Join('\t', Enumerable.Range(1, 59).SelectMany(static bone => "XVQAW".Select(kind => $"{bone:00}-{kind}")))).Append("\r\n");
         float[] values = new float[CalculationFrame.FullValueCount];
@@ -43,7 +43,7 @@ internal static class BoneEnds
         return text.ToString();
     }
 
-    private static void Fill(SyntheticActor actor, int frame, float[] values)
+    private static void Fill(SyntheticSource actor, int frame, float[] values)
     {
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
         Vector3[] offsets = new Vector3[BoneHierarchy.BoneCount];

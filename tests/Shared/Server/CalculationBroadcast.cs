@@ -31,7 +31,7 @@ internal static class CalculationBroadcast
         reader.CalculationReceived += frame => received.Add(frame.Clone());
         reader.Start();
         await reader.Completion.Soon();
-        Assert.Equal((0L, 0L), (reader.GetStatistics().Lost, reader.GetStatistics().SkippedBytes));
+        Assert.Equal((0L, 0L), (reader.GetStatistics().Lost, reader.GetStatistics().BytesSkipped));
         return received;
     }
 

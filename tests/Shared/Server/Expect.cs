@@ -45,7 +45,7 @@ internal static class Expect
 
     public static void Motion(byte[] packet, BroadcasterOptions options, int avatar, long frame)
     {
-        var layout = new ChannelLayout(options.Displacement ?? true, options.Reference);
+        var layout = new ChannelLayout(options.IncludeDisplacement ?? true, options.IncludeReference);
         DataVersion version = options.DataVersion ?? (options.Format == BroadcastFormat.Studio ? DataVersion.Studio : DataVersion.New);
         bool isNew = version.Minor == 1;
         Assert.True(MotionHeader.TryRead(packet, out MotionHeader header));

@@ -40,7 +40,7 @@ namespace NeuronMocap.Unity.EditorTools
         }
 
         private static Severity Of(StreamDiagnosis result) =>
-            !result.FramesArrive ? Severity.Error
+            !result.IsReceiving ? Severity.Error
             : result.Verdict == DiagnosisVerdict.Receiving ? Severity.Good
             : Severity.Warning;
 

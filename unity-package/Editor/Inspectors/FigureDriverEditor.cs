@@ -72,7 +72,7 @@ namespace NeuronMocap.Unity.EditorTools
             "_performerIndex" => serializedObject.Is("_performerChoice", (int)PerformerChoice.ByName),
             "_performerName" => serializedObject.Is("_performerChoice", (int)PerformerChoice.ByIndex),
             "_scale" => serializedObject.Is("_automaticScale", true),
-            "_groundHeight" or "_footBlendTime" => serializedObject.Is("_groundFeet", false),
+            "_groundHeight" or "_footBlendTime" => serializedObject.Is("_footPlanting", false),
             "_idleBlendTime" => serializedObject.Is("_whenIdle", (int)IdleBehaviour.Hold),
             _ => false,
         };

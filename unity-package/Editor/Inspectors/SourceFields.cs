@@ -13,7 +13,7 @@ namespace NeuronMocap.Unity.EditorTools
         private static readonly string[] Simulator = { "_performerCount", "_motion", "_simulatedFrameRate" };
         private static readonly string[] BvhFile = { "_file", "_bvhAsset", "_loop", "_speed" };
         private static readonly string[] Recording = { "_file", "_loop", "_speed", "_rotationOrder", "_skeletonVariant" };
-        private static readonly string[] Resampling = { "_delay", "_smoothing" };
+        private static readonly string[] Resampling = { "_delay", "_interpolation" };
         private static readonly string[] Special = Network.Concat(Simulator).Concat(BvhFile).Concat(Recording).ToArray();
 
         // Of several sources a field is hidden unless it means something for all of them.

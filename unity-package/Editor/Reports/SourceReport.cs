@@ -67,8 +67,8 @@ namespace NeuronMocap.Unity.EditorTools
             rows.Add(new ReportRow("Frames", PerformerRow.Number(figures.MotionFrames, "#,0")));
             if (figures.Reconnects > 0)
                 rows.Add(new ReportRow("Reconnects", PerformerRow.Number(figures.Reconnects, "0"), Severity.Warning));
-            if (figures.SkippedBytes > 0)
-                rows.Add(new ReportRow("Bytes Of No Packet", PerformerRow.Number(figures.SkippedBytes, "#,0"), Severity.Warning));
+            if (figures.BytesSkipped > 0)
+                rows.Add(new ReportRow("Bytes Of No Packet", PerformerRow.Number(figures.BytesSkipped, "#,0"), Severity.Warning));
             if (figures.RefusedDatagrams > 0)
                 rows.Add(new ReportRow("Refused Datagrams", PerformerRow.Number(figures.RefusedDatagrams, "#,0"), Severity.Warning));
             if (FormatName(status.Format) is { } format)

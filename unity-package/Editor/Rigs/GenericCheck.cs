@@ -25,9 +25,9 @@ namespace NeuronMocap.Unity.EditorTools
             RigCapture capture = RigCapture.Take(root, bones, rest);
             try
             {
-                TargetRig rig = TargetRig.Generic(capture.Nodes, Array.ConvertAll(bones, capture.IndexOf));
+                TargetRig rig = TargetRig.CreateGeneric(capture.Nodes, Array.ConvertAll(bones, capture.IndexOf));
                 Action? fix = rest.Note is RestPose.FromPresent ? () => RigFixes.Pose(capture.Transforms, TPose.Enforce(rig)) : (Action?)null;
-                problems.AddRange(RigIssues.ToProblems(RigCheck.Examine(rig), fix));
+                problems.AddRange(RigIssues.ToProblems(RigValidator.Validate(rig), fix));
             }
             catch (ArgumentException exception)
             {

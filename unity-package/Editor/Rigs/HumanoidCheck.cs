@@ -122,20 +122,20 @@ namespace NeuronMocap.Unity.EditorTools
 
             RestPose rest = RestPose.OfAvatar(root, animator.avatar!);
             RigCapture capture = RigCapture.Take(root, bones, rest);
-            int[] nodeOf = Array.ConvertAll(bones, capture.IndexOf);
-            IReadOnlyList<RigIssue> issues = RigCheck.Examine(capture.Nodes, nodeOf);
-            Action? fix = FindFix(animator, capture, nodeOf, rest);
+            int[] nodeByBone = Array.ConvertAll(bones, capture.IndexOf);
+            IReadOnlyList<RigIssue> issues = RigValidator.Validate(capture.Nodes, nodeByBone);
+            Action? fix = FindFix(animator, capture, nodeByBone, rest);
             problems.AddRange(RigIssues.ToProblems(issues, fix));
         }
 
         // A rest pose that the import settings keep is changed there; one that is how the transforms stand, in the scene; a bind pose only in the
         // program that the model comes from.
-        private static Action? FindFix(Animator animator, RigCapture capture, int[] nodeOf, RestPose rest)
+        private static Action? FindFix(Animator animator, RigCapture capture, int[] nodeByBone, RestPose rest)
         {
             if (rest.Note is RestPose.FromPresent)
-                return () => RigFixes.Pose(capture.Transforms, TPose.Enforce(TargetRig.Humanoid(capture.Nodes, nodeOf)));
+                return () => RigFixes.Pose(capture.Transforms, TPose.Enforce(TargetRig.CreateHumanoid(capture.Nodes, nodeByBone)));
             if (rest.Note.Length == 0 && ModelFile.Of(animator) is { } model)
-                return () => model.SetRestPose(animator.avatar!, TPose.Enforce(TargetRig.Humanoid(capture.Nodes, nodeOf)).Nodes);
+                return () => model.SetRestPose(animator.avatar!, TPose.Enforce(TargetRig.CreateHumanoid(capture.Nodes, nodeByBone)).Nodes);
 
             return null;
         }

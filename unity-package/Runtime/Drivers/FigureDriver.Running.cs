@@ -174,7 +174,7 @@ namespace NeuronMocap.Unity
         // A figure that walks where it stands has to slide.
         private void PlantFeet(Performer performer, FigureRig rig)
         {
-            if (!_groundFeet || _rootMotion == RootMotion.InPlace)
+            if (!_footPlanting || _rootMotion == RootMotion.InPlace)
             {
                 rig.ForgetFeet();
                 return;

@@ -55,7 +55,7 @@ namespace NeuronMocap.Unity
         [Header("Feet")]
         [Tooltip("Hold feet where they touch the ground, and keep them from sinking in. Not with root motion In Place.")]
         [SerializeField]
-        private bool _groundFeet;
+        private bool _footPlanting;
 
         [Tooltip("Height of the ground in the space of this object, in metres.")]
         [SerializeField]
@@ -154,10 +154,10 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>Whether feet are held where they touch the ground; not with <see cref="RootMotion.InPlace"/>. False unless set.</summary>
-        public bool GroundFeet
+        public bool FootPlanting
         {
-            get => _groundFeet;
-            set => _groundFeet = value;
+            get => _footPlanting;
+            set => _footPlanting = value;
         }
 
         /// <summary>Height of the ground in the figure's own space, in metres. 0 unless set.</summary>

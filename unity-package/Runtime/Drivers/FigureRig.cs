@@ -21,7 +21,7 @@ namespace NeuronMocap.Unity
             Pose = new RetargetedPose(target);
             Writer = new PoseWriter(nodes, target);
             _planter = new FootPlanter(target);
-            _retargeter = new Retargeter(target, SkeletonBody.Default(), new RetargetOptions());
+            _retargeter = new Retargeter(target, SkeletonBody.GetDefault(), new RetargetOptions());
         }
 
         public TargetRig Target { get; }

@@ -78,7 +78,7 @@ namespace NeuronMocap.Unity
             try
             {
                 problem = string.Empty;
-                return new FigureRig(TargetRig.Generic(capture.Nodes, Array.ConvertAll(bones, capture.IndexOf)), capture.Transforms, rest.Note);
+                return new FigureRig(TargetRig.CreateGeneric(capture.Nodes, Array.ConvertAll(bones, capture.IndexOf)), capture.Transforms, rest.Note);
             }
             catch (ArgumentException exception)
             {

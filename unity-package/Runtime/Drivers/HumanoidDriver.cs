@@ -69,10 +69,10 @@ namespace NeuronMocap.Unity
             _bound = animator;
             RestPose rest = RestPose.OfAvatar(root, animator.avatar!);
             RigCapture capture = RigCapture.Take(root, bones, rest);
-            int[] nodeOf = Array.ConvertAll(bones, capture.IndexOf);
+            int[] nodeByBone = Array.ConvertAll(bones, capture.IndexOf);
             try
             {
-                return new FigureRig(TargetRig.Humanoid(capture.Nodes, nodeOf), capture.Transforms, rest.Note);
+                return new FigureRig(TargetRig.CreateHumanoid(capture.Nodes, nodeByBone), capture.Transforms, rest.Note);
             }
             catch (ArgumentException exception)
             {

@@ -61,7 +61,7 @@ namespace NeuronMocap.Unity
         public string Problem { get; private set; } = "";
 
         /// <summary>Builds the figure anew, with the look as it is now.</summary>
-        public void Rebuild() => Build(Driver.Performer?.Body ?? Figure?.Body ?? SkeletonBody.Default());
+        public void Rebuild() => Build(Driver.Performer?.Body ?? Figure?.Body ?? SkeletonBody.GetDefault());
 
         private void Awake() => Driver = GetComponent<HumanoidDriver>();
 
@@ -103,7 +103,7 @@ namespace NeuronMocap.Unity
 
             _isDue = false;
             if (_showBeforeData)
-                Build(SkeletonBody.Default());
+                Build(SkeletonBody.GetDefault());
 
             _builtAt = float.NegativeInfinity;
         }

@@ -26,7 +26,7 @@ namespace NeuronMocap.Unity
         [SerializeField]
         [Range(1, 64)]
         [Tooltip("Most figures at a time. Further performers have to wait.")]
-        private int _mostFigures = 16;
+        private int _maxFigures = 16;
 
         [SerializeField]
         [Tooltip("One stage for all, as the performers stood; or a stage for each, in a row or a grid.")]
@@ -92,10 +92,10 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>Most figures at a time, 1 to 64.</summary>
-        public int MostFigures
+        public int MaxFigures
         {
-            get => _mostFigures;
-            set => _mostFigures = Mathf.Clamp(value, 1, 64);
+            get => _maxFigures;
+            set => _maxFigures = Mathf.Clamp(value, 1, 64);
         }
 
         /// <summary>Where figures are put. Of those made from now on.</summary>
@@ -186,14 +186,14 @@ namespace NeuronMocap.Unity
 
                 if (Find(performer) is { } known)
                     known.Performer = performer;
-                else if (_figures.Count < _mostFigures)
+                else if (_figures.Count < _maxFigures)
                     Spawn(performer);
                 else
                     isFull = true;
             }
 
             if (isFull != _isFull)
-                Problem = isFull ? $"There are more performers than {_mostFigures} figures: raise Most Figures." : "";
+                Problem = isFull ? $"There are more performers than {_maxFigures} figures: raise Max Figures." : "";
 
             _isFull = isFull;
         }

@@ -36,7 +36,7 @@ namespace NeuronMocap.Unity
 
         [SerializeField]
         [Tooltip("A BVH file for each performer; otherwise for one only.")]
-        private bool _everyPerformer = true;
+        private bool _allPerformers = true;
 
         [SerializeField]
         [Min(0)]
@@ -88,13 +88,13 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>Whether every performer gets a BVH file.</summary>
-        public bool EveryPerformer
+        public bool AllPerformers
         {
-            get => _everyPerformer;
-            set => _everyPerformer = value;
+            get => _allPerformers;
+            set => _allPerformers = value;
         }
 
-        /// <summary>The performer to export when not <see cref="EveryPerformer"/> is.</summary>
+        /// <summary>The performer to export when not <see cref="AllPerformers"/> is.</summary>
         public int AvatarIndex
         {
             get => _avatarIndex;
@@ -223,7 +223,7 @@ namespace NeuronMocap.Unity
             _take = new TakeWriter(
                 reader,
                 _formats,
-                _everyPerformer ? (int?)null : _avatarIndex,
+                _allPerformers ? (int?)null : _avatarIndex,
                 () => TakeFileName.Create(folder, pattern, label, now, TakeWriter.Extensions));
         }
 

@@ -18,7 +18,7 @@ namespace NeuronMocap.Unity
         private readonly object _gate = new object();
         private readonly BodyLearner _learner = new BodyLearner();
         private volatile PoseBuffer[] _buffers = Array.Empty<PoseBuffer>();
-        private volatile SkeletonBody _body = SkeletonBody.Default();
+        private volatile SkeletonBody _body = SkeletonBody.GetDefault();
         private volatile string _name = string.Empty;
         private bool _hasLearnt;
         private long _arrival;
@@ -137,7 +137,7 @@ namespace NeuronMocap.Unity
 
         private void ChooseBody(SkeletonVariant variant, SkeletonBody? told)
         {
-            SkeletonBody body = told != null && told.Variant == variant ? told : SkeletonBody.Default(variant);
+            SkeletonBody body = told != null && told.Variant == variant ? told : SkeletonBody.GetDefault(variant);
             if (!ReferenceEquals(_body, body))
                 _body = body;
         }

@@ -14,7 +14,7 @@ namespace NeuronMocap.Unity
         /// <summary>Raised in Update when a performer's first frame has come.</summary>
         public event Action<Performer>? PerformerJoined;
 
-        /// <summary>Raised when a performer has had no frame for <see cref="GoneTimeout"/>, and when the source closes.</summary>
+        /// <summary>Raised when a performer has had no frame for <see cref="LeaveTimeout"/>, and when the source closes.</summary>
         public event Action<Performer>? PerformerLeft;
 
         /// <summary>The performers, in the order in which they joined.</summary>
@@ -87,7 +87,7 @@ namespace NeuronMocap.Unity
                     Add(streams[i]);
             }
 
-            var sampling = new SamplingSettings(_resample, _delay, _smoothing);
+            var sampling = new SamplingSettings(_resample, _delay, _interpolation);
             for (int i = _performers.Count - 1; i >= 0 && _connection == connection; i--)
             {
                 _performers[i].Update(now, _idleTimeout, sampling);
@@ -97,7 +97,7 @@ namespace NeuronMocap.Unity
         }
 
         private bool IsGone(AvatarStream stream, long now) =>
-            _goneTimeout > 0 && now - stream.LastArrival > SourceClock.ToTicks(Math.Max(_goneTimeout, _idleTimeout));
+            _leaveTimeout > 0 && now - stream.LastArrival > SourceClock.ToTicks(Math.Max(_leaveTimeout, _idleTimeout));
 
         private bool Has(AvatarStream stream)
         {
@@ -112,7 +112,7 @@ namespace NeuronMocap.Unity
 
         private void Add(AvatarStream stream)
         {
-            var performer = new Performer(stream, new SamplingSettings(_resample, _delay, _smoothing));
+            var performer = new Performer(stream, new SamplingSettings(_resample, _delay, _interpolation));
             _performers.Add(performer);
             Handlers.Raise(PerformerJoined, performer, this);
         }

@@ -103,7 +103,7 @@ namespace NeuronMocap.Unity
 
         private void Awake()
         {
-            if (_keepThroughScenes && !IsKeptAlready())
+            if (_persistAcrossScenes && !IsKeptAlready())
                 DontDestroyOnLoad(gameObject);
         }
 
@@ -156,7 +156,7 @@ namespace NeuronMocap.Unity
             SourceSettings settings = CreateSettings();
             for (int i = 0; i < Enabled.Count; i++)
             {
-                if (Enabled[i] != this && Enabled[i]._keepThroughScenes && Enabled[i].CreateSettings() == settings)
+                if (Enabled[i] != this && Enabled[i]._persistAcrossScenes && Enabled[i].CreateSettings() == settings)
                     return true;
             }
 

@@ -114,7 +114,7 @@ namespace NeuronMocap.Unity
 
         [Tooltip("How poses between two frames of the stream are made. Cubic keeps the speed steady.")]
         [SerializeField]
-        private PoseSmoothing _smoothing = PoseSmoothing.Cubic;
+        private PoseInterpolationMethod _interpolation = PoseInterpolationMethod.Cubic;
 
         [Tooltip("A performer without a frame for so many seconds counts as idle.")]
         [Range(0.1f, 60)]
@@ -124,12 +124,12 @@ namespace NeuronMocap.Unity
         [Tooltip("A performer without a frame for so many seconds is gone. 0: never.")]
         [Range(0, 600)]
         [SerializeField]
-        private float _goneTimeout = 10;
+        private float _leaveTimeout = 10;
 
         [Header("Scenes")]
         [Tooltip("Keep the source, and its connection, when another scene is loaded. It has to be on an object of its own at the root of the scene.")]
         [SerializeField]
-        private bool _keepThroughScenes;
+        private bool _persistAcrossScenes;
 
         /// <summary>Where the motion comes from.</summary>
         public SourceKind Kind
@@ -268,10 +268,10 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>How poses between two frames are made. Cubic unless set.</summary>
-        public PoseSmoothing Smoothing
+        public PoseInterpolationMethod Interpolation
         {
-            get => _smoothing;
-            set => _smoothing = value;
+            get => _interpolation;
+            set => _interpolation = value;
         }
 
         /// <summary>After how many seconds without a frame a performer is idle (<see cref="Performer.IsLive"/>), 0.1 to 60. 1 unless set.</summary>
@@ -282,17 +282,17 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>After how many seconds without a frame a performer is gone (<see cref="PerformerLeft"/>); 0 for never. 10 unless set.</summary>
-        public float GoneTimeout
+        public float LeaveTimeout
         {
-            get => _goneTimeout;
-            set => _goneTimeout = value;
+            get => _leaveTimeout;
+            set => _leaveTimeout = value;
         }
 
         /// <summary>Whether the source lives on when another scene is loaded. It counts when the object wakes up.</summary>
-        public bool KeepThroughScenes
+        public bool PersistAcrossScenes
         {
-            get => _keepThroughScenes;
-            set => _keepThroughScenes = value;
+            get => _persistAcrossScenes;
+            set => _persistAcrossScenes = value;
         }
 
         private void Set<T>(ref T field, T value)

@@ -10,11 +10,11 @@ namespace NeuronMocap.Unity
     {
         private const double MaxFrameRate = 250;
 
-        public SamplingSettings(bool resamples, float delayMilliseconds, PoseSmoothing smoothing)
+        public SamplingSettings(bool resamples, float delayMilliseconds, PoseInterpolationMethod interpolation)
         {
             Resamples = resamples;
             Delay = resamples ? Math.Max(delayMilliseconds, 0) / 1000 : 0;
-            Smoothing = smoothing;
+            Interpolation = interpolation;
         }
 
         // Off: the newest frame is shown as it is.
@@ -22,22 +22,22 @@ namespace NeuronMocap.Unity
 
         public float Delay { get; }
 
-        public PoseSmoothing Smoothing { get; }
+        public PoseInterpolationMethod Interpolation { get; }
 
         // There is room for the frames of twice the delay.
         public PoseBuffer CreateBuffer() => new PoseBuffer(new PoseBufferOptions
         {
             Delay = TimeSpan.FromSeconds(Delay),
             MaxExtrapolation = Resamples ? TimeSpan.FromMilliseconds(50) : TimeSpan.Zero,
-            Smoothing = Smoothing,
+            Interpolation = Interpolation,
             Capacity = Math.Max(64, Math.Min((int)(2 * Delay * MaxFrameRate), 4096)),
         });
 
         public bool Equals(SamplingSettings other) =>
-            Resamples == other.Resamples && Delay.Equals(other.Delay) && Smoothing == other.Smoothing;
+            Resamples == other.Resamples && Delay.Equals(other.Delay) && Interpolation == other.Interpolation;
 
         public override bool Equals(object? obj) => obj is SamplingSettings other && Equals(other);
 
-        public override int GetHashCode() => HashCode.Combine(Resamples, Delay, Smoothing);
+        public override int GetHashCode() => HashCode.Combine(Resamples, Delay, Interpolation);
     }
 }

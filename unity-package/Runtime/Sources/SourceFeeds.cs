@@ -43,14 +43,14 @@ namespace NeuronMocap.Unity
         }
 
         private static MotionSource CreatePerformer(SourceSettings settings, int index) => settings.Motion == SimulatedMotion.WalkAndGestures
-            ? new SyntheticActor(settings.FrameRate, index)
+            ? new SyntheticSource(settings.FrameRate, index)
             : (MotionSource)new StandingSource(settings.FrameRate, index, settings.Motion == SimulatedMotion.JointByJoint);
 
         // With displacement, so that the sizes of the performer are in the stream.
         private static Broadcaster Start(BroadcasterOptions options)
         {
             options.Port = 0;
-            options.Displacement = true;
+            options.IncludeDisplacement = true;
             var broadcaster = new Broadcaster(options);
             try
             {

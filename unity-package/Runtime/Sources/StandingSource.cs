@@ -35,7 +35,7 @@ namespace NeuronMocap.Unity
 
         public override void GetPose(long frame, Span<BoneTransform> pose)
         {
-            SkeletonBody.Default().CopyRestPose(pose);
+            SkeletonBody.GetDefault().CopyRestPose(pose);
             pose[0] = new BoneTransform(pose[0].Position + new Vector3(_performer * Distance, 0, 0), Quaternion.Identity);
             if (!_bends)
                 return;

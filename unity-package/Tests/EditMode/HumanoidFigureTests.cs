@@ -13,7 +13,7 @@ namespace NeuronMocap.Unity.Tests
 
         /// <summary>Builds the figure.</summary>
         [SetUp]
-        public void Build() => _figure = HumanoidFigure.Build(SkeletonBody.Default());
+        public void Build() => _figure = HumanoidFigure.Build(SkeletonBody.GetDefault());
 
         /// <summary>Removes it.</summary>
         [TearDown]

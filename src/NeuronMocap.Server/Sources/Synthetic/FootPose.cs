@@ -21,15 +21,15 @@ internal readonly struct FootPose
     {
         float side = right ? -1 : 1;
         float v = swing.Progress;
-        float travel = Ease.Glide((v - 0.2f) / 0.8f);
-        float station = Ease.Lerp(swing.From, swing.To, travel);
+        float travel = Easing.Glide((v - 0.2f) / 0.8f);
+        float station = Easing.Lerp(swing.From, swing.To, travel);
         float heading = WalkingPath.Heading(station) + (side * ToeOut);
 
         // A short step, at the start and end of a walk, turns the foot less.
         float size = (1 + swing.To - swing.From) / 3f;
-        float pitch = size * ((RollDegrees * Ease.Bump(v, 0, 0.3f, 0.75f)) - (ToeUpDegrees * Ease.Bump(v, 0.55f, 0.85f, 1)));
-        float pivot = Ease.Lerp(ToeLength, -HeelLength, Ease.Step(v, 0.35f, 0.75f));
-        float height = Clearance * Ease.Bump(v, 0, 0.5f, 1);
+        float pitch = size * ((RollDegrees * Easing.Bump(v, 0, 0.3f, 0.75f)) - (ToeUpDegrees * Easing.Bump(v, 0.55f, 0.85f, 1)));
+        float pivot = Easing.Lerp(ToeLength, -HeelLength, Easing.Step(v, 0.35f, 0.75f));
+        float height = Clearance * Easing.Bump(v, 0, 0.5f, 1);
 
         Quaternion yaw = Turn.Y(heading);
         Vector3 ground = WalkingPath.Point(station, side * HalfTrack, ringX);

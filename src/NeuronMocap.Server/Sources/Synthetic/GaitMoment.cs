@@ -66,11 +66,11 @@ internal readonly struct GaitMoment
     public float Seconds => Units * (float)StepSeconds;
 
     // How much walking there is in the body: it grows during the first swing and fades during the last.
-    public float Walking => IsWalking ? Ease.Plateau(Units, 0, 1, _steps, _steps + 1) : 0;
+    public float Walking => IsWalking ? Easing.Plateau(Units, 0, 1, _steps, _steps + 1) : 0;
 
     // The way of the body: constant speed between an acceleration and a deceleration. When a foot lands, the body is a little nearer to
     // the other one, so that the rear leg is not longer than the front one; at a stop its weight is before the ankles.
-    public float Station => _start + (IsWalking ? Advance() : 0) + Ease.Lerp(StandingLead, -WalkingLag, Walking);
+    public float Station => _start + (IsWalking ? Advance() : 0) + Easing.Lerp(StandingLead, -WalkingLag, Walking);
 
     // A cosine of the stride: 1 when the right foot lands in front, -1 when the left one does.
     public float Stride => IsWalking ? -Sign * Walking * MathF.Cos(MathF.PI * Units) : 0;

@@ -21,7 +21,7 @@ internal readonly struct Gesture
             // Avatars take the gestures in another order and begin a little earlier or later.
             Kind = (GestureKind)((moment.Index + avatar) % KindCount);
             Seconds = seconds - (0.1f + (0.1f * ((moment.Index + (3 * avatar)) % 5)));
-            Amount = Ease.Plateau(Seconds, 0, 0.9f, 3.8f, 4.8f);
+            Amount = Easing.Plateau(Seconds, 0, 0.9f, 3.8f, 4.8f);
             return;
         }
 
@@ -29,8 +29,8 @@ internal readonly struct Gesture
         Seconds = seconds - 0.8f;
         Amount = moment.Index switch
         {
-            0 => Ease.Plateau(Seconds, 0, 0.9f, 2.9f, 4.0f),
-            2 => Ease.Plateau(Seconds, 0, 0.5f, 2.4f, 3.0f),
+            0 => Easing.Plateau(Seconds, 0, 0.9f, 2.9f, 4.0f),
+            2 => Easing.Plateau(Seconds, 0, 0.5f, 2.4f, 3.0f),
             _ => 0,
         };
     }

@@ -19,8 +19,8 @@ internal static class Hand
         for (int finger = 0; finger < FingerCount; finger++)
         {
             float relaxed = 22 + (4 * finger) + (5 * MathF.Sin(idle + (0.9f * finger)));
-            float curl = Ease.Lerp(relaxed, 6 + (3 * MathF.Sin(idle + finger)), open);
-            curl = Ease.Lerp(curl, 82 - (74 * Ease.Step(count - finger)), counting);
+            float curl = Easing.Lerp(relaxed, 6 + (3 * MathF.Sin(idle + finger)), open);
+            curl = Easing.Lerp(curl, 82 - (74 * Easing.Step(count - finger)), counting);
             if (finger == 0)
                 WriteThumb(right, bone, curl, pose);
             else

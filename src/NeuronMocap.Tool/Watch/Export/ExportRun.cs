@@ -70,11 +70,11 @@ internal sealed class ExportRun : IDisposable
 
     private static string Describe(BvhExportFile file)
     {
-        string body = file.BodySource switch
+        string body = file.BodyOrigin switch
         {
-            BvhBodySource.Stream => "lengths of the bones from the stream",
-            BvhBodySource.Header => "lengths of the bones from the command channel",
-            BvhBodySource.Dimensions => "lengths of the bones from the sizes that the command channel told",
+            BvhBodyOrigin.Stream => "lengths of the bones from the stream",
+            BvhBodyOrigin.Header => "lengths of the bones from the command channel",
+            BvhBodyOrigin.Dimensions => "lengths of the bones from the sizes that the command channel told",
             _ => "lengths of the bones of the default body",
         };
         string repeated = file.RepeatedFrames == 0 ? "" : $" {file.RepeatedFrames} of them stand in for lost ones;";

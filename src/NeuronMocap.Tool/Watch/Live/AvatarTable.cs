@@ -66,7 +66,7 @@ internal static class AvatarTable
         return Piece.Flow(
             [
                 new Piece($"dropped {Quantity.Count(total.Dropped)}", total.Dropped > 0 ? Palette.WarningStyle : Palette.DimStyle),
-                new Piece($"skipped {Quantity.Bytes(total.SkippedBytes)}", total.SkippedBytes > 0 ? Palette.WarningStyle : Palette.DimStyle),
+                new Piece($"skipped {Quantity.Bytes(total.BytesSkipped)}", total.BytesSkipped > 0 ? Palette.WarningStyle : Palette.DimStyle),
                 new Piece($"{Quantity.Bytes(state.BytesPerSecond)}/s"),
             ],
             [
@@ -153,7 +153,7 @@ internal static class AvatarTable
             new Text(Quantity.Count(avatar.Frames)),
             Alarm(avatar.Lost),
             Alarm(avatar.Gaps),
-            Alarm(avatar.Disordered),
+            Alarm(avatar.OutOfOrder),
             new Text(Quantity.Count(avatar.Restarts)),
             new Text(Quantity.Age(age), isStale ? new Style(Palette.Bad) : Style.Plain),
             new StyledLine().Add(FeetOf(state, avatar)),

@@ -20,7 +20,7 @@ internal sealed class Counters
             Gaps = total.Gaps - _totalAtReset.Gaps,
             Restarts = total.Restarts - _totalAtReset.Restarts,
             Dropped = total.Dropped - _totalAtReset.Dropped,
-            SkippedBytes = total.SkippedBytes - _totalAtReset.SkippedBytes,
+            BytesSkipped = total.BytesSkipped - _totalAtReset.BytesSkipped,
         };
         Avatars = [.. avatars.Select(Since)];
     }
@@ -45,7 +45,7 @@ internal sealed class Counters
             Frames = now.Frames - then.Frames,
             Lost = now.Lost - then.Lost,
             Gaps = now.Gaps - then.Gaps,
-            Disordered = now.Disordered - then.Disordered,
+            OutOfOrder = now.OutOfOrder - then.OutOfOrder,
             Restarts = now.Restarts - then.Restarts,
         };
     }

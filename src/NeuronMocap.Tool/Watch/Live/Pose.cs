@@ -20,7 +20,7 @@ internal sealed class Pose
     public bool HasSkeleton { get; private set; }
 
     /// <summary>Supplies what the stream does not carry: where bones end and, without displacement, where they begin.</summary>
-    public SkeletonBody Body { get; private set; } = SkeletonBody.Default();
+    public SkeletonBody Body { get; private set; } = SkeletonBody.GetDefault();
 
     /// <summary>Where the 59 bones are in the world.</summary>
     public ReadOnlySpan<BoneTransform> World => _world;
@@ -36,7 +36,7 @@ internal sealed class Pose
         if (!HasSkeleton)
             return;
 
-        Body = SkeletonBody.Default(Format.Variant);
+        Body = SkeletonBody.GetDefault(Format.Variant);
         frame.CopyWorldTransforms(_world, Body);
         JointPositions.Copy(_world, Body, _points);
         foreach (Bone bone in BoneHierarchy.Bones)

@@ -20,7 +20,7 @@ internal static class Wireframe
     private static readonly WireframeLine[] Spine3 = [.. MakeLines(SkeletonVariant.Spine3)];
 
     /// <summary>The point at the top of the head.</summary>
-    public static int HeadTop { get; } = JointPositions.EndSiteIndex(Bone.Head);
+    public static int HeadTop { get; } = JointPositions.GetEndSiteIndex(Bone.Head);
 
     public static ReadOnlySpan<WireframeLine> Lines(SkeletonVariant variant) => variant == SkeletonVariant.Spine3 ? Spine3 : Neck1;
 
@@ -33,7 +33,7 @@ internal static class Wireframe
         }
 
         foreach (Bone bone in JointPositions.EndSiteBones.ToArray())
-            yield return new WireframeLine((int)bone, JointPositions.EndSiteIndex(bone), PartOf(bone));
+            yield return new WireframeLine((int)bone, JointPositions.GetEndSiteIndex(bone), PartOf(bone));
     }
 
     public static BodyPart PartOf(Bone bone)

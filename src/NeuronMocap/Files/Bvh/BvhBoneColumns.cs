@@ -32,7 +32,7 @@ internal sealed class BvhBoneColumns
         foreach (Bone bone in BoneHierarchy.Bones)
         {
             BvhJoint joint = _joints[(int)bone];
-            reason ??= ReadPositions(joint, Layout.PositionIndex(bone)) ?? ReadRotations(joint, Layout.RotationIndex(bone));
+            reason ??= ReadPositions(joint, Layout.GetPositionIndex(bone)) ?? ReadRotations(joint, Layout.GetRotationIndex(bone));
         }
 
         if (_reference is not null)

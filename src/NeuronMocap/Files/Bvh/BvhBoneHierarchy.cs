@@ -18,7 +18,7 @@ public static class BvhBoneHierarchy
     public static BvhHierarchy Create(SkeletonFormat format, ChannelLayout layout, SkeletonBody? body = null)
     {
         var builder = new BvhHierarchyBuilder();
-        body ??= SkeletonBody.Default(format.Variant);
+        body ??= SkeletonBody.GetDefault(format.Variant);
         BvhChannel[] three = BvhChannels.Rotations(format.RotationOrder);
         BvhChannel[] six = [.. BvhChannels.Positions, .. three];
         BvhJoint? reference = layout.HasReference ? builder.Add(BvhSkeletonMap.ReferenceName, parent: null, Vector3.Zero, six) : null;
@@ -30,7 +30,7 @@ public static class BvhBoneHierarchy
                 BoneHierarchy.GetName(bone, format.Variant),
                 parent,
                 body.Offsets[(int)bone],
-                layout.PositionIndex(bone) >= 0 ? six : three,
+                layout.GetPositionIndex(bone) >= 0 ? six : three,
                 DefaultOffsets.TryGetEndSite(bone, out _) ? body.EndSites[(int)bone] : null);
         }
 

@@ -85,10 +85,10 @@ public sealed class BvhDocument
     public int RepairCount { get; private init; }
 
     /// <summary>Number of rows and lines that were left out, for they have too few values or no numbers. Rows that the file announces and lacks do not count.</summary>
-    public int LeftOutRowCount { get; private init; }
+    public int SkippedRowCount { get; private init; }
 
-    /// <summary>Number of frames that the file announces, see <see cref="BvhReader.AnnouncedFrameCount"/>; null when it does not.</summary>
-    public long? AnnouncedFrameCount { get; private init; }
+    /// <summary>Number of frames that the file announces, see <see cref="BvhReader.DeclaredFrameCount"/>; null when it does not.</summary>
+    public long? DeclaredFrameCount { get; private init; }
 
     /// <summary>Reads a file. Takes the memory of the values, and no more where the file says how many there are; <see cref="BvhReader"/> takes none.</summary>
     /// <param name="path">Where it is.</param>
@@ -180,8 +180,8 @@ public sealed class BvhDocument
             TextFormat = parser.GetTextFormat(text.LineEnd),
             Repairs = parser.Repairs.Listed,
             RepairCount = parser.Repairs.Count,
-            LeftOutRowCount = parser.Repairs.LeftOutCount,
-            AnnouncedFrameCount = parser.AnnouncedFrames,
+            SkippedRowCount = parser.Repairs.LeftOutCount,
+            DeclaredFrameCount = parser.AnnouncedFrames,
         };
     }
 }

@@ -93,7 +93,7 @@ public static class BvhEditing
     /// <param name="order">The order of the channels, which is that of their application.</param>
     /// <returns>The take in that order.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such order.</exception>
-    public static BvhDocument WithRotationOrder(this BvhDocument document, RotationOrder order) => BvhRotating.WithOrder(document, order);
+    public static BvhDocument WithRotationOrder(this BvhDocument document, RotationOrder order) => BvhRotationOrderChange.WithOrder(document, order);
 
     /// <summary>
     /// The take with the same poses and without jumps between triples of angles that describe the same rotation: in each frame the one nearest to that
@@ -101,12 +101,12 @@ public static class BvhEditing
     /// </summary>
     /// <param name="document">The take.</param>
     /// <returns>The take with continuous curves.</returns>
-    public static BvhDocument FilterEulerAngles(this BvhDocument document) => BvhRotating.Filter(document);
+    public static BvhDocument FilterEulerAngles(this BvhDocument document) => BvhRotationOrderChange.Filter(document);
 
     /// <summary>The take with position channels for every joint: those that had none get three, in front of the others, that hold the OFFSET.</summary>
     /// <param name="document">The take.</param>
     /// <returns>The take with displacement.</returns>
-    public static BvhDocument WithDisplacement(this BvhDocument document) => BvhDisplacing.Add(document);
+    public static BvhDocument WithDisplacement(this BvhDocument document) => BvhDisplacementChange.Add(document);
 
     /// <summary>
     /// The take without position channels but those of the roots and, where the root is a node named Reference, of what hangs from it. An OFFSET becomes
@@ -115,7 +115,7 @@ public static class BvhEditing
     /// <param name="document">The take.</param>
     /// <param name="loss">How far the positions that were dropped were from the new OFFSETs.</param>
     /// <returns>The take without displacement.</returns>
-    public static BvhDocument WithoutDisplacement(this BvhDocument document, out PositionChannelLoss loss) => BvhDisplacing.Remove(document, out loss);
+    public static BvhDocument WithoutDisplacement(this BvhDocument document, out PositionChannelLoss loss) => BvhDisplacementChange.Remove(document, out loss);
 
     /// <summary>
     /// A take of Neuron's 59 bones with the names and parents of the other variant. Every joint stays where it is in the world, and turned as it was. The

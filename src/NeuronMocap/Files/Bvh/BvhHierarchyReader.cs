@@ -17,7 +17,7 @@ internal ref struct BvhHierarchyReader
     private bool _inEndSite;
     private int _depth;
     private int _channelCount;
-    private BvhPlace _place;
+    private BvhTextPosition _place;
     private byte _blank;
     private bool _isFirstOnLine;
 
@@ -212,7 +212,7 @@ internal ref struct BvhHierarchyReader
         ReadOnlySpan<byte> word = _text.PeekWord();
         if (!TextNumber.TryParse(word, out float value))
         {
-            BvhPlace place = _text.Place.Line == _place.Line ? _text.Place : _place;
+            BvhTextPosition place = _text.Place.Line == _place.Line ? _text.Place : _place;
             _repairs.Add(place, $"The OFFSET in {Describe(_open!)} lacks a number", $"it is taken as zero");
             return 0;
         }

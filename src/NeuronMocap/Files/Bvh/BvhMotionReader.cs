@@ -8,22 +8,22 @@ namespace NeuronMocap.Bvh;
 /// <para>
 /// Several MOTION blocks are one take, in the order of the file: they share the hierarchy, and leaving one out would lose what it holds.
 /// The first usable frame time counts. A line with too few values is joined with those below it if together they make whole rows; else it
-/// is left out, since a pose with invented values is worse than a missing one. What is not decided yet lies in <see cref="BvhOpenRows"/>,
+/// is left out, since a pose with invented values is worse than a missing one. What is not decided yet lies in <see cref="BvhPendingRows"/>,
 /// which bounds it: a line of very many values is parted as it comes.
 /// </para>
 /// </summary>
 internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, BvhTextFormatBuilder format)
 {
-    private readonly BvhOpenRows _rows = new(channelCount, repairs);
-    private BvhPlace _start;
+    private readonly BvhPendingRows _rows = new(channelCount, repairs);
+    private BvhTextPosition _start;
     private bool _isEnded;
     private bool _isFirstRow = true;
     private bool _isInLongLine;
     private bool _isFrameTimeTold;
 
-    private BvhPlace _block;
+    private BvhTextPosition _block;
     private long _blockRows;
-    private BvhPlace _frames;
+    private BvhTextPosition _frames;
     private double _announced;
     private string _announcedText = "";
 
@@ -77,7 +77,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
     {
         while (text.SkipSpace())
         {
-            BvhPlace place = text.Place;
+            BvhTextPosition place = text.Place;
             if (text.TryRead("HIERARCHY"u8))
             {
                 repairs.Add(place, $"A second HIERARCHY begins here", $"neither it nor anything after it is read");
@@ -96,7 +96,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         return false;
     }
 
-    private bool TryReadHeading(ref BvhText text, BvhPlace place)
+    private bool TryReadHeading(ref BvhText text, BvhTextPosition place)
     {
         if (text.TryRead("MOTION"u8))
         {
@@ -122,7 +122,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         return true;
     }
 
-    private void BeginBlock(BvhPlace place)
+    private void BeginBlock(BvhTextPosition place)
     {
         _block = place;
         _blockRows = 0;
@@ -138,7 +138,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
             repairs.Add(_frames, $"{_announcedText} frames are announced and {_blockRows} rows are there", $"the rows count");
     }
 
-    private void ReadFrames(ref BvhText text, BvhPlace place)
+    private void ReadFrames(ref BvhText text, BvhTextPosition place)
     {
         _rows.LeaveOut();
         ReadOnlySpan<byte> word = text.PeekLineWord();
@@ -188,7 +188,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
 
     private bool TryReadLine(ref BvhText text, Span<float> row)
     {
-        BvhPlace start = text.Place;
+        BvhTextPosition start = text.Place;
         if (channelCount == 0)
         {
             repairs.AddLeftOut(start, $"The joints have no channels", $"the line is left out");
@@ -196,7 +196,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
             return false;
         }
 
-        BvhPlace notFinite = default;
+        BvhTextPosition notFinite = default;
         int count = _isFirstRow ? ReadFirstRow(ref text, row, ref notFinite) : text.ReadNumbers(row, ref notFinite);
         bool isWhole = count == channelCount && text.IsAtLineEnd();
         if (isWhole && !_rows.IsAnyOpen)
@@ -235,8 +235,8 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
     private bool TryReadLongLine(ref BvhText text, Span<float> row)
     {
         bool isAtEnd = text.IsAtLineEnd();
-        BvhPlace start = text.Place;
-        BvhPlace notFinite = default;
+        BvhTextPosition start = text.Place;
+        BvhTextPosition notFinite = default;
         int count = isAtEnd ? 0 : text.ReadNumbers(row, ref notFinite);
         TellNotFinite(notFinite);
         if (count == channelCount)
@@ -252,7 +252,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
     }
 
     // Word by word, to see how the file is laid out.
-    private int ReadFirstRow(ref BvhText text, Span<float> row, ref BvhPlace notFinite)
+    private int ReadFirstRow(ref BvhText text, Span<float> row, ref BvhTextPosition notFinite)
     {
         format.BeginRow();
         for (int count = 0; count < row.Length; count++)
@@ -268,7 +268,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         return row.Length;
     }
 
-    private void TellNotFinite(BvhPlace place)
+    private void TellNotFinite(BvhTextPosition place)
     {
         if (place != default)
             repairs.Add(place, $"Some values are not finite", $"they are read as they stand");

@@ -57,7 +57,7 @@ public sealed class BvhReader : IDisposable
     /// Number of frames that the file announces before the first row, or as soon as it does; null when it does not, or with nothing that is a
     /// number from 0. Files announce more or fewer than they have: for a measure of progress, not for memory.
     /// </summary>
-    public long? AnnouncedFrameCount => _parser.AnnouncedFrames;
+    public long? DeclaredFrameCount => _parser.AnnouncedFrames;
 
     /// <summary>Number of rows read so far.</summary>
     public long FrameCount { get; private set; }

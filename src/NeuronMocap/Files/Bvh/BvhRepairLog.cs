@@ -21,7 +21,7 @@ internal sealed class BvhRepairLog(bool isStrict)
     /// <param name="fault">What is wrong: a sentence without its full stop.</param>
     /// <param name="remedy">What was made of it, as its second half.</param>
     public void Add(
-        BvhPlace place,
+        BvhTextPosition place,
         [InterpolatedStringHandlerArgument("")] Description fault,
         [InterpolatedStringHandlerArgument("")] Description remedy)
     {
@@ -35,7 +35,7 @@ internal sealed class BvhRepairLog(bool isStrict)
 
     /// <summary>Tells of a row or line that is left out; otherwise as <see cref="Add"/>.</summary>
     public void AddLeftOut(
-        BvhPlace place,
+        BvhTextPosition place,
         [InterpolatedStringHandlerArgument("")] Description fault,
         [InterpolatedStringHandlerArgument("")] Description remedy)
     {

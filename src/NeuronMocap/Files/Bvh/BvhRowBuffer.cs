@@ -37,7 +37,7 @@ internal sealed class BvhRowBuffer(int channelCount)
     }
 
     /// <summary>Keeps the row that is in <see cref="Next"/>.</summary>
-    public void Keep(BvhPlace place)
+    public void Keep(BvhTextPosition place)
     {
         if (_values.Length - _end < channelCount)
         {
@@ -54,7 +54,7 @@ internal sealed class BvhRowBuffer(int channelCount)
         return _values;
     }
 
-    private void Grow(BvhPlace place)
+    private void Grow(BvhTextPosition place)
     {
         long needed = (long)_end + channelCount;
         if (needed > LargestArray)

@@ -7,7 +7,7 @@ public sealed class BvhTakeOptions
 {
     /// <summary>
     /// The actor's body, for the OFFSETs and End Sites. Where the frames have displacement their own positions are the OFFSETs, and only the End Sites are
-    /// taken from here. Null, the default: the default body, <see cref="SkeletonBody.Default"/>. One of the other variant than the frames' is not used.
+    /// taken from here. Null, the default: the default body, <see cref="SkeletonBody.GetDefault"/>. One of the other variant than the frames' is not used.
     /// </summary>
     public SkeletonBody? Body { get; set; }
 
@@ -18,7 +18,7 @@ public sealed class BvhTakeOptions
     public BvhFrameTime? FrameTime { get; set; }
 
     /// <summary>What becomes of missing frames; they are repeated unless set.</summary>
-    public BvhGaps Gaps { get; set; }
+    public BvhGapHandling GapHandling { get; set; }
 
     /// <summary>How the text is laid out; as in Axis Neuron's files unless set.</summary>
     public BvhTextFormat TextFormat { get; set; } = BvhTextFormat.AxisNeuron;

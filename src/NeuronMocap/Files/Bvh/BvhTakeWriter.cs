@@ -43,7 +43,7 @@ public sealed class BvhTakeWriter : IDisposable
         ArgumentNullException.ThrowIfNull(stream);
         _stream = stream;
         _options = options?.Copy() ?? new BvhTakeOptions();
-        _sequence = new FrameSequence(_options.Gaps);
+        _sequence = new FrameSequence(_options.GapHandling);
         if (!stream.CanSeek && _options.FrameTime is null)
             throw new ArgumentException("The frame time is measured and known at the end only; a stream that cannot seek needs it at the beginning.", nameof(stream));
     }
@@ -68,7 +68,7 @@ public sealed class BvhTakeWriter : IDisposable
         return frame.HasSkeleton && (_writer is null || (frame.Layout == _layout && frame.Format == _format));
     }
 
-    /// <summary>Writes a frame as a row; one that comes late not at all, and one after a gap as <see cref="BvhTakeOptions.Gaps"/> says.</summary>
+    /// <summary>Writes a frame as a row; one that comes late not at all, and one after a gap as <see cref="BvhTakeOptions.GapHandling"/> says.</summary>
     /// <param name="frame">A frame; only read, during the call.</param>
     /// <exception cref="InvalidOperationException"><see cref="Accepts"/> is false.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>

@@ -33,7 +33,7 @@ internal ref struct BvhText
     }
 
     /// <summary>The next byte's.</summary>
-    public readonly BvhPlace Place => new(_cursor.Line, (int)Math.Min(int.MaxValue, Offset - _cursor.LineStart + 1));
+    public readonly BvhTextPosition Place => new(_cursor.Line, (int)Math.Min(int.MaxValue, Offset - _cursor.LineStart + 1));
 
     /// <summary>How the first line ended; null while it has not.</summary>
     public readonly string? LineEnd => _cursor.LineEnd;
@@ -175,7 +175,7 @@ internal ref struct BvhText
     /// <param name="values">Where they go.</param>
     /// <param name="notFinite">Set to the place of the first one that is not finite, unless it is set already.</param>
     /// <returns>How many were read.</returns>
-    public int ReadNumbers(Span<float> values, ref BvhPlace notFinite)
+    public int ReadNumbers(Span<float> values, ref BvhTextPosition notFinite)
     {
         for (int count = 0; count < values.Length; count++)
         {

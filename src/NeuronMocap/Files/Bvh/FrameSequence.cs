@@ -4,7 +4,7 @@ using NeuronMocap.Frames;
 namespace NeuronMocap.Bvh;
 
 // How many rows a frame makes, by its index, and how long a row lasts, by the times of receipt.
-internal sealed class FrameSequence(BvhGaps gaps)
+internal sealed class FrameSequence(BvhGapHandling gaps)
 {
     // No suit is faster. An index that jumps without time having passed is no loss, and a stream that means harm cannot blow up the file.
     private const int MostRowsPerSecond = 1000;
@@ -99,12 +99,12 @@ internal sealed class FrameSequence(BvhGaps gaps)
 
     private int Continue(long timestamp, int missing, bool isGap)
     {
-        bool isCounted = !isGap && (missing == 0 || gaps == BvhGaps.Repeat);
+        bool isCounted = !isGap && (missing == 0 || gaps == BvhGapHandling.Repeat);
         if (isCounted)
             Count(timestamp - _timestamp, missing + 1);
 
         _timestamp = timestamp;
-        return gaps == BvhGaps.Repeat ? missing + 1 : 1;
+        return gaps == BvhGapHandling.Repeat ? missing + 1 : 1;
     }
 
     private void Count(long elapsed, int intervals)

@@ -20,15 +20,15 @@ internal static class BodyPlausibility
 
     public static IReadOnlyList<string> Find(ReadOnlySpan<Vector3> offsets)
     {
-        var doubts = new List<string>();
+        var warnings = new List<string>();
         foreach ((string name, Bone leftBone, Bone rightBone, float longest) in Bones)
         {
             float left = offsets[(int)leftBone].Length();
             float right = offsets[(int)rightBone].Length();
             if (!(left >= Shortest && right >= Shortest && left <= longest && right <= longest && Math.Abs(left - right) <= LargestDifference))
-                doubts.Add(string.Format(CultureInfo.InvariantCulture, "The {0} is {1:0.0} cm long on the left and {2:0.0} cm on the right.", name, left, right));
+                warnings.Add(string.Format(CultureInfo.InvariantCulture, "The {0} is {1:0.0} cm long on the left and {2:0.0} cm on the right.", name, left, right));
         }
 
-        return doubts;
+        return warnings;
     }
 }

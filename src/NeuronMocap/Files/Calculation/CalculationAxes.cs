@@ -80,12 +80,12 @@ public sealed class CalculationAxes
     /// <summary>Turns an angular velocity, which follows the handedness of its axes, into those of BVH.</summary>
     /// <param name="velocity">In these axes; any unit.</param>
     /// <returns>In BVH's axes; the same unit.</returns>
-    public Vector3 ToBvhAngular(Vector3 velocity) => _handedness * ToBvh(velocity);
+    public Vector3 ToBvhAngularVelocity(Vector3 velocity) => _handedness * ToBvh(velocity);
 
     /// <summary>Turns an angular velocity from the axes of BVH.</summary>
     /// <param name="velocity">In BVH's axes; any unit.</param>
     /// <returns>In these axes; the same unit.</returns>
-    public Vector3 FromBvhAngular(Vector3 velocity) => _handedness * FromBvh(velocity);
+    public Vector3 FromBvhAngularVelocity(Vector3 velocity) => _handedness * FromBvh(velocity);
 
     /// <summary>
     /// Turns the values of a frame from the axes of BVH, as the server's synthesizer makes them, into these. Units stay the same: metres.

@@ -40,7 +40,7 @@ public sealed class CalculationDocument
         TextFormat = reader.TextFormat;
         Repairs = reader.Repairs;
         RepairCount = reader.RepairCount;
-        LeftOutRowCount = reader.LeftOutRowCount;
+        SkippedRowCount = reader.SkippedRowCount;
         _header = new CalculationHeader
         {
             AvatarIndex = reader.Options.AvatarIndex,
@@ -75,7 +75,7 @@ public sealed class CalculationDocument
     public int RepairCount { get; }
 
     /// <summary>Number of lines that are no row and were left out.</summary>
-    public int LeftOutRowCount { get; }
+    public int SkippedRowCount { get; }
 
     /// <summary>Reads a file. It needs 4 bytes for each of its values; <see cref="CalculationFileReader"/> reads one of any length.</summary>
     /// <param name="path">Where it is.</param>

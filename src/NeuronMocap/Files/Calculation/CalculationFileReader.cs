@@ -83,7 +83,7 @@ public sealed class CalculationFileReader : IDisposable
     public int RepairCount => _repairs.Count;
 
     /// <summary>Number of lines so far that are no row and were left out.</summary>
-    public int LeftOutRowCount => _repairs.LeftOutCount;
+    public int SkippedRowCount => _repairs.LeftOutCount;
 
     internal CalculationReadOptions Options { get; }
 

@@ -28,7 +28,7 @@ public sealed class CalculationSkeleton
     {
         int step = ((take.FrameCount - 1) / MostFrames) + 1;
         _axes = axes;
-        if (BonePlaces.AreEnds(take, axes, step))
+        if (BonePoints.AreEnds(take, axes, step))
             throw new CalculationFormatException(EndsOfBones);
 
         _measurement = BodyMeasurement.Of(take, axes, step);
@@ -40,7 +40,7 @@ public sealed class CalculationSkeleton
 
         Body = SkeletonBody.FromPose(rest, _measurement.Variant, ends);
         GroundHeight = MeasureGround(take, step);
-        Doubts = BodyPlausibility.Find(_offsets);
+        Warnings = BodyPlausibility.Find(_offsets);
     }
 
     /// <summary>The actor's sizes.</summary>
@@ -56,7 +56,7 @@ public sealed class CalculationSkeleton
     /// Lengths that nobody has, such as legs that are tens of centimetres apart, in sentences: the take's values mean something else than this library takes
     /// them for, or a sensor failed. Empty where nothing is odd.
     /// </summary>
-    public IReadOnlyList<string> Doubts { get; }
+    public IReadOnlyList<string> Warnings { get; }
 
     /// <summary>Finds the skeleton behind a take.</summary>
     /// <param name="take">The take. Bones that do not move in it get places as in the default body.</param>

@@ -9,7 +9,7 @@ namespace NeuronMocap.Recording;
 internal sealed class ArrivalParser(int maxValues, SenderFilter filter, IPacketReceiver receiver)
 {
     private readonly PacketScanner _scanner = new(maxValues);
-    private readonly CalculationOnly _calculation = new(receiver);
+    private readonly CalculationOnlyReceiver _calculation = new(receiver);
     private readonly Parser?[] _parsers = new Parser?[2];
     private UdpServers _servers = new();
 

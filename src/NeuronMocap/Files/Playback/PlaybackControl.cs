@@ -107,7 +107,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     public void End() => Change(() => _isOver = true);
 
     // Playback thread: waits until it is known what to do next. Of what is due at the instant, timestamp is when it was.
-    public PlaybackTurn WaitFor(TimeSpan instant, CancellationToken closed, out long timestamp)
+    public PlaybackAction WaitFor(TimeSpan instant, CancellationToken closed, out long timestamp)
     {
         timestamp = 0;
         lock (_gate)
@@ -115,13 +115,13 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
             while (true)
             {
                 if (closed.IsCancellationRequested || _isOver)
-                    return PlaybackTurn.Stop;
+                    return PlaybackAction.Stop;
                 if (_seek is not null)
-                    return PlaybackTurn.Seek;
+                    return PlaybackAction.Seek;
                 if (_stepsBack > 0 && (_steps == 0 || _isShowing))
-                    return PlaybackTurn.StepBack;
+                    return PlaybackAction.StepBack;
                 if (_steps > 0)
-                    return PlaybackTurn.Step;
+                    return PlaybackAction.Step;
 
                 if (_isPaused)
                 {
@@ -139,7 +139,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
                 }
 
                 timestamp = _clock.Reach(instant, now);
-                return PlaybackTurn.Play;
+                return PlaybackAction.Play;
             }
         }
     }

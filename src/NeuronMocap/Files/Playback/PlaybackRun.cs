@@ -43,15 +43,15 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
             Arrival arrival = feed.Peek();
             switch (control.WaitFor(arrival.Time, _closed, out _))
             {
-                case PlaybackTurn.Stop:
+                case PlaybackAction.Stop:
                     return LinkEnd.Requested;
-                case PlaybackTurn.Seek:
+                case PlaybackAction.Seek:
                     feed.GoTo(control.TakeSeek(), IsStopped);
                     continue;
-                case PlaybackTurn.StepBack:
+                case PlaybackAction.StepBack:
                     feed.GoBack(control.TakeStepsBack(), IsStopped);
                     continue;
-                case PlaybackTurn.Step when arrival.Kind == ArrivalKind.End:
+                case PlaybackAction.Step when arrival.Kind == ArrivalKind.End:
                     control.EndStep();
                     continue;
             }
@@ -86,13 +86,13 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
         while (true)
         {
             Arrival arrival = feed.Peek();
-            PlaybackTurn turn = control.WaitFor(arrival.Time, _closed, out long timestamp);
-            if (turn == PlaybackTurn.Stop)
+            PlaybackAction turn = control.WaitFor(arrival.Time, _closed, out long timestamp);
+            if (turn == PlaybackAction.Stop)
                 return LinkEnd.Requested;
 
-            if (turn is PlaybackTurn.Seek or PlaybackTurn.StepBack)
+            if (turn is PlaybackAction.Seek or PlaybackAction.StepBack)
             {
-                if (turn == PlaybackTurn.Seek)
+                if (turn == PlaybackAction.Seek)
                     feed.GoTo(control.TakeSeek(), IsStopped);
                 else
                     feed.GoBack(control.TakeStepsBack(), IsStopped);
@@ -104,7 +104,7 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
                 continue;
             }
 
-            if (turn == PlaybackTurn.Step && (arrival.Kind == ArrivalKind.End || feed.IsOfConnection(arrival)))
+            if (turn == PlaybackAction.Step && (arrival.Kind == ArrivalKind.End || feed.IsOfConnection(arrival)))
             {
                 if (arrival.Kind == ArrivalKind.End || feed.PushToFrame(arrival, control.StepTo(arrival.Time)))
                     control.EndStep();

@@ -20,18 +20,18 @@ public sealed class RecordedFrameReader : IDisposable
 
     private readonly ArrivalSource _source;
     private readonly StreamCounters _counters = new();
-    private readonly FoundPackets _found;
+    private readonly PacketCollector _found;
     private readonly ArrivalParser _parser;
-    private readonly LentFrames _frames;
+    private readonly FramePool _frames;
     private AvatarFrame? _frame;
     private bool _isOver;
 
     internal RecordedFrameReader(ArrivalSource source, PlaybackOptions options)
     {
         _source = source;
-        _found = new FoundPackets(_counters);
+        _found = new PacketCollector(_counters);
         _parser = new ArrivalParser(options.MaxValues ?? source.MaxValues, new SenderFilter([]), _found);
-        _frames = new LentFrames(source.CreateFormat(options.RotationOrder, options.SkeletonVariant), LentFrames.OfTakers);
+        _frames = new FramePool(source.CreateFormat(options.RotationOrder, options.SkeletonVariant), FramePool.OfTakers);
     }
 
     /// <summary>Name of the file, without its folder.</summary>

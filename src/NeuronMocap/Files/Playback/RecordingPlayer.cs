@@ -97,7 +97,7 @@ public sealed class RecordingPlayer : IDisposable
     /// A queue that nobody pumps then stops the playback: dispose of it. Without, and at any other speed, frames that find a queue full are
     /// dropped and counted, as those of a live stream.
     /// </summary>
-    public bool WaitsForQueues
+    public bool WaitForQueues
     {
         get => _waitsForQueues;
         set => _waitsForQueues = value;

@@ -7,42 +7,42 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Recording;
 
 /// <summary>
-/// What is known about a recording as a whole: text values with names. The names of this type are what the library writes and understands;
+/// What is known about a recording as a whole: text values by keys. The keys of this type are what the library writes and understands;
 /// a program may add its own. Immutable.
 /// </summary>
 public sealed class RecordingMetadata
 {
     /// <summary>The program that recorded, with its version.</summary>
-    public const string Program = "program";
+    public const string ProgramKey = "program";
 
     /// <summary>The server as the reader's options name it, such as "192.168.1.20:7001", or "UDP port 7012".</summary>
-    public const string Server = "server";
+    public const string ServerKey = "server";
 
     /// <summary>The reader's name.</summary>
-    public const string Reader = "reader";
+    public const string ReaderKey = "reader";
 
     /// <summary>How the bytes came: "Tcp" or "Udp" (<see cref="TransportKind"/>).</summary>
-    public const string TransportName = "transport";
+    public const string TransportKey = "transport";
 
     /// <summary>What the server sends, as <see cref="StreamFormat"/> names it.</summary>
-    public const string StreamFormatName = "stream-format";
+    public const string StreamFormatKey = "stream-format";
 
     /// <summary>Order of the rotation values, as <see cref="RotationOrder"/> names it.</summary>
-    public const string RotationOrderName = "rotation-order";
+    public const string RotationOrderKey = "rotation-order";
 
     /// <summary>Names of the spine's bones, as <see cref="Skeleton.SkeletonVariant"/> names them.</summary>
-    public const string SkeletonVariantName = "skeleton-variant";
+    public const string SkeletonVariantKey = "skeleton-variant";
 
     /// <summary>
     /// The body of avatar 0: the HIERARCHY of a BVH file, with its OFFSETs, which a stream without displacement does not carry.
     /// </summary>
-    public const string BvhHierarchyName = "bvh-hierarchy";
+    public const string BvhHierarchyKey = "bvh-hierarchy";
 
     /// <summary>The reader's limit of floats in a packet: with another one, a hostile stream gives other frames.</summary>
-    public const string MaxValuesName = "max-values";
+    public const string MaxValuesKey = "max-values";
 
     /// <summary>Sizes of the body of avatar 0, in metres: twelve numbers with blanks between them, as <see cref="BoneDimensions"/> lists them.</summary>
-    public const string BoneDimensionsName = "bone-dimensions";
+    public const string BoneDimensionsKey = "bone-dimensions";
 
     /// <summary>Most names.</summary>
     public const int MaxCount = 256;
@@ -53,7 +53,7 @@ public sealed class RecordingMetadata
     /// <summary>Most bytes of a value in UTF-8.</summary>
     public const int MaxValueBytes = 32 * 1024;
 
-    /// <summary>Most bytes of all names and values together.</summary>
+    /// <summary>Most bytes of all keys and values together.</summary>
     public const int MaxTotalBytes = 256 * 1024;
 
     private readonly SortedDictionary<string, string> _values;
@@ -74,7 +74,7 @@ public sealed class RecordingMetadata
     /// <summary>No value.</summary>
     public static RecordingMetadata Empty { get; } = new();
 
-    /// <summary>All values, in the order of their names.</summary>
+    /// <summary>All values, in the order of their keys.</summary>
     public IReadOnlyDictionary<string, string> Values => _values;
 
     /// <summary>The value of a name; null when there is none.</summary>
@@ -82,19 +82,19 @@ public sealed class RecordingMetadata
     public string? this[string key] => _values.TryGetValue(key, out string? value) ? value : null;
 
     /// <summary>Order of the rotation values; null when it is not known.</summary>
-    public RotationOrder? RotationOrder => Enum.TryParse(this[RotationOrderName], out RotationOrder order) && Enum.IsDefined(typeof(RotationOrder), order)
+    public RotationOrder? RotationOrder => Enum.TryParse(this[RotationOrderKey], out RotationOrder order) && Enum.IsDefined(typeof(RotationOrder), order)
         ? order
         : null;
 
     /// <summary>Names of the spine's bones; null when they are not known.</summary>
     public SkeletonVariant? SkeletonVariant =>
-        Enum.TryParse(this[SkeletonVariantName], out SkeletonVariant variant) && Enum.IsDefined(typeof(SkeletonVariant), variant) ? variant : null;
+        Enum.TryParse(this[SkeletonVariantKey], out SkeletonVariant variant) && Enum.IsDefined(typeof(SkeletonVariant), variant) ? variant : null;
 
     /// <summary>The reader's limit of floats in a packet; null when it is not known.</summary>
-    public int? MaxValues => int.TryParse(this[MaxValuesName], NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count > 0 ? count : null;
+    public int? MaxValues => int.TryParse(this[MaxValuesKey], NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count > 0 ? count : null;
 
     /// <summary>Sizes of the body of avatar 0; null when they are not known.</summary>
-    public BoneDimensions? BoneDimensions => ParseDimensions(this[BoneDimensionsName]);
+    public BoneDimensions? BoneDimensions => ParseDimensions(this[BoneDimensionsKey]);
 
     /// <summary>Makes metadata that have this value besides, or instead of one of the same name.</summary>
     /// <param name="key">The name, not empty.</param>

@@ -5,7 +5,7 @@ namespace NeuronMocap.Protocol;
 internal enum StreamPart
 {
     // The bytes may start something, but not all of it is there.
-    NeedMore,
+    NeedMoreData,
 
     // A binary packet.
     Packet,
@@ -111,8 +111,8 @@ internal sealed class StreamScanner(PacketScanner packets)
             return PassNoise(source[..Math.Min(_clear, source.Length)], SkipReason.NoTokens);
 
         ScanResult result = packets.Scan(source);
-        if (result.Status == ScanStatus.NeedMore)
-            return new StreamScan(StreamPart.NeedMore, result.Length);
+        if (result.Status == ScanStatus.NeedMoreData)
+            return new StreamScan(StreamPart.NeedMoreData, result.Length);
 
         if (result.Status == ScanStatus.Packet)
         {
@@ -172,7 +172,7 @@ internal sealed class StreamScanner(PacketScanner packets)
         }
 
         if (limit < LongestLine)
-            return new StreamScan(StreamPart.NeedMore, source.Length + 1);
+            return new StreamScan(StreamPart.NeedMoreData, source.Length + 1);
 
         // The last byte may be the first of a token.
         Examined += LongestLine;

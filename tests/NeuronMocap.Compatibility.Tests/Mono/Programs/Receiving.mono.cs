@@ -62,6 +62,6 @@ public static class Program
         }
 
         ReaderStatistics statistics = reader.GetStatistics();
-        Console.WriteLine(how + " " + count + " " + sum + " " + statistics.Lost + " " + statistics.SkippedBytes);
+        Console.WriteLine(how + " " + count + " " + sum + " " + statistics.Lost + " " + statistics.BytesSkipped);
     }
 }

@@ -148,7 +148,7 @@ public static class Program
         var times = new List<double>();
         for (int i = 0; i < Rounds; i++)
         {
-            var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = new MotionSource[] { new SyntheticActor() }, Port = 0 });
+            var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = new MotionSource[] { new SyntheticSource() }, Port = 0 });
             broadcaster.Start();
             using (NeuronReader reader = Tcp(broadcaster.LocalEndPoint.Port))
             {

@@ -28,7 +28,7 @@ internal sealed class FigureDrawing(SvgDrawing drawing)
             string color = ColorOf(BoneHierarchy.GetName(bone));
             if (BoneHierarchy.GetParent(bone, body.Variant) is { } parent)
                 drawing.Line(At(ground, points[(int)parent] - center), At(ground, points[(int)bone] - center), color, 2);
-            int end = JointPositions.EndSiteIndex(bone);
+            int end = JointPositions.GetEndSiteIndex(bone);
             if (end >= 0)
                 drawing.Line(At(ground, points[(int)bone] - center), At(ground, points[end] - center), color, 2);
         }

@@ -8,13 +8,13 @@ public sealed class CountersTests
     public void After_a_reset_only_what_came_later_counts()
     {
         var counters = new Counters();
-        counters.Reset(new ReaderStatistics { MotionFrames = 100, Lost = 7, SkippedBytes = 5 }, [new AvatarStatistics { Frames = 100, Lost = 7, Gaps = 4, Restarts = 2 }]);
+        counters.Reset(new ReaderStatistics { MotionFrames = 100, Lost = 7, BytesSkipped = 5 }, [new AvatarStatistics { Frames = 100, Lost = 7, Gaps = 4, Restarts = 2 }]);
 
         counters.Take(
-            new ReaderStatistics { MotionFrames = 112, Lost = 8, SkippedBytes = 5 },
+            new ReaderStatistics { MotionFrames = 112, Lost = 8, BytesSkipped = 5 },
             [new AvatarStatistics { Frames = 110, Lost = 8, Gaps = 5, Restarts = 2, Rate = 60 }, new AvatarStatistics { AvatarIndex = 1, Frames = 2 }]);
 
-        Assert.Equal((12, 1, 0), (counters.Total.MotionFrames, counters.Total.Lost, counters.Total.SkippedBytes));
+        Assert.Equal((12, 1, 0), (counters.Total.MotionFrames, counters.Total.Lost, counters.Total.BytesSkipped));
         Assert.Equal((1, 0), (counters.Avatars[0].Gaps, counters.Avatars[0].Restarts));
         Assert.Equal([(10, 1, 60d), (2, 0, 0)], counters.Avatars.Select(avatar => (avatar.Frames, avatar.Lost, avatar.Rate)));
     }

@@ -75,7 +75,7 @@ public sealed class FigurePictureTests : IDisposable
     // A moment of the simulator's programme, for ever; before it begins, the T-pose.
     private sealed class StillActor(double seconds) : MotionSource
     {
-        private readonly SyntheticActor _actor = new();
+        private readonly SyntheticSource _actor = new();
 
         public override double FrameRate => 100;
 
@@ -86,7 +86,7 @@ public sealed class FigurePictureTests : IDisposable
         public override void GetPose(long frame, Span<BoneTransform> pose)
         {
             if (seconds < 0)
-                SkeletonBody.Default().CopyRestPose(pose);
+                SkeletonBody.GetDefault().CopyRestPose(pose);
             else
                 _actor.GetPose((long)(seconds * _actor.FrameRate), pose);
         }

@@ -25,20 +25,20 @@ internal sealed class BvhExportBodies(BvhExportOptions options, ServerInquiry? i
     }
 
     // Of a stream with displacement only the End Sites of the body are of use.
-    public (SkeletonBody? Body, BvhBodySource Source) Find(MotionFrame frame)
+    public (SkeletonBody? Body, BvhBodyOrigin Source) Find(MotionFrame frame)
     {
-        (SkeletonBody? body, BvhBodySource source) = options.Body is { } given
-            ? (given, BvhBodySource.Options)
+        (SkeletonBody? body, BvhBodyOrigin source) = options.Body is { } given
+            ? (given, BvhBodyOrigin.Options)
             : Ask(frame.AvatarIndex, frame.Format.Variant);
         if (frame.Layout.HasDisplacement)
-            return (body, BvhBodySource.Stream);
+            return (body, BvhBodyOrigin.Stream);
 
-        return body?.Variant == frame.Format.Variant ? (body, source) : (null, BvhBodySource.Default);
+        return body?.Variant == frame.Format.Variant ? (body, source) : (null, BvhBodyOrigin.Default);
     }
 
     private static bool IsSettled(DiscoveredFormat discovered) => discovered.Failure is not null || (discovered.Order is not null && discovered.Variant is not null);
 
-    private (SkeletonBody? Body, BvhBodySource Source) Ask(int avatar, SkeletonVariant variant)
+    private (SkeletonBody? Body, BvhBodyOrigin Source) Ask(int avatar, SkeletonVariant variant)
     {
         if (inquiry is null || _hasGivenUp || avatar < 0)
             return default;
@@ -48,8 +48,8 @@ internal sealed class BvhExportBodies(BvhExportOptions options, ServerInquiry? i
         {
             BodyAnswer answer = AskAsync(inquiry, avatar, timeout.Token).GetAwaiter().GetResult();
             return answer.Skeleton is { } skeleton
-                ? (CreateBody(skeleton), BvhBodySource.Header)
-                : (answer.GetBody(variant), BvhBodySource.Dimensions);
+                ? (CreateBody(skeleton), BvhBodyOrigin.Header)
+                : (answer.GetBody(variant), BvhBodyOrigin.Dimensions);
         }
         catch (Exception exception) when (exception is NeuronCommandException or OperationCanceledException or ObjectDisposedException)
         {

@@ -8,7 +8,7 @@ namespace NeuronMocap.Bvh;
 /// <param name="RepeatedFrames">Number of rows that stand in for frames that were lost on the way.</param>
 /// <param name="LateFrames">Number of frames left out because later ones had come before them.</param>
 /// <param name="FrameRate">Frames per second, as far as it is known by now.</param>
-/// <param name="BodySource">Where the OFFSETs come from.</param>
+/// <param name="BodyOrigin">Where the OFFSETs come from.</param>
 public sealed record BvhExportFile(
     string Path,
     int AvatarIndex,
@@ -17,4 +17,4 @@ public sealed record BvhExportFile(
     int RepeatedFrames,
     int LateFrames,
     double FrameRate,
-    BvhBodySource BodySource);
+    BvhBodyOrigin BodyOrigin);

@@ -193,7 +193,7 @@ internal sealed class BvhExportFiles
     private Take Begin(MotionFrame frame, int part)
     {
         string path = PathOf(frame, part);
-        (SkeletonBody? body, BvhBodySource source) = _bodies.Find(frame);
+        (SkeletonBody? body, BvhBodyOrigin source) = _bodies.Find(frame);
         Stream stream = _first ?? Open(path);
         _first = null;
         BvhTakeWriter writer;
@@ -222,7 +222,7 @@ internal sealed class BvhExportFiles
         {
             Body = body,
             FrameTime = _options.FrameTime,
-            Gaps = _options.Gaps,
+            GapHandling = _options.GapHandling,
             TextFormat = _options.TextFormat,
         };
         return new BvhTakeWriter(stream, options);
@@ -241,7 +241,7 @@ internal sealed class BvhExportFiles
 
     private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
-    private sealed class Take(BvhTakeWriter writer, string path, int part, int avatarIndex, string avatarName, BvhBodySource bodySource)
+    private sealed class Take(BvhTakeWriter writer, string path, int part, int avatarIndex, string avatarName, BvhBodyOrigin bodySource)
     {
         public BvhTakeWriter Writer => writer;
 

@@ -37,7 +37,7 @@ public sealed class BvhExportOptions
     public BvhFrameTime? FrameTime { get; set; }
 
     /// <summary>What becomes of frames that were lost on the way; they are repeated unless set.</summary>
-    public BvhGaps Gaps { get; set; }
+    public BvhGapHandling GapHandling { get; set; }
 
     /// <summary>How the text is laid out; as in Axis Neuron's files unless set.</summary>
     public BvhTextFormat TextFormat { get; set; } = BvhTextFormat.AxisNeuron;

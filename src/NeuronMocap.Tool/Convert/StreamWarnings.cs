@@ -1,0 +1,107 @@
+using NeuronMocap.Recording;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Convert;
+
+/// <summary>What is doubtful about a file that holds a stream, and what of it is not in a file of poses or rows.</summary>
+internal static class StreamWarnings
+{
+    /// <summary>Looks for damage of a recording's container; raw bytes have none.</summary>
+    public static void AddDamage(ConversionSummary summary, string path, CancellationToken cancelled)
+    {
+        using RecordingReader reader = RecordingReader.Open(path);
+        long lost = 0;
+        while (reader.TryRead(out RecordingEntry entry))
+        {
+            cancelled.ThrowIfCancellationRequested();
+            if (entry.Kind == RecordingEntryKind.BytesLost)
+                lost += entry.LostBytes;
+        }
+
+        foreach (RecordingProblem problem in reader.Problems)
+            summary.AddWarning(Quantity.Format($"at byte {problem.Offset:#,0}, {problem.Length:#,0} bytes: {problem.Description}"));
+        if (!reader.IsComplete)
+            summary.AddWarning("the recording was not closed: its last part may be missing");
+        if (lost > 0)
+            summary.AddWarning($"{Quantity.Bytes(lost)} arrived that were not recorded, for the disk was too slow");
+    }
+
+    /// <summary>Counts the frames of a file that was written, as whoever reads it will.</summary>
+    public static void AddStream(ConversionSummary summary, string path, bool hasTimes, CancellationToken cancelled)
+    {
+        using RecordedFrameReader? reader = TryOpen(path);
+        if (reader is null)
+        {
+            summary.AddWarning("there is no frame in it");
+            return;
+        }
+
+        while (reader.Read())
+            cancelled.ThrowIfCancellationRequested();
+
+        ReaderStatistics statistics = reader.Statistics;
+        summary.Frames = statistics.MotionFrames + statistics.CalculationFrames + statistics.StudioCalculationFrames;
+        summary.Seconds = hasTimes ? reader.Duration.TotalSeconds : null;
+        summary.MissingFrames = statistics.Lost;
+        summary.Gaps = statistics.Gaps;
+        if (statistics.BytesSkipped > 0)
+            summary.AddWarning($"{Quantity.Bytes(statistics.BytesSkipped)} are no frames");
+        if (!hasTimes)
+            summary.AddLoss("times, rotation order and body: the bytes have no place for them, so --rate and --input-order tell when they are read");
+    }
+
+    /// <summary>Looks at what a take of one avatar leaves behind.</summary>
+    /// <param name="summary">Takes what is found.</param>
+    /// <param name="settings">The input.</param>
+    /// <param name="isOf">Whether a frame is one of those that are kept.</param>
+    /// <param name="cancelled">Ends it.</param>
+    public static void AddRest(ConversionSummary summary, FileSettings settings, Func<AvatarFrame, bool> isOf, CancellationToken cancelled)
+    {
+        using RecordedFrameReader reader = RecordedFrameReader.Open(settings.Input, settings.Playback);
+        (long others, bool isStudio, bool hasMotion) = (0, false, false);
+        while (reader.Read())
+        {
+            cancelled.ThrowIfCancellationRequested();
+            if (!isOf(reader.Frame))
+            {
+                others++;
+                continue;
+            }
+
+            hasMotion |= reader.Frame is MotionFrame;
+            isStudio |= reader.Frame is MotionFrame { Header.Version: var version } && version == DataVersion.Studio;
+        }
+
+        if (reader.Statistics.BytesSkipped > 0)
+            summary.AddWarning($"{Quantity.Bytes(reader.Statistics.BytesSkipped)} are no frames");
+        if (hasMotion && !isStudio && settings.InputOrder is null && !KnowsOrder(settings.Input))
+            summary.AddWarning("the rotation order of the stream is not known, and YXZ is assumed; --input-order tells another one");
+        if (others > 0)
+            summary.AddLoss(Quantity.Format($"{others:#,0} frames of other avatars or kinds"));
+    }
+
+    private static bool KnowsOrder(string path)
+    {
+        using FileStream file = new(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
+        byte[] start = new byte[64];
+        int count = file.ReadAtLeast(start, start.Length, throwOnEndOfStream: false);
+        if (!RecordingReader.IsRecording(start.AsSpan(0, count)))
+            return false;
+
+        using RecordingReader reader = RecordingReader.Open(path);
+        return reader.Metadata[RecordingMetadata.RotationOrderKey] is not null;
+    }
+
+    private static RecordedFrameReader? TryOpen(string path)
+    {
+        try
+        {
+            return RecordedFrameReader.Open(path);
+        }
+        catch (PlaybackException)
+        {
+            return null;
+        }
+    }
+}

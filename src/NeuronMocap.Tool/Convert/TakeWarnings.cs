@@ -1,0 +1,58 @@
+using NeuronMocap.Server;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
+
+namespace NeuronMocap.Tool.Convert;
+
+/// <summary>What a file of poses tells about the take that it was made of.</summary>
+internal static class TakeWarnings
+{
+    /// <summary>Adds how long the new file is, and what was wrong in the old one.</summary>
+    public static void Add(
+        ConversionSummary summary, FileSettings settings, InputTake take, MotionSource written, TimeRange range, CancellationToken cancelled)
+    {
+        long count = written.FrameCount!.Value;
+        (summary.Frames, summary.Rate, summary.Seconds) = (count, written.FrameRate, count / written.FrameRate);
+        if (take.Bvh is { } bvh)
+            summary.AddRepairs(bvh);
+        if (take.Calculation is { } rows)
+            summary.AddRepairs(rows.Repairs, rows.RepairCount, rows.SkippedRowCount);
+        if (take.Motion is CalculationSource skeleton)
+            AddSkeleton(summary, settings, take, skeleton);
+        if (take.Motion is RecordingSource stream)
+            AddStream(summary, settings, stream, range, cancelled);
+    }
+
+    private static void AddSkeleton(ConversionSummary summary, FileSettings settings, InputTake take, CalculationSource source)
+    {
+        foreach (string warning in source.Skeleton.Warnings)
+            summary.AddWarning(warning);
+
+        if (take.Calculation is { DeclaredFrameRate: null } && settings.InputRate is null && FileKinds.Recognize(settings.Input) == FileKind.Calculation)
+            summary.AddWarning("the export does not say its rate, and 120 Hz is assumed; --rate tells another one");
+
+        summary.AddLoss("what the sensors measured");
+    }
+
+    private static void AddStream(ConversionSummary summary, FileSettings settings, RecordingSource source, TimeRange range, CancellationToken cancelled)
+    {
+        (long first, long count) = range.FramesOf(source.FrameCount!.Value, source.FrameRate);
+        foreach (RecordedGap gap in source.Gaps)
+        {
+            if (gap.Frame <= first || gap.Frame >= first + count)
+                continue;
+
+            summary.Gaps++;
+            summary.MissingFrames += gap.Missing ?? 0;
+            summary.InterpolatedFrames += gap.IsFilled ? gap.Missing ?? 0 : 0;
+            if (!gap.IsFilled)
+                summary.AddWarning(Quantity.Format($"at {gap.Time.TotalSeconds:0.000} s the take goes on behind a gap at once"));
+        }
+
+        if (!source.HasOwnBody)
+            summary.AddWarning("the stream does not tell the lengths of the bones, and the default body's are written");
+
+        StreamWarnings.AddRest(summary, settings, frame => frame is MotionFrame { HasSkeleton: true } && frame.AvatarIndex == source.AvatarIndex, cancelled);
+        summary.AddLoss("times of arrival, and the avatar's name and number");
+    }
+}

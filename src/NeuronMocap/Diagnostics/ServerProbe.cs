@@ -1,0 +1,67 @@
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Diagnostics;
+
+// Asks a server that accepts connections and says nothing who it is: many speak only when spoken to.
+internal static class ServerProbe
+{
+    // The command that reads the rotation order, number 1003 (protocol.md sections 2.5 and 6). It changes nothing.
+    private static readonly byte[] RotationCommand =
+        [0xFF, 0xAA, 0, 0, 0xEB, 0x03, 0, 0, 0, 0, 0, 0, 0, 0, 0xFF, 0xBB];
+
+    private static readonly byte[] WebRequest = Encoding.ASCII.GetBytes("HEAD / HTTP/1.0\r\n\r\n");
+
+    // What it answered, where it answered.
+    public static async Task<StreamSample?> AskAsync(DiagnosisContext task, IPAddress address)
+    {
+        var server = new IPEndPoint(address, task.Link.Port);
+        TimeSpan time = task.Share(task.Pace.Asking);
+        byte[][] answers = await Task.WhenAll(
+            ExchangeAsync(server, RotationCommand, time, task.Stop),
+            ExchangeAsync(server, WebRequest, time, task.Stop)).ConfigureAwait(false);
+        task.Stop.ThrowIfCancellationRequested();
+
+        // A web server answers both, the command with an error page.
+        byte[]? answer = answers.LastOrDefault(static bytes => bytes.Length > 0);
+        if (answer is null)
+            return null;
+
+        var sample = new StreamSample(task.Expected);
+        sample.OnSkipped(answer, SkipReason.NoTokens);
+        return sample;
+    }
+
+    private static async Task<byte[]> ExchangeAsync(IPEndPoint server, byte[] question, TimeSpan time, CancellationToken cancellationToken)
+    {
+        byte[] answer = new byte[256];
+        int length = 0;
+        using var limit = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
+        limit.CancelAfter(time);
+        using var socket = new Socket(server.AddressFamily, SocketType.Stream, ProtocolType.Tcp);
+        using CancellationTokenRegistration closing = limit.Token.Register(socket.Dispose);
+        try
+        {
+            await socket.ConnectAsync(server).ConfigureAwait(false);
+            await socket.SendAsync(new ArraySegment<byte>(question), SocketFlags.None).ConfigureAwait(false);
+            int count = 1;
+
+            // So much is enough to know the answer by; most servers then wait for the next question, and a wait for more would take all the time.
+            while (count > 0 && length < question.Length)
+            {
+                var room = new ArraySegment<byte>(answer, length, answer.Length - length);
+                count = await socket.ReceiveAsync(room, SocketFlags.None).ConfigureAwait(false);
+                length += count;
+            }
+        }
+        catch (Exception exception) when (SocketErrors.IsExpected(exception))
+        {
+            // What came before is the answer.
+        }
+
+        return answer.AsSpan(0, length).ToArray();
+    }
+}

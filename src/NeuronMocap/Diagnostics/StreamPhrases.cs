@@ -1,0 +1,55 @@
+using System.Globalization;
+
+namespace NeuronMocap.Diagnostics;
+
+// Says what a stream is.
+internal static class StreamPhrases
+{
+    private const int MostNames = 4;
+
+    public static string Describe(AvatarSample[] avatars)
+    {
+        AvatarSample first = avatars[0];
+        double rate = avatars.Min(static avatar => avatar.Rate);
+        string frequency = rate > 0 ? Invariant($", {rate:0.0} frames per second{(avatars.Length > 1 ? " of each" : string.Empty)}") : string.Empty;
+        string version = first.Version == DataVersion.None ? "as text" : $"version {first.Version}";
+        return $"{NameOf(first.Kind)}, {version}, {DescribeFormat(first)}; {DescribeAvatars(avatars)}{frequency}";
+    }
+
+    public static string DescribeFormat(AvatarSample avatar) => avatar.Kind == PacketKind.Motion
+        ? $"{avatar.ValueCount} values, displacement {OnOff(avatar.HasDisplacement)}, reference {OnOff(avatar.HasReference)}"
+        : $"{avatar.ValueCount} values";
+
+    public static string DescribeAvatars(AvatarSample[] avatars)
+    {
+        string names = string.Join(", ", avatars.Take(MostNames).Select(NameOf));
+        string more = avatars.Length > MostNames ? $" and {avatars.Length - MostNames} more" : string.Empty;
+        return $"{avatars.Length} {(avatars.Length == 1 ? "avatar" : "avatars")}: {names}{more}";
+    }
+
+    public static string NameOf(AvatarSample avatar) => $"{avatar.Index} {avatar.Name}".TrimEnd();
+
+    public static string ProducerOf(AvatarSample avatar) => avatar.Kind != PacketKind.Motion
+        ? string.Empty
+        : avatar.Version == DataVersion.Studio ? ", as Axis Studio sends" : ", the new header";
+
+    // "motion (BVH) data", or "motion (BVH) and calculation data".
+    public static string KindsOf(StreamSample sample)
+    {
+        PacketKind[] kinds = [.. ((PacketKind[])[PacketKind.Motion, PacketKind.Calculation, PacketKind.StudioCalculation]).Where(sample.Has)];
+        return string.Join(" and ", kinds.Select(WordsOf)) + " data";
+    }
+
+    public static string NameOf(PacketKind kind) => WordsOf(kind) + " data";
+
+    private static string WordsOf(PacketKind kind) => kind switch
+    {
+        PacketKind.Motion => "motion (BVH)",
+        PacketKind.Calculation => "calculation",
+        _ => "Axis Studio's calculation",
+    };
+
+    public static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+
+    private static string OnOff(bool value) => value ? "on" : "off";
+}

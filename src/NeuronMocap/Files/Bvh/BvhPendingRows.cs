@@ -1,0 +1,123 @@
+namespace NeuronMocap.Bvh;
+
+// Values of lines that are not one row each: until it is known what they are, and until the rows that they make are taken.
+internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
+{
+    // Rows on one line. Of more than these the line's end is not awaited, so that memory stays bounded.
+    private const int MostRows = 8;
+
+    // First whole rows to be taken, from _taken to _whole; then values of lines that may still become a row; from _line on those of this line.
+    private float[] _values = [];
+    private int _taken;
+    private int _whole;
+    private int _line;
+    private int _end;
+    private BvhTextPosition _openPlace;
+    private BvhTextPosition _linePlace;
+
+    public bool IsAnyOpen => _end > _whole;
+
+    public bool IsLineLong => _end - _line > MostRows * channelCount;
+
+    public bool TryTake(Span<float> row)
+    {
+        if (_taken == _whole)
+            return false;
+
+        _values.AsSpan(_taken, channelCount).CopyTo(row);
+        _taken += channelCount;
+        if (_taken == _end)
+            Clear();
+
+        return true;
+    }
+
+    public void BeginLine(BvhTextPosition place)
+    {
+        if (!IsAnyOpen)
+            _openPlace = place;
+
+        _linePlace = place;
+        _line = _end;
+    }
+
+    public void Add(ReadOnlySpan<float> values)
+    {
+        if (_values.Length < _end + values.Length)
+            Array.Resize(ref _values, Math.Max(_end + values.Length, 2 * _values.Length));
+
+        values.CopyTo(_values.AsSpan(_end));
+        _end += values.Length;
+    }
+
+    /// <summary>Decides what the line is, together with those before it.</summary>
+    public void EndLine(int lastLine)
+    {
+        bool isJoined = _line > 0;
+        if (_end < channelCount)
+            return;
+
+        if (_end % channelCount == 0)
+        {
+            if (isJoined || _end > channelCount)
+                repairs.Add(_openPlace, $"The values from here to line {lastLine} make {_end / channelCount} rows", $"they are read as such");
+
+            _whole = _end;
+        }
+        else if (isJoined)
+        {
+            LeaveOutOlder();
+            EndLine(lastLine);
+        }
+        else
+        {
+            repairs.Add(_linePlace, $"A row has {_end} values instead of {channelCount}", $"the first {channelCount} are read");
+            _whole = channelCount;
+            _end = channelCount;
+        }
+    }
+
+    /// <summary>Takes the line for whole rows before it has ended; those that follow in it are not added here.</summary>
+    public void EndLongLine()
+    {
+        LeaveOutOlder();
+        repairs.Add(_linePlace, $"More than {MostRows} rows stand on a line", $"every {channelCount} values are read as one");
+        _whole = _end;
+    }
+
+    /// <summary>Forgets this line, which is not one of values, and with it those before.</summary>
+    public void LeaveOutLine()
+    {
+        _end = _line;
+        LeaveOut();
+    }
+
+    /// <summary>Forgets the lines that have not become a row.</summary>
+    public void LeaveOut()
+    {
+        if (IsAnyOpen)
+            repairs.AddLeftOut(_openPlace, $"A row has {_end} values instead of {channelCount}", $"it is left out");
+
+        Clear();
+    }
+
+    private void LeaveOutOlder()
+    {
+        int older = _line;
+        if (older > 0)
+            repairs.AddLeftOut(_openPlace, $"A row has {older} values instead of {channelCount}", $"it is left out");
+
+        _values.AsSpan(older, _end - older).CopyTo(_values);
+        _end -= older;
+        _line = 0;
+        _openPlace = _linePlace;
+    }
+
+    private void Clear()
+    {
+        _taken = 0;
+        _whole = 0;
+        _line = 0;
+        _end = 0;
+    }
+}

@@ -1,4 +1,0 @@
-namespace NeuronMocap.Bvh;
-
-// Line and byte of the line, both from 1; the default value is no place.
-internal readonly record struct BvhPlace(int Line, int Column);

@@ -1,0 +1,62 @@
+using NeuronMocap.Transport;
+
+namespace NeuronMocap.Reader;
+
+// Makes one status of those of two connections. The first one's counts; of the one to the calculation port it gets a sentence, and a reason where
+// there is no other. Statuses come in the order of each connection, on any thread.
+internal sealed class CombinedStatus(Action<ConnectionStatus> changed, int calculationPort)
+{
+    private readonly StatusBoard _told = new(changed);
+    private ConnectionStatus _first = new(ConnectionState.Created, ConnectionReason.None, "Not started.");
+    private ConnectionStatus _calculation = new(ConnectionState.Created, ConnectionReason.None, "Not started.");
+
+    public ConnectionStatus Current => _told.Current;
+
+    public void OnFirst(ConnectionStatus status) => _told.TrySet(
+        _ => true,
+        _ =>
+        {
+            _first = status;
+            return Join();
+        });
+
+    public void OnCalculation(ConnectionStatus status) => _told.TrySet(
+        told =>
+        {
+            // The reader stops, and its first connection tells that.
+            if (status is { State: ConnectionState.Stopped, Reason: ConnectionReason.Requested })
+                return false;
+
+            // The next attempt says nothing that the failure of the last one did not.
+            if (status.State != ConnectionState.Connecting || _calculation.State is ConnectionState.Created)
+                _calculation = status;
+
+            ConnectionStatus joint = Join();
+            return told.State != ConnectionState.Created && (joint.Reason != told.Reason || !string.Equals(joint.Message, told.Message, StringComparison.Ordinal));
+        },
+        _ => Join() with { Timestamp = status.Timestamp });
+
+    private ConnectionStatus Join()
+    {
+        if (_first.State is ConnectionState.Created or ConnectionState.Stopped)
+            return _first;
+
+        bool isMissing = _calculation.State is ConnectionState.Waiting or ConnectionState.Silent or ConnectionState.Stopped;
+        return _first with
+        {
+            Reason = isMissing && _first.IsConnected && _first.Reason == ConnectionReason.None ? ConnectionReason.CalculationUnavailable : _first.Reason,
+            Message = $"{_first.Message} Calculation port {calculationPort}: {Describe()}",
+        };
+    }
+
+    private string Describe() => (_calculation.State, _calculation.Reason) switch
+    {
+        (ConnectionState.Created or ConnectionState.Connecting, _) => "connecting.",
+        (ConnectionState.Connected, _) => "connected; waiting for frames.",
+        (ConnectionState.Receiving, ConnectionReason.None) => "receiving.",
+        (ConnectionState.Waiting or ConnectionState.Stopped, ConnectionReason.Refused) =>
+            "connection refused. Switch calculation data on in Axis Neuron's broadcasting settings, and check that its port is the same.",
+        (ConnectionState.Waiting or ConnectionState.Stopped, ConnectionReason.PortInUse) => "used by another program.",
+        _ => _calculation.Message,
+    };
+}

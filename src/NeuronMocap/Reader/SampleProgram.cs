@@ -1,0 +1,46 @@
+using NeuronMocap.Diagnostics;
+
+namespace NeuronMocap.Reader;
+
+// The program that receives a stream, for people to copy.
+internal static class SampleProgram
+{
+    public static string For(NeuronReaderOptions options, StreamPlace place, PacketKind wanted)
+    {
+        string method = wanted switch
+        {
+            PacketKind.Motion => nameof(NeuronReader.ReadMotionAsync),
+            PacketKind.Calculation => nameof(NeuronReader.ReadCalculationAsync),
+            _ => nameof(NeuronReader.ReadStudioCalculationAsync),
+        };
+        return $"""
+            await using var reader = new NeuronReader({ArgumentsOf(options, place)});
+            await foreach (var frame in reader.{method}())
+                Console.WriteLine(frame.AvatarName);
+            """;
+    }
+
+    private static string ArgumentsOf(NeuronReaderOptions options, StreamPlace place)
+    {
+        var parts = new List<string>();
+        if (place.Transport == TransportKind.Udp)
+            parts.Add("Transport = TransportKind.Udp");
+        else
+            parts.Add($"Host = \"{place.Host}\"");
+
+        parts.Add($"Port = {place.Port}");
+        int essential = parts.Count;
+        if (options.CalculationLink is { } calculation)
+            parts.Add($"CalculationPort = {calculation.Port}");
+        if (options.LocalAddress is { } address)
+            parts.Add($"LocalAddress = IPAddress.Parse(\"{address}\")");
+        if (options.SharePort && place.Transport == TransportKind.Udp)
+            parts.Add("SharePort = true");
+        if (options.RotationOrder is { } order)
+            parts.Add($"RotationOrder = RotationOrder.{order}");
+
+        return place.Transport == TransportKind.Tcp && parts.Count == essential
+            ? $"\"{place.Host}\", {place.Port}"
+            : $"new NeuronReaderOptions {{ {string.Join(", ", parts)} }}";
+    }
+}
