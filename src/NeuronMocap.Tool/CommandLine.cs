@@ -1,9 +1,5 @@
 using System.CommandLine;
 using System.CommandLine.Help;
-using System.CommandLine.Parsing;
-using System.Globalization;
-using System.Net;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Commands;
 using NeuronMocap.Tool.Completion;
@@ -17,8 +13,6 @@ using NeuronMocap.Tool.Plot;
 using NeuronMocap.Tool.Simulate;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Watch;
-using NeuronMocap.Tool.Watch.Export;
-using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool;
 

@@ -2,7 +2,6 @@ using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Commands;
-using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Server;

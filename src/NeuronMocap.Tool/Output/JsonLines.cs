@@ -6,7 +6,6 @@ using System.Text.Json;
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tool.Output;
 

@@ -1,7 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronDataReaderWraper;
-using NeuronMocap.Compatibility.Tests.Infrastructure;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Commands;

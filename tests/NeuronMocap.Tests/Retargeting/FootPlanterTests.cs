@@ -1,5 +1,4 @@
 using System.Numerics;
-using NeuronMocap.Motion;
 using NeuronMocap.Retargeting;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;

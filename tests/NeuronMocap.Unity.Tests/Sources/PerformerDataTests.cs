@@ -1,7 +1,6 @@
 using System.Net;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tests.Network;
 using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Sources;
