@@ -1,8 +1,8 @@
 using System.Globalization;
 using NeuronMocap.Delivery;
 using NeuronMocap.Files;
-using NeuronMocap.Recording;
 using NeuronMocap.Protocol;
+using NeuronMocap.Recording;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Telemetry;

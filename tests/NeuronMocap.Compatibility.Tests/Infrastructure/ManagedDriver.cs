@@ -28,7 +28,8 @@ internal sealed class ManagedDriver : VendorDriver
         {
             foreach (string line in _calls.GetConsumingEnumerable())
                 Run('=', IntPtr.Zero, line);
-        }) { IsBackground = true };
+        })
+        { IsBackground = true };
         _main.Start();
     }
 
