@@ -20,7 +20,7 @@ internal sealed class DependencyRules(string root, IReadOnlyDictionary<string, s
     {
         using var module = ModuleDefinition.ReadModule(assembly.Location);
         var folders = SourceFolders.Read(assembly.Location, root);
-        SortedSet<string> violations = new(StringComparer.Ordinal);
+        SortedSet<string> violations = new(allowed.Keys.Except(folders.Values).Select(folder => $"{folder}: there is no such folder."), StringComparer.Ordinal);
         foreach (TypeDefinition type in module.GetTypes())
         {
             if (FolderOf(type, folders) is not { Length: > 0 } folder)
@@ -137,7 +137,7 @@ internal sealed class DependencyRules(string root, IReadOnlyDictionary<string, s
     private static IEnumerable<TypeReference> Constraints(IGenericParameterProvider generic) =>
         generic.GenericParameters.SelectMany(parameter => parameter.Constraints.Select(constraint => constraint.ConstraintType));
 
-    private static IEnumerable<TypeReference> Attributes(Mono.Cecil.ICustomAttributeProvider provider)
+    private static IEnumerable<TypeReference> Attributes(global::Mono.Cecil.ICustomAttributeProvider provider)
     {
         foreach (CustomAttribute attribute in provider.CustomAttributes)
         {

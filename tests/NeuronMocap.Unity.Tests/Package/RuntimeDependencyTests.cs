@@ -1,0 +1,27 @@
+using NeuronMocap.Tests.Architecture;
+
+namespace NeuronMocap.Unity.Tests.Package;
+
+/// <summary>Which folders of the package's runtime may use which.</summary>
+public sealed class RuntimeDependencyTests
+{
+    // Frames come from sources, drivers pose a rig with them. Figures are rigs that the package builds. The root converts axes and units.
+    private static readonly DependencyRules Runtime = new("/unity-package/Runtime/", new Dictionary<string, string[]>(StringComparer.Ordinal)
+    {
+        ["Sources"] = [""],
+        ["Drivers"] = ["", "Sources"],
+        ["Figures"] = ["", "Drivers", "Sources"],
+        ["Recorders"] = ["", "Sources"],
+        ["DebugViews"] = ["", "Drivers", "Sources"],
+    });
+
+    [Fact]
+    public void The_folders_of_the_runtime_depend_on_each_other_as_designed()
+    {
+        List<string> violations = Runtime.Violations(typeof(MocapSource).Assembly);
+        Assert.True(violations.Count == 0, string.Join(Environment.NewLine, violations));
+    }
+
+    [Fact]
+    public void The_rules_allow_no_circle() => Assert.Empty(Runtime.Circles());
+}
