@@ -60,7 +60,7 @@ internal static class CommandLine
             };
             return await result.InvokeAsync(invocation, CancellationToken.None);
         }
-        catch (IOException exception) when (MonitorOutput.IsBrokenPipe(exception))
+        catch (IOException exception) when (WatchOutput.IsBrokenPipe(exception))
         {
             // Whoever reads the output may leave when he has seen enough.
             return Done;

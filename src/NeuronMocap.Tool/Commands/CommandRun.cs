@@ -36,7 +36,7 @@ internal sealed class CommandRun(CommandSettings settings, StandardStreams strea
         catch (IOException exception)
         {
             // Whoever reads the output may leave when he has seen enough.
-            return MonitorOutput.IsBrokenPipe(exception)
+            return WatchOutput.IsBrokenPipe(exception)
                 ? CommandLine.Done
                 : await FailAsync(FileFault.OfStandardOutput(exception));
         }

@@ -68,7 +68,7 @@ internal sealed class DiagnoseVerb : Verb
     public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
     {
         Source source = result.GetValue(_source) ?? Source.OfServer(new ServerAddress(ThisComputer, ProtocolConstants.DefaultPort));
-        var options = new MonitorOptions
+        var options = new WatchOptions
         {
             Server = source.Kind == SourceKind.Udp ? result.GetValue(_server) ?? new ServerAddress(ThisComputer, ProtocolConstants.DefaultPort) : source.Server,
             UdpPort = source.UdpPort,

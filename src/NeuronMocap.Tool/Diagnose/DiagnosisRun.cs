@@ -9,7 +9,7 @@ using NeuronMocap.Tool.Watch;
 namespace NeuronMocap.Tool.Diagnose;
 
 /// <summary>One look at the stream instead of watching it.</summary>
-internal sealed class DiagnosisRun(MonitorOptions options, StandardStreams streams)
+internal sealed class DiagnosisRun(WatchOptions options, StandardStreams streams)
 {
     public async Task<int> RunAsync(CancellationToken cancelled)
     {
@@ -29,7 +29,7 @@ internal sealed class DiagnosisRun(MonitorOptions options, StandardStreams strea
         catch (IOException exception)
         {
             // Whoever reads the output may leave when he has seen enough.
-            return MonitorOutput.IsBrokenPipe(exception)
+            return WatchOutput.IsBrokenPipe(exception)
                 ? CommandLine.Interrupted
                 : await FailAsync(FileFault.OfStandardOutput(exception));
         }

@@ -43,7 +43,7 @@ internal sealed class FileRun(FileSettings settings, StandardStreams streams)
         catch (IOException exception)
         {
             // Whoever reads the output may leave when he has seen enough.
-            return MonitorOutput.IsBrokenPipe(exception) ? CommandLine.Done : await FailAsync(Describe(exception));
+            return WatchOutput.IsBrokenPipe(exception) ? CommandLine.Done : await FailAsync(Describe(exception));
         }
     }
 

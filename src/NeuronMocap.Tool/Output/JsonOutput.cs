@@ -4,7 +4,7 @@ namespace NeuronMocap.Tool.Output;
 /// --json: every frame, written on the receive thread. While the output takes no more, nothing is received, and over TCP the server waits:
 /// no frame is left out.
 /// </summary>
-internal sealed class JsonOutput : MonitorOutput
+internal sealed class JsonOutput : WatchOutput
 {
     // The reader has waited already for a line that nobody takes.
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(0.5);

@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Terminal;
 namespace NeuronMocap.Tool.Output;
 
 /// <summary>For a log file or a pipe: one plain line a second.</summary>
-internal sealed class LineOutput(NeuronReader reader, Stream output) : MonitorOutput
+internal sealed class LineOutput(NeuronReader reader, Stream output) : WatchOutput
 {
     private static readonly TimeSpan Period = TimeSpan.FromSeconds(1);
 

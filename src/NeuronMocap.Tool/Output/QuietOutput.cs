@@ -1,7 +1,7 @@
 namespace NeuronMocap.Tool.Output;
 
 /// <summary>--quiet: the summary alone.</summary>
-internal sealed class QuietOutput(Stream output) : MonitorOutput
+internal sealed class QuietOutput(Stream output) : WatchOutput
 {
     // Its clock runs from here.
     private readonly JsonLines _lines = new();

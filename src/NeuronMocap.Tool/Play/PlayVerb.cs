@@ -49,7 +49,7 @@ internal sealed class PlayVerb : Verb
 
     public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
     {
-        MonitorOptions options = _output.Read(result) with
+        WatchOptions options = _output.Read(result) with
         {
             Play = _playback.Read(result, result.GetValue(_file)!),
             RotationOrder = result.GetValue(_order),
@@ -57,7 +57,7 @@ internal sealed class PlayVerb : Verb
         };
         return options.FindFault() is { } fault
             ? await RefuseAsync(streams, fault)
-            : await new MonitorRun(options, streams).RunAsync(cancelled);
+            : await new WatchRun(options, streams).RunAsync(cancelled);
     }
 
     private void Reject(CommandResult result)

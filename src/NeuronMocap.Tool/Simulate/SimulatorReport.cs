@@ -79,7 +79,7 @@ internal sealed class SimulatorReport(
         {
             _page.WriteLine(line);
         }
-        catch (IOException exception) when (MonitorOutput.IsBrokenPipe(exception))
+        catch (IOException exception) when (WatchOutput.IsBrokenPipe(exception))
         {
             _isGone = true;
         }

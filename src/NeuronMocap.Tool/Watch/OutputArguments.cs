@@ -20,7 +20,7 @@ internal sealed class OutputArguments
     public void RejectContradictions(CommandResult result) => Verb.RejectBoth(result, _json, _quiet);
 
     /// <summary>Options that say no more than this.</summary>
-    public MonitorOptions Read(ParseResult result) => new()
+    public WatchOptions Read(ParseResult result) => new()
     {
         Frames = result.GetValue(_frames),
         Duration = result.GetValue(_duration),

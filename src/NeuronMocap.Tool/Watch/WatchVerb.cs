@@ -82,7 +82,7 @@ internal sealed class WatchVerb : Verb
     {
         bool overwrite = result.GetValue(_overwrite);
         Source source = result.GetValue(_source) ?? Source.Demo;
-        MonitorOptions options = _output.Read(result) with
+        WatchOptions options = _output.Read(result) with
         {
             Server = source.Server,
             UdpPort = source.UdpPort,
@@ -98,7 +98,7 @@ internal sealed class WatchVerb : Verb
         };
         return options.FindFault() is { } fault
             ? await RefuseAsync(streams, fault)
-            : await new MonitorRun(options, streams).RunAsync(cancelled);
+            : await new WatchRun(options, streams).RunAsync(cancelled);
     }
 
     private void Reject(CommandResult result)

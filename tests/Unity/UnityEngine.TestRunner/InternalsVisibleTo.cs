@@ -1,4 +1,3 @@
 using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("NeuronMocap.Unity.Tests")]
-[assembly: InternalsVisibleTo("NeuronMocap.Unity.Tests.Player")]

@@ -4,5 +4,4 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("UnityEditor")]
 [assembly: InternalsVisibleTo("UnityEngine.TestRunner")]
 [assembly: InternalsVisibleTo("NeuronMocap.Unity.Tests")]
-[assembly: InternalsVisibleTo("NeuronMocap.Unity.Tests.Player")]
 [assembly: InternalsVisibleTo("program")]

@@ -9,7 +9,7 @@ using NeuronMocap.Tool.Watch.Recordings;
 namespace NeuronMocap.Tool.Watch.Live;
 
 /// <summary>The live view. It looks at the reader ten times a second and with every key, and draws. All of that is on one thread.</summary>
-internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, TakeRecorder takes, MonitorOptions options, Stream output) : MonitorOutput
+internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, TakeRecorder takes, WatchOptions options, Stream output) : WatchOutput
 {
     private static readonly TimeSpan Period = TimeSpan.FromMilliseconds(100);
 

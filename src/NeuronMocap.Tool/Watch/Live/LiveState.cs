@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Watch.Recordings;
 namespace NeuronMocap.Tool.Watch.Live;
 
 /// <summary>Everything that the live view shows, as of the last look at the reader. One thread; other threads may add failures and events.</summary>
-internal sealed class LiveState(MonitorOptions options)
+internal sealed class LiveState(WatchOptions options)
 {
     private static readonly TimeSpan NoticeTime = TimeSpan.FromSeconds(10);
 
@@ -19,7 +19,7 @@ internal sealed class LiveState(MonitorOptions options)
     private volatile FileFailure[] _failures = [];
     private volatile TimedText? _notice;
 
-    public MonitorOptions Options => options;
+    public WatchOptions Options => options;
 
     /// <summary>What is played instead of a live stream; null for one.</summary>
     public RecordingPlayer? Player { get; init; }

@@ -124,7 +124,7 @@ public sealed partial class DashboardTests
     [Fact]
     public void The_stream_line_does_not_contradict_the_command_channel()
     {
-        var state = new LiveState(new MonitorOptions { Server = new ServerAddress("studio", 7001), CommandPort = 8013 })
+        var state = new LiveState(new WatchOptions { Server = new ServerAddress("studio", 7001), CommandPort = 8013 })
         {
             Status = new(ConnectionState.Receiving, ConnectionReason.None, "Receiving from studio:7001: binary format; rotation order YXZ, as the command channel says."),
         };
@@ -318,7 +318,7 @@ public sealed partial class DashboardTests
     [Fact]
     public void Without_a_keyboard_no_keys_are_offered()
     {
-        var state = new LiveState(new MonitorOptions()) { Status = Receiving, HasKeyboard = false };
+        var state = new LiveState(new WatchOptions()) { Status = Receiving, HasKeyboard = false };
         string last = Draw(state, 80, 24)[^1];
         Assert.StartsWith("Ctrl-C quits", last, StringComparison.Ordinal);
         Assert.DoesNotContain("record", last, StringComparison.Ordinal);
@@ -344,7 +344,7 @@ public sealed partial class DashboardTests
     [Fact]
     public void The_timecode_and_the_buffer_are_shown()
     {
-        var state = new LiveState(new MonitorOptions { UdpPort = 7012 }) { Status = Receiving with { ReceiveBufferSize = 212_992 } };
+        var state = new LiveState(new WatchOptions { UdpPort = 7012 }) { Status = Receiving with { ReceiveBufferSize = 212_992 } };
         float[] values = new float[180];
         state.Take(new MotionFrame(new MotionHeader { Version = DataVersion.Studio, Reserved1 = 0x0A0B0C, Reserved2 = 7 }, values));
         string text = string.Join('\n', Draw(state, 80, 24));
@@ -354,7 +354,7 @@ public sealed partial class DashboardTests
 
     private static LiveState State(ConnectionStatus status)
     {
-        var state = new LiveState(new MonitorOptions { Server = new ServerAddress("studio", 7001) }) { Status = status };
+        var state = new LiveState(new WatchOptions { Server = new ServerAddress("studio", 7001) }) { Status = status };
         state.Events.Add(DateTime.UnixEpoch, status);
         return state;
     }

@@ -1,7 +1,7 @@
 namespace NeuronMocap.Tool.Output;
 
 /// <summary>A way of showing what arrives. What one does not need it leaves out.</summary>
-internal abstract class MonitorOutput
+internal abstract class WatchOutput
 {
     /// <summary>Why the output could not be written, unless whoever read it has just left; null while it could.</summary>
     public IOException? Failure { get; private set; }

@@ -12,7 +12,7 @@ using NeuronMocap.Tool.Watch.Recordings;
 namespace NeuronMocap.Tool.Watch;
 
 /// <summary>One run of the program: a reader, an output, and whatever ends first.</summary>
-internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams)
+internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
 {
     private readonly TaskCompletionSource<ReaderStatistics> _enough = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private readonly FailureMessage _failure = new();
@@ -50,7 +50,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         if (!takes.TryBegin(out string? error))
             return await FailAsync(error!);
 
-        MonitorOutput output = CreateOutput(reader, player, takes);
+        WatchOutput output = CreateOutput(reader, player, takes);
         Connect(reader, output);
 
         using var duration = new CancellationTokenSource(options.Duration ?? Timeout.InfiniteTimeSpan);
@@ -90,7 +90,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
         return CommandLine.NothingReceived;
     }
 
-    private MonitorOutput CreateOutput(NeuronReader reader, RecordingPlayer? player, TakeRecorder takes) => options.Output switch
+    private WatchOutput CreateOutput(NeuronReader reader, RecordingPlayer? player, TakeRecorder takes) => options.Output switch
     {
         OutputKind.Json => new JsonOutput(streams.Output, options.Source),
         OutputKind.Quiet => new QuietOutput(streams.Output),
@@ -107,7 +107,7 @@ internal sealed class MonitorRun(MonitorOptions options, StandardStreams streams
             : Task.Delay(Timeout.Infinite);
     }
 
-    private void Connect(NeuronReader reader, MonitorOutput output)
+    private void Connect(NeuronReader reader, WatchOutput output)
     {
         reader.EventReported += news =>
         {

@@ -20,7 +20,7 @@ internal enum OutputKind
 }
 
 /// <summary>What the command line asks for.</summary>
-internal sealed record MonitorOptions
+internal sealed record WatchOptions
 {
     private static readonly TimeSpan LongestSilence = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan LongestConnect = TimeSpan.FromSeconds(5);

@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Watch;
 
-public sealed class MonitorRunTests
+public sealed class WatchRunTests
 {
     [Fact]
     public async Task Json_prints_every_frame_in_order_and_a_summary_last()
