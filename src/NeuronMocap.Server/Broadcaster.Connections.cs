@@ -104,7 +104,7 @@ public sealed partial class Broadcaster
 
     private void OnAccepted(BroadcastStream stream, Socket socket)
     {
-        lock (_gate)
+        lock (_lock)
         {
             if (_isOver || CountClients(stream) >= _options.MaxClients)
             {
@@ -149,12 +149,12 @@ public sealed partial class Broadcaster
 
     private void OnRecipientEnded(Recipient recipient, Exception? error)
     {
-        lock (_gate)
+        lock (_lock)
         {
             _recipients.Remove(recipient);
             _departed = _departed.Add(recipient.Counters);
             recipient.Stream.HasServed |= recipient is TcpClientSession && recipient.HadAll;
-            Monitor.PulseAll(_gate);
+            Monitor.PulseAll(_lock);
 
             // A paced broadcast is ended by its pacer.
             bool isOver = _pacer is null && _recipients.Count == 0 && _streams.All(static stream => stream.Listener is null || stream.HasServed);
@@ -166,7 +166,7 @@ public sealed partial class Broadcaster
     // The pacer's thread, which has nothing else to do any more, sees to it that clients end in time.
     private void OnPacerEnded(Exception? error)
     {
-        lock (_gate)
+        lock (_lock)
         {
             if (error is null)
             {
@@ -189,7 +189,7 @@ public sealed partial class Broadcaster
         TimeSpan remaining = timeout;
         while (_recipients.Count > 0 && !_isOver && remaining > TimeSpan.Zero)
         {
-            Monitor.Wait(_gate, remaining);
+            Monitor.Wait(_lock, remaining);
             remaining = timeout - watch.Elapsed;
         }
     }
@@ -215,7 +215,7 @@ public sealed partial class Broadcaster
                 recipient.Discard();
         }
 
-        Monitor.PulseAll(_gate);
+        Monitor.PulseAll(_lock);
         if (error is null)
             _completion.TrySetResult(true);
         else

@@ -21,7 +21,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
 {
     private static readonly TimeSpan JoinTimeout = TimeSpan.FromSeconds(5);
 
-    private readonly object _gate = new();
+    private readonly object _lock = new();
     private readonly FaultReport _report = new(nameof(Broadcaster));
     private readonly BroadcasterOptions _options;
     private readonly ZeroOutSource[] _actors;
@@ -112,7 +112,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     {
         get
         {
-            lock (_gate)
+            lock (_lock)
             {
                 RecipientCounters total = _recipients.Aggregate(_departed, (sum, recipient) => sum.Add(recipient.Counters));
                 return new BroadcasterStatistics(_streams.Sum(CountClients), _streams.Where(stream => stream.IsBeside).Sum(CountClients), _accepted, _refused, total);
@@ -124,7 +124,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <returns>A new list.</returns>
     public IReadOnlyList<BroadcasterClient> GetClients()
     {
-        lock (_gate)
+        lock (_lock)
             return _recipients.ConvertAll(Describe);
     }
 
@@ -147,7 +147,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         if (!GetReplies(avatarIndex).SetMode(avatarIndex, mode))
             return;
 
-        lock (_gate)
+        lock (_lock)
         {
             foreach (TcpClientSession client in _recipients.OfType<TcpClientSession>())
                 client.Push(DataCommandId.CombinationMode, avatarIndex);
@@ -160,7 +160,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <exception cref="ObjectDisposedException">It was stopped before.</exception>
     public void Start()
     {
-        lock (_gate)
+        lock (_lock)
         {
             if (_isOver)
                 throw new ObjectDisposedException(nameof(Broadcaster), "The broadcaster was stopped.");
@@ -182,7 +182,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     public void Stop()
     {
         Worker?[] workers;
-        lock (_gate)
+        lock (_lock)
         {
             workers = [.. _streams.Select(stream => stream.Listener?.Worker), _pacer?.Worker, .. _recipients.ConvertAll(recipient => recipient.Worker)];
             Close(error: null);

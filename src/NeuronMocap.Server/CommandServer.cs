@@ -23,7 +23,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     // A client that has just connected is about to ask, and one that was just answered often asks again.
     private static readonly long SafeTime = 2 * Stopwatch.Frequency;
 
-    private readonly object _gate = new();
+    private readonly object _lock = new();
     private readonly FaultReport _report = new(nameof(CommandServer));
     private readonly CommandServerOptions _options;
     private readonly CommandAnswers _answers;
@@ -67,7 +67,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     {
         get
         {
-            lock (_gate)
+            lock (_lock)
                 return _sessions.Count;
         }
     }
@@ -78,7 +78,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     /// <exception cref="ObjectDisposedException">It was stopped before.</exception>
     public void Start()
     {
-        lock (_gate)
+        lock (_lock)
         {
             if (_isOver)
                 throw new ObjectDisposedException(nameof(CommandServer), "The command server was stopped.");
@@ -104,7 +104,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     public void Stop()
     {
         Worker?[] workers;
-        lock (_gate)
+        lock (_lock)
         {
             _isOver = true;
             _stop.Set();
@@ -127,7 +127,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
 
     private void OnAccepted(Socket socket)
     {
-        lock (_gate)
+        lock (_lock)
         {
             if (_isOver || (CountClients() >= _options.MaxClients && !TryMakeRoom()))
             {
@@ -170,7 +170,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
 
     private void OnEnded(CommandSession session)
     {
-        lock (_gate)
+        lock (_lock)
             _sessions.Remove(session);
     }
 }

@@ -11,7 +11,7 @@ public sealed partial class NeuronReader
 
     /// <summary>
     /// Records every byte that this reader receives from now on, with the time of its arrival, to a file that plays again as the live stream did;
-    /// docs/recording.md describes it. The reader may run already or be started later, and reconnects are recorded, too. Where a connection stands
+    /// docs/reference/recording.md describes it. The reader may run already or be started later, and reconnects are recorded, too. Where a connection stands
     /// already, what it brought before is not in the recording; datagrams of senders that <see cref="NeuronReaderOptions.AllowedSenders"/> does not
     /// let in never are. The recording ends when it is disposed of, when it cannot be written any more, or with the reader. A reader may have several.
     /// </summary>

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the tables of docs/performance.md again, for both builds of the library: prints them, and writes every figure as JSON to a folder
+# Makes the tables of docs/internals/performance.md again, for both builds of the library: prints them, and writes every figure as JSON to a folder
 # (the first argument, else "results"). Takes about 25 minutes, in which the machine should have nothing else to do.
 set -euo pipefail
 out=$(realpath -m "${1:-results}")

@@ -3,7 +3,7 @@ using NeuronMocap.Compatibility;
 namespace NeuronDataReaderWraper;
 
 /// <summary>
-/// The functions of the vendor's C# wrappers of b10 to b15 and of the Unity integration, on top of NeuronMocap; docs/compatibility.md lists what behaves otherwise
+/// The functions of the vendor's C# wrappers of b10 to b15 and of the Unity integration, on top of NeuronMocap; docs/reference/compatibility.md lists what behaves otherwise
 /// than in the vendor's library. All functions may be called from any thread, callbacks included, and none throws.
 /// <para>
 /// There is one callback of each kind. It may be registered, replaced and, with null, unregistered at any time, from the next call on.

@@ -10,7 +10,7 @@ namespace NeuronMocap.Server.Broadcasting;
 /// <param name="packetsPerFrame">Packets of every frame.</param>
 internal sealed class FrameLog(int length, int packetsPerFrame = 1)
 {
-    private readonly object _gate = new();
+    private readonly object _lock = new();
     private readonly Slot[] _slots = new Slot[length];
     private long _end;
     private bool _isAppearing;
@@ -20,7 +20,7 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
     /// <summary>Makes a reader's place: at the next frame to be published.</summary>
     public FrameCursor CreateCursor()
     {
-        lock (_gate)
+        lock (_lock)
             return FrameCursor.At(_end);
     }
 
@@ -33,7 +33,7 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
     /// <param name="packets">How many they are.</param>
     public void Publish(ReadOnlySpan<byte> bytes, int packets)
     {
-        lock (_gate)
+        lock (_lock)
         {
             ref Slot slot = ref _slots[_end % _slots.Length];
             if (!_isAppearing)
@@ -44,27 +44,27 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
             if (!_isAppearing)
                 _end++;
 
-            Monitor.PulseAll(_gate);
+            Monitor.PulseAll(_lock);
         }
     }
 
     /// <summary>Says that no frame will follow; readers still get those that are there.</summary>
     public void Complete()
     {
-        lock (_gate)
+        lock (_lock)
         {
             _isComplete = true;
-            Monitor.PulseAll(_gate);
+            Monitor.PulseAll(_lock);
         }
     }
 
     /// <summary>Sends all readers away at once.</summary>
     public void Abort()
     {
-        lock (_gate)
+        lock (_lock)
         {
             _isAborted = true;
-            Monitor.PulseAll(_gate);
+            Monitor.PulseAll(_lock);
         }
     }
 
@@ -72,10 +72,10 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
     /// <param name="cursor">The reader's place.</param>
     public void Wake(FrameCursor cursor)
     {
-        lock (_gate)
+        lock (_lock)
         {
             cursor.IsWoken = true;
-            Monitor.PulseAll(_gate);
+            Monitor.PulseAll(_lock);
         }
     }
 
@@ -86,10 +86,10 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
     /// <returns>What was copied; nothing after <see cref="Wake"/>, after the end and after <see cref="Abort"/>.</returns>
     public FrameBatch Read(FrameCursor cursor, Span<byte> destination, int maxFrames = int.MaxValue)
     {
-        lock (_gate)
+        lock (_lock)
         {
             while (!HasMore(cursor) && !_isComplete && !_isAborted && !cursor.IsWoken)
-                Monitor.Wait(_gate);
+                Monitor.Wait(_lock);
 
             cursor.IsWoken = false;
             long missed = CountOverwritten(cursor);
@@ -122,7 +122,7 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
     /// <param name="cursor">The reader's place.</param>
     public bool IsAtEnd(FrameCursor cursor)
     {
-        lock (_gate)
+        lock (_lock)
             return _isComplete && cursor.Position == _end;
     }
 
@@ -130,7 +130,7 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
     /// <param name="cursor">The reader's place.</param>
     public bool IsOver(FrameCursor cursor)
     {
-        lock (_gate)
+        lock (_lock)
             return _isAborted || (_isComplete && cursor.Position == _end);
     }
 
@@ -140,7 +140,7 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
     /// <param name="cursor">The reader's place.</param>
     public long GetMissed(FrameCursor cursor)
     {
-        lock (_gate)
+        lock (_lock)
             return cursor.Missed + CountOverwritten(cursor);
     }
 

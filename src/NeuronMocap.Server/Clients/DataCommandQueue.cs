@@ -12,7 +12,7 @@ internal sealed class DataCommandQueue(DataCommandReplies replies)
     // More than a client of 256 avatars asks for in one go; one that does not read its replies gets no further.
     public const int Capacity = 1024;
 
-    private readonly object _gate = new();
+    private readonly object _lock = new();
     private readonly Queue<Entry> _waiting = new();
     private readonly HashSet<Entry> _pushes = [];
     private readonly HashSet<DataCommandId> _registered = [];
@@ -30,7 +30,7 @@ internal sealed class DataCommandQueue(DataCommandReplies replies)
     {
         get
         {
-            lock (_gate)
+            lock (_lock)
                 return _waiting.Count == 0;
         }
     }
@@ -38,7 +38,7 @@ internal sealed class DataCommandQueue(DataCommandReplies replies)
     // Returns whether there is something to send.
     public bool Accept(in DataCommandHeader request)
     {
-        lock (_gate)
+        lock (_lock)
         {
             var id = (DataCommandId)request.Parameter;
             bool isKnown = request.CommandId switch
@@ -61,7 +61,7 @@ internal sealed class DataCommandQueue(DataCommandReplies replies)
     // A value has changed. Returns whether there is something to send.
     public bool Push(DataCommandId id, int avatar)
     {
-        lock (_gate)
+        lock (_lock)
         {
             if (!_registered.Contains(id))
                 return false;
@@ -73,7 +73,7 @@ internal sealed class DataCommandQueue(DataCommandReplies replies)
 
     public bool TryTake(out DataCommandId id, out int avatar)
     {
-        lock (_gate)
+        lock (_lock)
         {
             bool found = _waiting.TryDequeue(out Entry entry);
             if (found && entry.IsPush)

@@ -11,7 +11,7 @@ internal sealed class ZeroOutSource(MotionSource source) : MotionSource
     // Whoever asks again and again, at every frame, gets no more memory for it.
     public const int MaxTurns = 1024;
 
-    private readonly object _gate = new();
+    private readonly object _lock = new();
     private readonly List<(long From, MotionSource Source, BoneTransform Turn)> _turns = [(0, source, BoneTransform.Identity)];
     private long _newest = -1;
 
@@ -19,7 +19,7 @@ internal sealed class ZeroOutSource(MotionSource source) : MotionSource
     {
         get
         {
-            lock (_gate)
+            lock (_lock)
                 return _turns.Count;
         }
     }
@@ -37,7 +37,7 @@ internal sealed class ZeroOutSource(MotionSource source) : MotionSource
     public bool FaceFront(long frameCount)
     {
         Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
-        lock (_gate)
+        lock (_lock)
         {
             long from = _newest + 1;
             if (from >= Math.Min(frameCount, FrameCount ?? long.MaxValue))
@@ -70,7 +70,7 @@ internal sealed class ZeroOutSource(MotionSource source) : MotionSource
 
     internal override MotionSource At(long frame)
     {
-        lock (_gate)
+        lock (_lock)
         {
             _newest = Math.Max(_newest, frame);
             int i = _turns.Count - 1;

@@ -2,7 +2,7 @@ using System.Text.Json.Nodes;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>What --info says about a file, for a person and for a program alike.</summary>
+/// <summary>What info says about a file, for a person and for a program alike.</summary>
 /// <param name="file">Name of the file.</param>
 /// <param name="kind">One word for the kind of file, for a program.</param>
 /// <param name="summary">What it is, in a line.</param>

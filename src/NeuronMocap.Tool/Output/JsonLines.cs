@@ -10,7 +10,7 @@ using NeuronMocap.Tool.Arguments;
 namespace NeuronMocap.Tool.Output;
 
 /// <summary>
-/// Makes the lines of --json, which docs/json.md describes, each in the same buffer: what a method returns is valid until the next call. A frame's
+/// Makes the lines of --json, which docs/reference/json.md describes, each in the same buffer: what a method returns is valid until the next call. A frame's
 /// line allocates nothing once the buffer has grown to its size. One thread at a time.
 /// </summary>
 [SuppressMessage("Design", "CA1001", Justification = "The writer holds nothing but the buffer.")]

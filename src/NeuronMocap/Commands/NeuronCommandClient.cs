@@ -26,7 +26,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
 {
     private static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(2);
 
-    private readonly object _gate = new();
+    private readonly object _lock = new();
     private readonly NeuronCommandOptions _options;
     private readonly LinkOptions _link;
     private readonly CommandReplies _replies;
@@ -68,7 +68,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
     {
         get
         {
-            lock (_gate)
+            lock (_lock)
                 return !_isWorking && _connection?.IsLeft == true;
         }
     }
@@ -161,7 +161,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
     {
         // First, so that whoever ends the request finds the registration. A token that is cancelled already calls back here and now.
         request.Cancellation = cancellationToken.Register(() => Cancel(request, cancellationToken));
-        lock (_gate)
+        lock (_lock)
         {
             if (_isDisposed)
                 request.Fail(Disposed());
@@ -196,7 +196,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
 
     private void Cancel(CommandRequest request, CancellationToken token)
     {
-        lock (_gate)
+        lock (_lock)
         {
             if (request.Cancel(token) && !_queue.Remove(request) && _current == request)
                 _connection?.Close();
@@ -205,7 +205,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
 
     private Task Stop()
     {
-        lock (_gate)
+        lock (_lock)
         {
             _isDisposed = true;
             foreach (CommandRequest request in _queue)
@@ -240,7 +240,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
 
     private bool TryTake([System.Diagnostics.CodeAnalysis.NotNullWhen(true)] out CommandRequest? request)
     {
-        lock (_gate)
+        lock (_lock)
         {
             request = _queue.First?.Value;
             _current = request;
@@ -284,7 +284,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
     private CommandConnection Replace(CommandRequest request)
     {
         var connection = new CommandConnection(_options, _link, Resolve);
-        lock (_gate)
+        lock (_lock)
         {
             _connection?.Close();
             _connection = connection;
@@ -299,7 +299,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
 
     private void Drop()
     {
-        lock (_gate)
+        lock (_lock)
             _connection?.Close();
     }
 }

@@ -5,7 +5,7 @@ namespace NeuronMocap.Retargeting;
 
 /// <summary>
 /// Puts poses of the stream onto a character of any rest pose and any proportions. Each bone is turned in the world as the actor's bone is, away
-/// from its own rest rotation; the hips go the actor's way in the measure of the character's legs. docs/retargeting.md says why.
+/// from its own rest rotation; the hips go the actor's way in the measure of the character's legs. docs/guide/retargeting.md says why.
 /// Allocates nothing for a frame. Not thread-safe: one thread at a time.
 /// </summary>
 public sealed class Retargeter

@@ -5,7 +5,7 @@ namespace NeuronMocap.Retargeting;
 /// <summary>
 /// Finds the nodes of a rig by their names. For each bone, in this order: the name that was given for it; prefix, the bone's name in BVH files and
 /// suffix, letter by letter; the same without regard to case and separators, with the side as a word or a letter in front or behind, and with the
-/// names that are common elsewhere, such as "thigh" or "upper_leg" (table in docs/retargeting.md). Thread-safe.
+/// names that are common elsewhere, such as "thigh" or "upper_leg" (table in docs/guide/retargeting.md). Thread-safe.
 /// </summary>
 public static class RigBinder
 {

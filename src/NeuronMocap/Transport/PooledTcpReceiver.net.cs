@@ -12,15 +12,15 @@ internal sealed class PooledTcpReceiver : TcpReceiver
 {
     private const int BufferSize = 64 * 1024;
 
-    private readonly ReceiveGate _gate = new();
+    private readonly ReceiveGate _lock = new();
 
     public override ReceiveThread Thread => ReceiveThread.Pool;
 
-    public override Task ConnectAsync(Socket socket, IPEndPoint remote) => _gate.UntilClosedAsync(socket.ConnectAsync(remote));
+    public override Task ConnectAsync(Socket socket, IPEndPoint remote) => _lock.UntilClosedAsync(socket.ConnectAsync(remote));
 
-    public override Task ReceiveAsync(Socket socket, PacketAssembler assembler) => _gate.UntilClosedAsync(LoopAsync(socket, assembler));
+    public override Task ReceiveAsync(Socket socket, PacketAssembler assembler) => _lock.UntilClosedAsync(LoopAsync(socket, assembler));
 
-    public override void Close() => _gate.Close();
+    public override void Close() => _lock.Close();
 
     // One method, and so one state machine for the whole connection: one of its own for each arrival would be allocated whenever it waits.
     private async Task LoopAsync(Socket socket, PacketAssembler assembler)
@@ -36,9 +36,9 @@ internal sealed class PooledTcpReceiver : TcpReceiver
                 do
                 {
                     count = await socket.ReceiveAsync(buffer.AsMemory(0, BufferSize), SocketFlags.None).ConfigureAwait(false);
-                    if (count > 0 && _gate.TryEnter())
+                    if (count > 0 && _lock.TryEnter())
                         assembler.Push(new ArraySegment<byte>(buffer, 0, count), Stopwatch.GetTimestamp());
-                    if (count > 0 && !_gate.TryLeave())
+                    if (count > 0 && !_lock.TryLeave())
                         return;
                 }
                 while (count == BufferSize);

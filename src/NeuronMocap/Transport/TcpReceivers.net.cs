@@ -1,7 +1,7 @@
 namespace NeuronMocap.Transport;
 
 // Who gets a thread. A blocking thread answers soonest, and more than a few servers at once is rare; past the limit, connections share the
-// pool's threads, so that a process with a thousand of them has no thousand threads. docs/performance.md has the figures of both.
+// pool's threads, so that a process with a thousand of them has no thousand threads. docs/internals/performance.md has the figures of both.
 internal sealed class TcpReceivers(int maxThreads)
 {
     private int _threads;

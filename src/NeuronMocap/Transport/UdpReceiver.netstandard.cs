@@ -15,14 +15,14 @@ internal sealed class UdpReceiver : IDisposable
     private readonly UdpSenders _senders;
     private readonly SenderEndPoint _sender;
     private readonly SocketAsyncEventArgs _operation = new();
-    private readonly ReceiveGate _gate;
+    private readonly ReceiveGate _lock;
     private readonly TaskCompletionSource<bool> _completion = new();
 
     private UdpReceiver(Socket socket, UdpSenders senders, ReceiveGate gate)
     {
         _socket = socket;
         _senders = senders;
-        _gate = gate;
+        _lock = gate;
         _sender = new SenderEndPoint(socket.LocalEndPoint!);
         _operation.SetBuffer(new byte[MaxDatagram], 0, MaxDatagram);
         _operation.Completed += (_, _) => Receive(completed: true);
@@ -70,9 +70,9 @@ internal sealed class UdpReceiver : IDisposable
 
         // Some runtimes replace the end point by one of their own instead of asking ours.
         SocketAddress address = _operation.RemoteEndPoint is SenderEndPoint sender ? sender.Address : _operation.RemoteEndPoint!.Serialize();
-        if (_gate.TryEnter())
+        if (_lock.TryEnter())
             _senders.Push(address, new ArraySegment<byte>(_operation.Buffer!, 0, _operation.BytesTransferred), Stopwatch.GetTimestamp());
-        if (!_gate.TryLeave())
+        if (!_lock.TryLeave())
             throw new OperationCanceledException();
     }
 

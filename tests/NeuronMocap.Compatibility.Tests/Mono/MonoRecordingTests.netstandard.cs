@@ -11,9 +11,6 @@ public sealed class MonoRecordingTests : IDisposable
         """
         using System;
         using NeuronMocap;
-        using NeuronMocap.Delivery;
-        using NeuronMocap.Frames;
-        using NeuronMocap.Playback;
         using NeuronMocap.Recording;
 
         public static class Program

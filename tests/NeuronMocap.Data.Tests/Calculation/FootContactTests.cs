@@ -26,10 +26,10 @@ public sealed class FootContactTests
         FootContacts[] recorded = [.. frames.Select(frame => frame.Recorded)];
         FootContacts[] estimated = track.EstimateContacts();
         string figures = FormattableString.Invariant(
-            $"{frames.Count} frames: take {NeuronMocap.Tests.Kinematics.FootContactTests.Agreement(recorded, estimated):P1}, live {NeuronMocap.Tests.Kinematics.FootContactTests.Agreement(recorded, lives):P1}; changes {NeuronMocap.Tests.Kinematics.FootContactTests.Changes(recorded)}, {NeuronMocap.Tests.Kinematics.FootContactTests.Changes(estimated)}, {NeuronMocap.Tests.Kinematics.FootContactTests.Changes(lives)}");
+            $"{frames.Count} frames: take {NeuronMocap.Tests.Motion.FootContactTests.Agreement(recorded, estimated):P1}, live {NeuronMocap.Tests.Motion.FootContactTests.Agreement(recorded, lives):P1}; changes {NeuronMocap.Tests.Motion.FootContactTests.Changes(recorded)}, {NeuronMocap.Tests.Motion.FootContactTests.Changes(estimated)}, {NeuronMocap.Tests.Motion.FootContactTests.Changes(lives)}");
         TestContext.Current.TestOutputHelper?.WriteLine(figures);
-        Assert.True(NeuronMocap.Tests.Kinematics.FootContactTests.Agreement(recorded, estimated) >= leastOfTake && NeuronMocap.Tests.Kinematics.FootContactTests.Agreement(recorded, lives) >= leastLive, figures);
-        Assert.True(NeuronMocap.Tests.Kinematics.FootContactTests.Changes(estimated) <= NeuronMocap.Tests.Kinematics.FootContactTests.Changes(recorded) + 2, figures);
+        Assert.True(NeuronMocap.Tests.Motion.FootContactTests.Agreement(recorded, estimated) >= leastOfTake && NeuronMocap.Tests.Motion.FootContactTests.Agreement(recorded, lives) >= leastLive, figures);
+        Assert.True(NeuronMocap.Tests.Motion.FootContactTests.Changes(estimated) <= NeuronMocap.Tests.Motion.FootContactTests.Changes(recorded) + 2, figures);
     }
 
     // Metres with Z down; bones in the order of Appendix C, where the right foot is the fourth and the left one the seventh.

@@ -10,7 +10,7 @@ using NeuronMocap.Tests.Retargeting.Pictures;
 namespace NeuronMocap.Data.Tests.Retargeting;
 
 /// <summary>
-/// The picture of docs/retargeting.md: ten frames of a recorded take, the actor beside a character that was made quite otherwise.
+/// The picture of docs/guide/retargeting.md: ten frames of a recorded take, the actor beside a character that was made quite otherwise.
 /// </summary>
 public sealed class RetargetingPictureTests
 {
@@ -123,12 +123,12 @@ public sealed class RetargetingPictureTests
 
     private static void Compare(string svg)
     {
-        string path = Repository.PathOf("docs", "retargeting.svg");
+        string path = Repository.PathOf("docs", "guide", "retargeting.svg");
         if (Environment.GetEnvironmentVariable(UpdateVariable) == "1")
             File.WriteAllText(path, svg);
 
         string? difference = SvgDrawing.Difference(File.ReadAllText(path), svg);
-        Assert.True(difference is null, $"docs/retargeting.svg is out of date, run with {UpdateVariable}=1: {difference}");
+        Assert.True(difference is null, $"docs/guide/retargeting.svg is out of date, run with {UpdateVariable}=1: {difference}");
     }
 
     private sealed class Stage(TargetRig rig, SkeletonBody body)

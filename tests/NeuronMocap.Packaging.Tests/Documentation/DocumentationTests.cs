@@ -59,7 +59,7 @@ public sealed partial class DocumentationTests
     }
 
     [Fact]
-    public void The_picture_of_retargeting_is_that_of_the_library() => Check("images/retargeting.svg", File.ReadAllText(Repository.PathOf("docs", "retargeting.svg")));
+    public void The_picture_of_retargeting_is_that_of_the_library() => Check("images/retargeting.svg", File.ReadAllText(Repository.PathOf("docs", "guide", "retargeting.svg")));
 
     [Fact]
     public void Every_picture_is_shown_on_a_page()

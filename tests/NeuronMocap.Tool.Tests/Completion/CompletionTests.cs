@@ -77,7 +77,7 @@ public sealed class CompletionTests
     [Fact]
     public void The_page_of_the_program_names_every_verb_and_every_exit_code()
     {
-        string page = File.ReadAllText(Repository.PathOf("docs/cli.md"));
+        string page = File.ReadAllText(Repository.PathOf("docs/reference/cli.md"));
         using var streams = new StandardStreams(Stream.Null, TextWriter.Null, IsTerminal: false);
         Assert.All(CommandLine.Create(streams, CancellationToken.None).Subcommands.OfType<Verb>(), verb =>
         {

@@ -5,7 +5,7 @@ namespace NeuronMocap.Calculation;
 
 /// <summary>
 /// The body behind a take, and how the sensors sit on it: three passes over its frames. Centres and sensors are recorded; joints, lengths and the
-/// bones' own rotations are not. See docs/calculation.md.
+/// bones' own rotations are not. See docs/guide/calculation.md.
 /// </summary>
 internal sealed class BodyMeasurement
 {

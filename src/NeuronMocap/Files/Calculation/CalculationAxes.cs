@@ -36,7 +36,7 @@ public sealed class CalculationAxes
 
     /// <summary>
     /// Those of exported files: z into the ground, right-handed. x and y lie in the ground, and actors face anywhere: that x is to the left of somebody who
-    /// faces as BVH's forward is a choice, which turns a take about the vertical at most. The evidence is in docs/calculation.md.
+    /// faces as BVH's forward is a choice, which turns a take about the vertical at most. The evidence is in docs/guide/calculation.md.
     /// </summary>
     public static CalculationAxes Export { get; } = new(BodyDirection.Left, BodyDirection.Forward, BodyDirection.Down);
 

@@ -5,7 +5,7 @@ namespace NeuronMocap.Calculation;
 
 /// <summary>
 /// A calculation export, the .calc file of Axis Neuron: rows of text with the values of calculation frames, in the order of the calculation stream
-/// (manual, Appendix C; docs/calculation.md has the columns). Immutable once read; thread-safe.
+/// (manual, Appendix C; docs/guide/calculation.md has the columns). Immutable once read; thread-safe.
 /// <para>
 /// Reading is lenient: what is wrong but has one sensible reading is read that way and listed in <see cref="Repairs"/>. What stands above the first
 /// row is a header, kept in <see cref="TextFormat"/>. White space of any kind parts values, also behind the last one; blank lines and the kind of line

@@ -8,7 +8,7 @@ namespace NeuronMocap.Calculation;
 /// where the joints are, how long the bones, and how the sensors sit on them, and then poses of the 59 bones. Immutable; thread-safe.
 /// <para>
 /// A bone is turned as its sensor says, and then by the shortest way to where its centre was recorded; only the feet, which the server holds to the ground
-/// when both stand, move away from their place in the body. How near this comes to what was recorded stands in docs/calculation.md. What fingers
+/// when both stand, move away from their place in the body. How near this comes to what was recorded stands in docs/guide/calculation.md. What fingers
 /// do is not known: they are carried along.
 /// </para>
 /// </summary>

@@ -5,7 +5,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
 {
     public const int Endless = int.MaxValue;
 
-    private readonly object _gate = new();
+    private readonly object _lock = new();
     private readonly PlaybackClock _clock = new();
     private TimeSpan? _seek;
     private int _steps;
@@ -22,7 +22,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     {
         get
         {
-            lock (_gate)
+            lock (_lock)
             {
                 TimeSpan position = _seek ?? _clock.PositionAt(time.Now);
                 return position < duration ? position : duration;
@@ -34,7 +34,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     {
         get
         {
-            lock (_gate)
+            lock (_lock)
                 return _clock.Speed;
         }
 
@@ -45,7 +45,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     {
         get
         {
-            lock (_gate)
+            lock (_lock)
                 return _passes;
         }
 
@@ -56,7 +56,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     {
         get
         {
-            lock (_gate)
+            lock (_lock)
                 return _pass;
         }
     }
@@ -65,7 +65,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     {
         get
         {
-            lock (_gate)
+            lock (_lock)
                 return _isPaused;
         }
     }
@@ -110,7 +110,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     public PlaybackAction WaitFor(TimeSpan instant, CancellationToken closed, out long timestamp)
     {
         timestamp = 0;
-        lock (_gate)
+        lock (_lock)
         {
             while (true)
             {
@@ -125,7 +125,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
 
                 if (_isPaused)
                 {
-                    Monitor.Wait(_gate);
+                    Monitor.Wait(_lock);
                     continue;
                 }
 
@@ -134,7 +134,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
                     _clock.Run(now);
                 if (_clock.IsPaced && _clock.DueAt(instant) is var due && due > now)
                 {
-                    time.Wait(_gate, due);
+                    time.Wait(_lock, due);
                     continue;
                 }
 
@@ -147,7 +147,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     // Playback thread: the place that a seek asked for.
     public TimeSpan TakeSeek()
     {
-        lock (_gate)
+        lock (_lock)
         {
             TimeSpan target = _seek ?? TimeSpan.Zero;
             _seek = null;
@@ -160,7 +160,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     // to be shown has not been passed.
     public int TakeStepsBack()
     {
-        lock (_gate)
+        lock (_lock)
         {
             int count = _stepsBack - (_isShowing ? 1 : 0);
             (_steps, _stepsBack, _isShowing) = (1, 0, true);
@@ -171,7 +171,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     // Playback thread: a step has come to a place, whose bytes are due now.
     public long StepTo(TimeSpan place)
     {
-        lock (_gate)
+        lock (_lock)
         {
             long now = time.Now;
             _clock.MoveTo(place, now);
@@ -182,7 +182,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     // Playback thread: a frame was handed out, or there is none.
     public void EndStep()
     {
-        lock (_gate)
+        lock (_lock)
         {
             _steps = Math.Max(0, _steps - 1);
             _isShowing = false;
@@ -192,7 +192,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     // Playback thread, at the end of a pass: whether another follows. It begins at the very instant at which this one ends.
     public bool BeginPass()
     {
-        lock (_gate)
+        lock (_lock)
         {
             if (_passes != Endless && _pass >= _passes)
                 return false;
@@ -214,10 +214,10 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
 
     private void Change(Action change)
     {
-        lock (_gate)
+        lock (_lock)
         {
             change();
-            Monitor.PulseAll(_gate);
+            Monitor.PulseAll(_lock);
         }
     }
 }

@@ -7,7 +7,7 @@ namespace NeuronMocap.Recording;
 /// <summary>
 /// Plays what a file holds of a stream to a <see cref="NeuronReader"/>, as if it arrived from the network now: a recording, or a raw dump of a stream's
 /// bytes, whichever the file's first bytes say it is. The same bytes go the same way in the same pieces, so that the reader's frames, statistics
-/// and states are those of the reader that recorded; see docs/playback.md.
+/// and states are those of the reader that recorded; see docs/guide/playback.md.
 /// <para>
 /// Open one, make a reader with <see cref="NeuronReader(RecordingPlayer, NeuronReaderOptions?)"/>, start it. The player belongs to that reader, which does
 /// not dispose of it. All members may be called from any thread, from handlers of the reader too, and none waits for the playback: a

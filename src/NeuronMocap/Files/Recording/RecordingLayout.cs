@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-// Sizes of the file format, which docs/recording.md describes. All numbers in it are little endian.
+// Sizes of the file format, which docs/reference/recording.md describes. All numbers in it are little endian.
 internal static class RecordingLayout
 {
     public const int FileHeaderSize = 64;

@@ -1,7 +1,7 @@
 namespace NeuronMocap.Recording;
 
 /// <summary>
-/// Reads a recording (docs/recording.md), entry by entry, in constant memory: about as much as the largest block has, 2 MB at most, and 4 MB more where
+/// Reads a recording (docs/reference/recording.md), entry by entry, in constant memory: about as much as the largest block has, 2 MB at most, and 4 MB more where
 /// blocks are missing or displaced. A file that was not closed, because the recording process was killed or still runs, is read up to its last whole block;
 /// damaged and missing places are passed over and told (<see cref="Problems"/>, <see cref="RecordingEntryKind.Damaged"/>), and blocks that are not in the order in
 /// which they were written are read in that order, each once. Not for use by several threads at a time.

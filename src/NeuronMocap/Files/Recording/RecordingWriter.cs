@@ -4,7 +4,7 @@ using NeuronMocap.Files;
 namespace NeuronMocap.Recording;
 
 /// <summary>
-/// Writes a recording (docs/recording.md). Entries are gathered in blocks; a block is written whole, with one call, when it has grown to 64 KB or
+/// Writes a recording (docs/reference/recording.md). Entries are gathered in blocks; a block is written whole, with one call, when it has grown to 64 KB or
 /// <see cref="Flush"/> is called, and nothing that was written is ever changed. Times must not go back: one that does counts as the time of the entry
 /// before. Not for use by several threads at a time. Exceptions of the stream are handed on. After one the writer writes no more, and the file ends behind
 /// the last whole block.

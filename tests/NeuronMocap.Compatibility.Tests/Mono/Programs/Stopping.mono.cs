@@ -11,7 +11,6 @@ using NeuronMocap;
 using NeuronMocap.Commands;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Transport;
 
 // Compiled and run by Mono. Stops what can be stopped, again and again, in every state, and prints how long it took, in milliseconds.
 public static class Program

@@ -1,0 +1,114 @@
+using System.Numerics;
+using NeuronMocap.Motion;
+using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tests.Motion;
+
+public sealed class FootContactTests
+{
+    [Theory]
+    [InlineData(30)]
+    [InlineData(60)]
+    [InlineData(120)]
+    public void The_estimate_agrees_with_the_actor_who_knows(int rate)
+    {
+        var actor = new SyntheticSource(rate);
+        var body = SkeletonBody.GetDefault();
+        var track = new FootContactTrack();
+        var live = new FootContactEstimator();
+        List<FootContacts> known = [];
+        List<FootContacts> lives = [];
+        BoneTransform[] pose = new BoneTransform[59];
+        for (int frame = 0; frame < 40 * rate; frame++)
+        {
+            actor.GetPose(frame, pose);
+            ForwardKinematics.ToWorld(pose, pose);
+            track.Add(pose, body, frame / (double)rate);
+            lives.Add(live.Update(pose, body, frame / (double)rate));
+            (bool left, bool right) = actor.GetFootContacts(frame);
+            known.Add(new FootContacts(left, right));
+        }
+
+        FootContacts[] estimated = track.EstimateContacts();
+        string figures = FormattableString.Invariant(
+            $"{rate} Hz: take {Agreement(known, estimated):P1}, live {Agreement(known, lives):P1}; changes {Changes(known)}, {Changes(estimated)}, {Changes(lives)}");
+        TestContext.Current.TestOutputHelper?.WriteLine(figures);
+        Assert.True(Agreement(known, estimated) >= 0.93 && Agreement(known, lives) >= 0.91, figures);
+        Assert.Equal(Changes(known), Changes(estimated));
+        Assert.True(Math.Abs(Changes(known) - Changes(lives)) <= 2, figures);
+    }
+
+    [Fact]
+    public void Noise_does_not_make_a_contact_flicker()
+    {
+        // A foot that is lifted and put down once, with noise of two millimetres and of 20 cm/s.
+        var random = new Random(3);
+        var live = new FootContactEstimator();
+        List<FootContacts> contacts = [];
+        for (int i = 0; i < 600; i++)
+        {
+            float Noise() => (random.NextSingle() - 0.5f) * 0.2f;
+            float lift = i is > 200 and < 300 ? 15 * MathF.Sin((i - 200) * MathF.PI / 100) : 0;
+            contacts.Add(live.Update(new Vector3(Noise(), 5 + Noise(), Noise()), new Vector3(20, 5 + lift + Noise(), lift * 2), i / 120.0));
+        }
+
+        Assert.Equal(1 + 1 + 2, Changes(contacts));
+        Assert.True(contacts[^1] == new FootContacts(Left: true, Right: true));
+        Assert.True(contacts[250] == new FootContacts(Left: true, Right: false));
+    }
+
+    [Fact]
+    public void What_calculation_data_says_is_taken()
+    {
+        float[] values = new float[CalculationFrame.FullValueCount];
+        values[336] = 1;
+        var frame = new CalculationFrame(new CalculationHeader(), values);
+        Assert.Equal(new FootContacts(Left: true, Right: false), frame.FootContacts);
+
+        var estimator = new FootContactEstimator();
+        for (int i = 0; i < 10; i++)
+            Assert.Equal(frame.FootContacts, estimator.Update(Vector3.Zero, Vector3.Zero, i, frame.FootContacts));
+
+        Assert.Equal(new FootContacts(Left: true, Right: true), estimator.Update(Vector3.Zero, Vector3.Zero, 11));
+        estimator.Reset();
+        Assert.Equal(default, estimator.Contacts);
+    }
+
+    [Fact]
+    public void Frames_that_come_at_once_change_nothing()
+    {
+        var estimator = new FootContactEstimator();
+        estimator.Update(Vector3.Zero, Vector3.Zero, 0);
+        estimator.Update(Vector3.Zero, Vector3.Zero, 0.01);
+        Assert.Equal(new FootContacts(Left: true, Right: true), estimator.Update(new Vector3(0.1f), new Vector3(0.1f), 0.01));
+        Assert.Equal(new FootContacts(Left: true, Right: true), estimator.Update(new Vector3(0.1f), new Vector3(0.1f), 0.02));
+    }
+
+    [Fact]
+    public void An_empty_take_and_one_of_a_single_frame_are_takes()
+    {
+        var track = new FootContactTrack();
+        Assert.Empty(track.EstimateContacts());
+        track.Add(Vector3.Zero, Vector3.UnitY * 20, 0);
+        Assert.Equal([new FootContacts(Left: true, Right: false)], track.EstimateContacts());
+    }
+
+    [Fact]
+    public void Nothing_is_allocated()
+    {
+        BoneTransform[] pose = new BoneTransform[59];
+        SkeletonBody.GetDefault().CopyRestPose(pose);
+        ForwardKinematics.ToWorld(pose, pose);
+        var estimator = new FootContactEstimator();
+        int frame = 0;
+        Allocations.AssertNone(() => estimator.Update(pose, SkeletonBody.GetDefault(), frame++ / 60.0));
+    }
+
+    internal static double Agreement(IReadOnlyList<FootContacts> one, IReadOnlyList<FootContacts> other) =>
+        one.Zip(other, (a, b) => (a.Left == b.Left ? 0.5 : 0) + (a.Right == b.Right ? 0.5 : 0)).Average();
+
+    internal static int Changes(IReadOnlyList<FootContacts> contacts) => contacts.Skip(1)
+        .Zip(contacts, (later, earlier) => (later.Left == earlier.Left ? 0 : 1) + (later.Right == earlier.Right ? 0 : 1))
+        .Sum();
+}
