@@ -41,7 +41,7 @@ public sealed partial class CommandLineTests
     [InlineData("--calculation-port", "watch", "--calculation-port", "7003")]
     [InlineData("--calculation-port", "watch", "take.nmrec", "--calculation-port", "7003")]
     [InlineData("udp://", "watch", "udp://studio")]
-    [InlineData("udp://", "watch", "udp://:0")]
+    [InlineData("'0'", "watch", "udp://:0")]
     [InlineData("http://studio", "watch", "http://studio")]
     [InlineData("--record", "watch", "--record")]
     [InlineData("--record", "watch", "--record", " ")]
@@ -109,6 +109,7 @@ public sealed partial class CommandLineTests
 
     [Theory]
     [InlineData("unknown verb 'wach': did you mean watch?", "wach")]
+    [InlineData("unknown verb 'wacth': did you mean watch?", "wacth")]
     [InlineData("unknown verb 'Watch': did you mean watch?", "Watch", "demo")]
     [InlineData("unknown verb 'help': did you mean --help?", "help")]
     [InlineData("unknown verb '192.168.1.20': did you mean neuron-mocap watch 192.168.1.20?", "192.168.1.20", "--json")]

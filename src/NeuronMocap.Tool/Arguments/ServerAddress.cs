@@ -26,7 +26,7 @@ internal readonly record struct ServerAddress(string Host, int Port)
         int number = defaultPort;
         if (port is not null && !TryParsePort(port, out number))
         {
-            error = $"'{port}' is no port: it must be a number from 1 to {IPEndPoint.MaxPort}.";
+            error = IsNoPort(port);
             return false;
         }
 
@@ -36,6 +36,8 @@ internal readonly record struct ServerAddress(string Host, int Port)
 
     public static bool TryParsePort(string text, out int port) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out port) && port is > 0 and <= IPEndPoint.MaxPort;
+
+    public static string IsNoPort(string text) => $"'{text}' is no port: it must be a number from 1 to {IPEndPoint.MaxPort}.";
 
     public override string ToString() => Host.Contains(':', StringComparison.Ordinal) ? $"[{Host}]:{Port}" : $"{Host}:{Port}";
 

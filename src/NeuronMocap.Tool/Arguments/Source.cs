@@ -109,7 +109,10 @@ internal sealed record Source(SourceKind Kind)
     {
         int colon = text.LastIndexOf(':');
         string host = colon < 0 ? text : text[..colon];
-        if (colon < 0 || !ServerAddress.TryParsePort(text[(colon + 1)..], out int port))
+        string number = text[(colon + 1)..];
+        if (colon >= 0 && number.Length > 0 && number.All(char.IsAsciiDigit) && !ServerAddress.TryParsePort(number, out _))
+            return (null, ServerAddress.IsNoPort(number));
+        if (colon < 0 || !ServerAddress.TryParsePort(number, out int port))
             return (null, $"'{UdpScheme}{text}' has no port: give {UdpScheme}:PORT with a port from 1 to {IPEndPoint.MaxPort}, the port of this computer to receive on.");
 
         IPAddress? address = null;

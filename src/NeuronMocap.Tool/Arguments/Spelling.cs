@@ -17,25 +17,25 @@ internal static class Spelling
         return best.Slips <= Math.Max(1, typed.Length / LettersPerSlip) ? best.Word : null;
     }
 
-    // Letters to change, add or leave out; the beginning of a word is as good as the word.
+    // Letters to change, add, leave out or swap with the next; the beginning of a word is as good as the word.
     private static int CountSlips(string typed, string word)
     {
         if (typed.Length > 1 && word.StartsWith(typed, StringComparison.Ordinal))
             return 1;
 
-        int[] row = [.. Enumerable.Range(0, word.Length + 1)];
-        for (int i = 0; i < typed.Length; i++)
+        int[,] slips = new int[typed.Length + 1, word.Length + 1];
+        for (int i = 0; i <= typed.Length; i++)
         {
-            int diagonal = row[0];
-            row[0] = i + 1;
-            for (int j = 0; j < word.Length; j++)
+            for (int j = 0; j <= word.Length; j++)
             {
-                int changed = diagonal + (typed[i] == word[j] ? 0 : 1);
-                diagonal = row[j + 1];
-                row[j + 1] = Math.Min(changed, Math.Min(diagonal, row[j]) + 1);
+                slips[i, j] = i == 0 || j == 0
+                    ? i + j
+                    : Math.Min(slips[i - 1, j - 1] + (typed[i - 1] == word[j - 1] ? 0 : 1), Math.Min(slips[i - 1, j], slips[i, j - 1]) + 1);
+                if (i > 1 && j > 1 && typed[i - 1] == word[j - 2] && typed[i - 2] == word[j - 1])
+                    slips[i, j] = Math.Min(slips[i, j], slips[i - 2, j - 2] + 1);
             }
         }
 
-        return row[^1];
+        return slips[typed.Length, word.Length];
     }
 }

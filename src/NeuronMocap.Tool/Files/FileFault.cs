@@ -40,6 +40,7 @@ internal static class FileFault
         UnauthorizedAccessException or IOException when Directory.Exists(path) => IsAFolder(path),
         FileNotFoundException or DirectoryNotFoundException => $"{Quote(FolderOf(path))} takes no new files.",
         UnauthorizedAccessException => $"{Quote(path)} may not be written by this user.",
+        IOException when IsExisting(exception) && InputFile.FindOddKind(path) is { } kind => $"{Quote(path)} is {kind}; only regular files are written.",
         IOException { HResult: WindowsSharing } => $"{Quote(path)} is being written already, by this program or another one. Choose another name, or end the other one first.",
         _ => OfSystem(exception, path) ?? $"{Quote(path)} cannot be written.",
     };

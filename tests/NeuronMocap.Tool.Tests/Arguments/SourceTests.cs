@@ -93,6 +93,16 @@ public sealed class SourceTests
         Assert.NotEmpty(error);
     }
 
+    [Theory]
+    [InlineData("studio:70000")]
+    [InlineData("udp://:70000")]
+    [InlineData("udp://:70000/")]
+    public void A_port_out_of_range_is_named_with_the_range(string text)
+    {
+        Assert.False(Source.TryParse(text, out _, out string? error));
+        Assert.Equal("'70000' is no port: it must be a number from 1 to 65535.", error);
+    }
+
     private static Source Parse(string text)
     {
         Assert.True(Source.TryParse(text, out Source? source, out string? error), error);

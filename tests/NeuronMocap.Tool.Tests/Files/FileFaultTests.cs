@@ -15,7 +15,7 @@ public sealed class FileFaultTests
     [InlineData("--record", "/proc", "is a folder")]
     [InlineData("--record", "/proc/take.nmrec", "")]
     [InlineData("--record", "/sys/take.nmrec", "")]
-    [InlineData("--record", "/dev/full", "is there already. --overwrite replaces it.")]
+    [InlineData("--record", "/dev/full", "only regular files are written.")]
     [InlineData("--record", "LONG", "longer than this file system allows")]
     [InlineData("--export", "/nowhere/take.bvh", "'/nowhere', the folder for 'take.bvh', is not there")]
     [InlineData("--export", "/proc", "is a folder")]

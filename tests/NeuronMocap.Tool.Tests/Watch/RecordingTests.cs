@@ -29,6 +29,18 @@ public sealed class RecordingTests : IDisposable
         Assert.EndsWith($"to {Take}; lost 0 pieces.", line, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public async Task A_device_is_not_recorded_to_and_replacing_it_is_not_offered()
+    {
+        Assert.SkipUnless(File.Exists("/dev/null"), "There is no /dev/null.");
+        ToolResult result = await ToolRunner.RunAsync("watch", "--frames", "2", "--quiet", "--record", "/dev/null");
+
+        Assert.Equal(1, result.ExitCode);
+        string error = Assert.Single(result.Error);
+        Assert.StartsWith("neuron-mocap: --record: '/dev/null' is a ", error, StringComparison.Ordinal);
+        Assert.EndsWith("; only regular files are written.", error, StringComparison.Ordinal);
+    }
+
     // The second file is a device that is always full.
     [Theory]
     [InlineData("--json")]

@@ -26,7 +26,7 @@ internal sealed class ExportRun : IDisposable
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            string hint = File.Exists(settings!.Path) && !settings.Overwrite ? " --overwrite replaces it." : "";
+            string hint = File.Exists(settings!.Path) && !settings.Overwrite && InputFile.FindOddKind(settings.Path) is null ? " --overwrite replaces it." : "";
             throw new ExportException($"--export: {FileFault.OfWriting(exception, settings.Path)}{hint}", exception);
         }
     }

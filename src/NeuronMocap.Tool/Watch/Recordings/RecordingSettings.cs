@@ -29,7 +29,7 @@ internal sealed record RecordingSettings(string Path, RecordingOptions Options)
 
     private string Describe(Exception exception)
     {
-        if (!FileFault.IsExisting(exception))
+        if (!FileFault.IsExisting(exception) || InputFile.FindOddKind(Path) is not null)
             return FileFault.OfWriting(exception, Path);
 
         return Options.MaxFileSize is null && Options.MaxFileDuration is null
