@@ -53,11 +53,11 @@ public sealed partial class NeuronReader
             throw new ArgumentOutOfRangeException(nameof(timeout), timeout, "The time to wait is more than zero and at most 24 days.");
 
         Start();
-        using var limit = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
-        limit.CancelAfter(timeout);
+        using var limitSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
+        limitSource.CancelAfter(timeout);
         try
         {
-            await WaitForConnectionAsync(limit.Token).ConfigureAwait(false);
+            await WaitForConnectionAsync(limitSource.Token).ConfigureAwait(false);
         }
         catch (OperationCanceledException)
         {
@@ -141,7 +141,7 @@ public sealed partial class NeuronReader
     // there may be none for a while. On a thread of its own, because those handlers may take longer than a stop.
     private void End()
     {
-        _stop.Cancel();
+        _stopSource.Cancel();
         if (Interlocked.Exchange(ref _begun, 1) == 0)
             _ = EndAsync(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, LinkEnd.Requested.Message));
     }
@@ -170,9 +170,9 @@ public sealed partial class NeuronReader
         }
 
         ConnectionStatus last;
-        using var stop = CancellationTokenSource.CreateLinkedTokenSource(_stop.Token);
-        Task<ConnectionStatus> first = _supervisor.RunAsync(_pipeline, _pipeline, _stop.Token);
-        Task calculation = _calculation?.RunAsync(stop.Token) ?? Task.CompletedTask;
+        using var stopSource = CancellationTokenSource.CreateLinkedTokenSource(_stopSource.Token);
+        Task<ConnectionStatus> first = _supervisor.RunAsync(_pipeline, _pipeline, _stopSource.Token);
+        Task calculation = _calculation?.RunAsync(stopSource.Token) ?? Task.CompletedTask;
         try
         {
             last = await first.ConfigureAwait(false);
@@ -183,7 +183,7 @@ public sealed partial class NeuronReader
             last = new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.NetworkError, ConnectionMessages.Failed("the server", exception));
         }
 
-        stop.Cancel();
+        stopSource.Cancel();
         await calculation.ConfigureAwait(false);
         await EndAsync(last).ConfigureAwait(false);
     }

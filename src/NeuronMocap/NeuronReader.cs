@@ -33,7 +33,7 @@ namespace NeuronMocap;
 public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 {
     private readonly NeuronReaderOptions _options;
-    private readonly CancellationTokenSource _stop = new();
+    private readonly CancellationTokenSource _stopSource = new();
     private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private readonly TaskCompletionSource<bool> _stopped = new();
     private readonly TaskCompletionSource<bool> _connected = new(TaskCreationOptions.RunContinuationsAsynchronously);

@@ -11,7 +11,7 @@ namespace NeuronMocap.Tool.Commands;
 /// <summary>Asks a server's command channel, and prints what it says.</summary>
 internal sealed class CommandRun(CommandSettings settings, StandardStreams streams)
 {
-    public async Task<int> RunAsync(CancellationToken cancelled)
+    public async Task<int> RunAsync(CancellationToken cancellationToken)
     {
         try
         {
@@ -19,9 +19,9 @@ internal sealed class CommandRun(CommandSettings settings, StandardStreams strea
             ServerAddress server = settings.Server ?? demo!.OpenCommands();
             await using var client = new NeuronCommandClient(server.Host, server.Port);
             if (settings.Question == CommandQuestion.ZeroOut)
-                await ZeroOutAsync(client, server, cancelled);
+                await ZeroOutAsync(client, server, cancellationToken);
             else
-                Write(await AskAsync(client, server, cancelled));
+                Write(await AskAsync(client, server, cancellationToken));
 
             return CommandLine.Done;
         }
@@ -42,24 +42,24 @@ internal sealed class CommandRun(CommandSettings settings, StandardStreams strea
         }
     }
 
-    private async Task ZeroOutAsync(NeuronCommandClient client, ServerAddress server, CancellationToken cancelled)
+    private async Task ZeroOutAsync(NeuronCommandClient client, ServerAddress server, CancellationToken cancellationToken)
     {
-        await (settings.Avatar is { } avatar ? client.ZeroOutAsync(avatar, cancelled) : client.ZeroOutAllAsync(cancelled));
+        await (settings.Avatar is { } avatar ? client.ZeroOutAsync(avatar, cancellationToken) : client.ZeroOutAllAsync(cancellationToken));
         if (settings.Json)
             WriteText(CommandJson.ZeroOut(server, settings.Avatar));
         else
             new CommandPage(streams).ZeroOut(server, settings.Avatar);
     }
 
-    private async Task<CommandAnswers> AskAsync(NeuronCommandClient client, ServerAddress server, CancellationToken cancelled)
+    private async Task<CommandAnswers> AskAsync(NeuronCommandClient client, ServerAddress server, CancellationToken cancellationToken)
     {
         var answers = new CommandAnswers(server, settings.Avatar ?? 0);
         if (settings.Question is CommandQuestion.All or CommandQuestion.Order)
-            answers = answers with { Order = await client.GetRotationOrderAsync(cancelled) };
+            answers = answers with { Order = await client.GetRotationOrderAsync(cancellationToken) };
         if (settings.Question is CommandQuestion.All or CommandQuestion.Bones)
-            answers = answers with { Sizes = await client.GetBoneDimensionsAsync(answers.Avatar, cancelled) };
+            answers = answers with { Sizes = await client.GetBoneDimensionsAsync(answers.Avatar, cancellationToken) };
         if (settings.Question is CommandQuestion.All or CommandQuestion.Header)
-            answers = answers with { Header = await client.GetBvhHeaderTextAsync(answers.Avatar, cancelled) };
+            answers = answers with { Header = await client.GetBvhHeaderTextAsync(answers.Avatar, cancellationToken) };
 
         return answers;
     }

@@ -60,10 +60,10 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     public CalculationReadOptions Calculation => new() { FrameRate = InputRate };
 
     /// <summary>The same with progress, and so that Ctrl+C ends it.</summary>
-    public CalculationReadOptions ReadCalculation(IProgress<double> progress, CancellationToken cancelled) => new()
+    public CalculationReadOptions ReadCalculation(IProgress<double> progress, CancellationToken cancellationToken) => new()
     {
         FrameRate = InputRate,
-        Progress = new ReadProgress(new FileInfo(Input).Length, progress, cancelled),
+        Progress = new ReadProgress(new FileInfo(Input).Length, progress, cancellationToken),
     };
 
     /// <summary>Looks into the input.</summary>

@@ -14,32 +14,32 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
 {
     private const int MostNamed = 6;
 
-    public InfoReport Run(CancellationToken cancelled)
+    public InfoReport Run(CancellationToken cancellationToken)
     {
-        BvhDocument document = BvhFile.Load(path, progress, cancelled);
+        BvhDocument document = BvhFile.Load(path, progress, cancellationToken);
         bool isNeuron = BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out string? reason);
         long size = new FileInfo(path).Length;
         var report = new InfoReport(
             Path.GetFileName(path), "bvh", $"BVH file{(isNeuron ? " of Neuron's 59 bones" : string.Empty)}, {Quantity.Bytes(size)}");
         AddTake(report, document, size);
         AddSkeleton(report, document, map, reason);
-        AddOddities(report, document, map, cancelled);
+        AddOddities(report, document, map, cancellationToken);
         if (map is not null && document.FrameCount > 0)
         {
             var source = new BvhSource(document);
             BodySection.Add(report, source);
-            AddMotion(report, new BodyMotion(source), cancelled);
+            AddMotion(report, new BodyMotion(source), cancellationToken);
         }
         else if (document.FrameCount > 0)
         {
-            AddMotion(report, new JointMotion(document), cancelled);
+            AddMotion(report, new JointMotion(document), cancellationToken);
         }
 
         return report;
     }
 
-    private void AddMotion(InfoReport report, PointMotion motion, CancellationToken cancelled) =>
-        MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancelled));
+    private void AddMotion(InfoReport report, PointMotion motion, CancellationToken cancellationToken) =>
+        MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancellationToken));
 
     private static void AddTake(InfoReport report, BvhDocument document, long size)
     {
@@ -128,7 +128,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
         };
     }
 
-    private static void AddOddities(InfoReport report, BvhDocument document, BvhSkeletonMap? map, CancellationToken cancelled)
+    private static void AddOddities(InfoReport report, BvhDocument document, BvhSkeletonMap? map, CancellationToken cancellationToken)
     {
         InfoSection section = report.Section("oddities", "Oddities");
         foreach (BvhRepair repair in document.Repairs)
@@ -141,7 +141,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
             return;
         }
 
-        RowScan scan = RowScan.Run(document.Joints, document.ChannelCount, document.FrameCount, document.GetFrame, cancelled);
+        RowScan scan = RowScan.Run(document.Joints, document.ChannelCount, document.FrameCount, document.GetFrame, cancellationToken);
         RowRemarks.Add(section, scan, document.FrameRate, document.ChannelCount);
         if (map is { Layout.HasDisplacement: true })
             AddDisplacement(section, map);

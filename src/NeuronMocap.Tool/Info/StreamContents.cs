@@ -15,13 +15,13 @@ internal sealed class StreamContents
     private TimeSpan _duration;
     private (SkipReason Reason, long Bytes)[] _skipped = [];
 
-    public static StreamContents Read(string path, PlaybackOptions options, IProgress<double> progress, CancellationToken cancelled)
+    public static StreamContents Read(string path, PlaybackOptions options, IProgress<double> progress, CancellationToken cancellationToken)
     {
         var contents = new StreamContents();
         using RecordedFrameReader reader = RecordedFrameReader.Open(path, options);
         while (reader.Read())
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             progress.Report(reader.Duration > TimeSpan.Zero ? reader.Time / reader.Duration : 0);
             contents.Take(reader.Frame, reader.Time);
         }

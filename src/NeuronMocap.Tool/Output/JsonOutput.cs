@@ -62,7 +62,7 @@ internal sealed class JsonOutput : WatchOutput
         return true;
     }
 
-    public override Task RunAsync(CancellationToken stop) => Task.WhenAny(_broken.Task, Until(stop));
+    public override Task RunAsync(CancellationToken cancellationToken) => Task.WhenAny(_broken.Task, Until(cancellationToken));
 
     public override void Finish(ReaderStatistics statistics)
     {

@@ -13,13 +13,13 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : WatchOutp
     private readonly Dictionary<int, Timecode?> _timecodes = [];
     private volatile bool _broken;
 
-    public override async Task RunAsync(CancellationToken stop)
+    public override async Task RunAsync(CancellationToken cancellationToken)
     {
         using LatestFrames latest = reader.OpenLatest();
         using var timer = new PeriodicTimer(Period);
         try
         {
-            while (!_broken && await timer.WaitForNextTickAsync(stop))
+            while (!_broken && await timer.WaitForNextTickAsync(cancellationToken))
             {
                 IReadOnlyList<AvatarStatistics> avatars = reader.GetAvatarStatistics();
                 TakeTimecodes(latest, avatars);

@@ -23,11 +23,11 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
     /// <summary>Walks through the take and writes the picture.</summary>
     /// <param name="output">Receives SVG.</param>
     /// <param name="progress">Told the part that is done, 0 to 1.</param>
-    /// <param name="cancelled">Ends it.</param>
+    /// <param name="cancellationToken">Ends it.</param>
     /// <exception cref="OperationCanceledException">It was ended.</exception>
-    public void Write(Stream output, IProgress<double> progress, CancellationToken cancelled)
+    public void Write(Stream output, IProgress<double> progress, CancellationToken cancellationToken)
     {
-        TakeCurves curves = TakeCurves.Measure(motion, progress, cancelled);
+        TakeCurves curves = TakeCurves.Measure(motion, progress, cancellationToken);
         SampledPose[] poses = SampledPose.Take(motion, MostPoses);
         using var svg = new SvgDrawing(output, Width, Height, title);
         DrawHeader(svg);

@@ -8,13 +8,14 @@ internal static class CalculationExamination
     // However long the first one took: an answer of a server on the network comes sooner.
     private static readonly TimeSpan Least = TimeSpan.FromSeconds(1);
 
-    public static async Task<Conclusion> AddAsync(DiagnosisContext task, LinkOptions link, Conclusion first, Func<DiagnosisContext, Task<Conclusion>> examine)
+    public static async Task<Conclusion> AddAsync(
+        DiagnosisContext context, LinkOptions link, Conclusion first, Func<DiagnosisContext, Task<Conclusion>> examine)
     {
-        DiagnosisOptions how = task.Options.Copy();
-        how.Expected = task.Expected == PacketKind.StudioCalculation ? PacketKind.StudioCalculation : PacketKind.Calculation;
+        DiagnosisOptions how = context.Options.Copy();
+        how.Expected = context.Expected == PacketKind.StudioCalculation ? PacketKind.StudioCalculation : PacketKind.Calculation;
         how.SearchOtherPorts = false;
-        how.Timeout = task.Options.Timeout - task.Elapsed > Least ? task.Options.Timeout - task.Elapsed : Least;
-        Conclusion second = await examine(new DiagnosisContext(link, how, task.Log.With("calculation "), task.Stop)).ConfigureAwait(false);
+        how.Timeout = context.Options.Timeout - context.Elapsed > Least ? context.Options.Timeout - context.Elapsed : Least;
+        Conclusion second = await examine(new DiagnosisContext(link, how, context.Log.With("calculation "), context.CancellationToken)).ConfigureAwait(false);
         ExplainedVerdict found = second.Verdicts[0];
         var joint = first with { CalculationSample = second.Sample };
 

@@ -37,7 +37,7 @@ internal sealed class DiagnosisContext(LinkOptions link, DiagnosisOptions option
 
     public StepLog Log => log;
 
-    public CancellationToken Stop => cancellationToken;
+    public CancellationToken CancellationToken => cancellationToken;
 
     public TimeSpan Elapsed => _watch.Elapsed;
 
@@ -51,9 +51,9 @@ internal sealed class DiagnosisContext(LinkOptions link, DiagnosisOptions option
     // Until one of the tasks ends or the time is over; throws when the caller has stopped the diagnosis.
     public async Task WaitAsync(TimeSpan time, params Task[] tasks)
     {
-        using var limit = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
-        await Task.WhenAny([.. tasks, Task.Delay(time, limit.Token)]).ConfigureAwait(false);
-        limit.Cancel();
+        using var limitSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
+        await Task.WhenAny([.. tasks, Task.Delay(time, limitSource.Token)]).ConfigureAwait(false);
+        limitSource.Cancel();
         cancellationToken.ThrowIfCancellationRequested();
     }
 }

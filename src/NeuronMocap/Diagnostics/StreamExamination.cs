@@ -12,26 +12,26 @@ internal static class StreamExamination
 
     private const string OrderIsSaid = "The stream says its rotation order, which the reader follows.";
 
-    public static Conclusion Judge(DiagnosisContext task, StreamSample sample, StreamPlace place)
+    public static Conclusion Judge(DiagnosisContext context, StreamSample sample, StreamPlace place)
     {
-        if (sample.Has(task.Expected))
-            return JudgeFrames(task, sample, place);
+        if (sample.Has(context.Expected))
+            return JudgeFrames(context, sample, place);
         if (sample.Avatars.Any())
-            return JudgeOtherKind(task, sample, place);
+            return JudgeOtherKind(context, sample, place);
         if (sample.Packets > 0)
-            return JudgeEmpty(task.Log, sample, place);
+            return JudgeEmpty(context.Log, sample, place);
 
-        return ForeignBytes.Judge(task.Log, sample, place);
+        return ForeignBytes.Judge(context.Log, sample, place);
     }
 
-    private static Conclusion JudgeFrames(DiagnosisContext task, StreamSample sample, StreamPlace place)
+    private static Conclusion JudgeFrames(DiagnosisContext context, StreamSample sample, StreamPlace place)
     {
         var verdicts = new List<ExplainedVerdict>();
-        AvatarSample[] avatars = [.. sample.Avatars.Where(avatar => avatar.Kind == task.Expected)];
-        task.Log.Ok("token", DescribeTokens(sample));
-        JudgeVersion(task.Log, avatars[0], verdicts);
-        JudgeFormat(task.Log, sample, avatars, verdicts);
-        RateExamination.Judge(task.Log, avatars, place.Transport == TransportKind.Udp, verdicts);
+        AvatarSample[] avatars = [.. sample.Avatars.Where(avatar => avatar.Kind == context.Expected)];
+        context.Log.Ok("token", DescribeTokens(sample));
+        JudgeVersion(context.Log, avatars[0], verdicts);
+        JudgeFormat(context.Log, sample, avatars, verdicts);
+        RateExamination.Judge(context.Log, avatars, place.Transport == TransportKind.Udp, verdicts);
 
         string summary = $"Frames arrive on {place}: {StreamPhrases.Describe(avatars)}.";
         if (verdicts.Count == 0)
@@ -44,18 +44,18 @@ internal static class StreamExamination
         return new Conclusion(verdicts, sample, place);
     }
 
-    private static Conclusion JudgeOtherKind(DiagnosisContext task, StreamSample sample, StreamPlace place)
+    private static Conclusion JudgeOtherKind(DiagnosisContext context, StreamSample sample, StreamPlace place)
     {
-        task.Log.Failed("token", $"{DescribeTokens(sample)} only");
+        context.Log.Failed("token", $"{DescribeTokens(sample)} only");
         DiagnosisVerdict verdict = (sample.Has(PacketKind.Motion), sample.Has(PacketKind.Calculation)) switch
         {
             (true, _) => DiagnosisVerdict.MotionOnly,
             (_, true) => DiagnosisVerdict.CalculationOnly,
             _ => DiagnosisVerdict.StudioCalculationOnly,
         };
-        string text = $"Frames arrive on {place}, but they are {StreamPhrases.KindsOf(sample)}; no {StreamPhrases.NameOf(task.Expected)} among them.";
-        string advice = ServerSettings.Enable(task.Expected);
-        if (task.Expected == PacketKind.Motion)
+        string text = $"Frames arrive on {place}, but they are {StreamPhrases.KindsOf(sample)}; no {StreamPhrases.NameOf(context.Expected)} among them.";
+        string advice = ServerSettings.Enable(context.Expected);
+        if (context.Expected == PacketKind.Motion)
             advice += $" To receive these calculation data beside the motion, set CalculationPort to {place.Port}.";
 
         return new Conclusion([new ExplainedVerdict(verdict, text, advice)], sample);

@@ -4,31 +4,31 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Diagnostics;
 
 // Walks the chain from this computer's UDP port to the frames, and looks elsewhere where nothing arrives.
-internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddress> allowedSenders)
+internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPAddress> allowedSenders)
 {
-    private readonly LinkOptions _link = task.Link;
+    private readonly LinkOptions _link = context.Link;
 
     public async Task<Conclusion> RunAsync()
     {
         IReadOnlyList<string> addresses = LocalNetwork.ReachableAddresses();
-        task.Log.Ok("route", addresses.Count > 0
+        context.Log.Ok("route", addresses.Count > 0
             ? $"other computers send to {string.Join(" or ", addresses)}, programs on this one to 127.0.0.1"
             : "this computer has no network: only programs on it can send here, to 127.0.0.1");
 
-        var sample = new StreamSample(task.Expected);
+        var sample = new StreamSample(context.Expected);
         var filter = new SenderFilter(allowedSenders);
         using var listener = new UdpListener(_link, filter, sample);
         ConnectionReason reason = listener.Open();
         if (reason != ConnectionReason.None)
             return NotBound(reason);
 
-        task.Log.Ok("port", $"UDP port {listener.Port} is free and open");
-        ReceiveBufferStep.Add(task.Log, listener.ReceiveBufferSize);
+        context.Log.Ok("port", $"UDP port {listener.Port} is free and open");
+        ReceiveBufferStep.Add(context.Log, listener.ReceiveBufferSize);
         Task receiving = listener.ReceiveAsync();
-        TimeSpan silence = task.Share(task.Pace.Silence);
-        await task.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
+        TimeSpan silence = context.Share(context.Pace.Silence);
+        await context.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
         if (sample.Started.IsCompleted)
-            await task.WaitAsync(task.Share(task.Pace.Measuring), receiving).ConfigureAwait(false);
+            await context.WaitAsync(context.Share(context.Pace.Measuring), receiving).ConfigureAwait(false);
 
         var place = new StreamPlace(TransportKind.Udp, _link.Host, listener.Port);
         listener.Dispose();
@@ -44,14 +44,14 @@ internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddr
     private Task<Conclusion> JudgeAsync(UdpListener listener, StreamSample sample, StreamPlace place)
     {
         string senders = string.Join(", ", listener.Senders);
-        task.Log.Ok("first bytes", $"{sample.FirstBytes}, from {senders}, datagrams of up to {listener.LargestDatagram} bytes");
-        return TcpFaults.AddElsewhereAsync(task, StreamExamination.Judge(task, sample, place), address: null, isUdp: true);
+        context.Log.Ok("first bytes", $"{sample.FirstBytes}, from {senders}, datagrams of up to {listener.LargestDatagram} bytes");
+        return TcpFaults.AddElsewhereAsync(context, StreamExamination.Judge(context, sample, place), address: null, isUdp: true);
     }
 
     private Conclusion NotAllowed(SenderFilter filter, StreamPlace place)
     {
         string senders = string.Join(", ", filter.RefusedSenders);
-        task.Log.Failed("first bytes", StreamPhrases.Invariant($"none that may be looked at: {filter.RefusedDatagrams} datagrams from {senders}"));
+        context.Log.Failed("first bytes", StreamPhrases.Invariant($"none that may be looked at: {filter.RefusedDatagrams} datagrams from {senders}"));
         return new Conclusion(
             DiagnosisVerdict.SenderNotAllowed,
             $"Datagrams arrive on {place}, but only from {senders}, which AllowedSenders does not list.",
@@ -84,16 +84,16 @@ internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddr
                 $"UDP port {_link.Port} of this computer cannot be opened ({reason}).",
                 (string?)null),
         };
-        task.Log.Failed("port", $"UDP port {_link.Port}: {detail}");
+        context.Log.Failed("port", $"UDP port {_link.Port}: {detail}");
         return new Conclusion(verdict, text, advice);
     }
 
     private async Task<Conclusion> SilentAsync(UdpListener listener, TimeSpan silence, IReadOnlyList<string> addresses)
     {
-        task.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
+        context.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
         IPAddress? host = await ResolveHostAsync().ConfigureAwait(false);
-        Search search = await AlternativePortScan.FindAsync(task, host, isUdp: true).ConfigureAwait(false);
-        if (search.Found is { } found && found.Sample.Has(task.Expected))
+        Search search = await AlternativePortScan.FindAsync(context, host, isUdp: true).ConfigureAwait(false);
+        if (search.Found is { } found && found.Sample.Has(context.Expected))
             return Instead(found);
 
         string port = $"{listener.Port}";
@@ -102,7 +102,7 @@ internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddr
             DiagnosisVerdict.Silent,
             $"Nothing arrives on UDP port {port} of this computer. The server sends to another address or port, over TCP, or nothing "
             + "at all; or a firewall keeps it out, this computer's or one that drops datagrams of more than one network packet.",
-            $"{ServerSettings.BroadcastUdp(task.Expected, destination)} A server on this computer sends to 127.0.0.1:{port}. Allow this program in this computer's "
+            $"{ServerSettings.BroadcastUdp(context.Expected, destination)} A server on this computer sends to 127.0.0.1:{port}. Allow this program in this computer's "
             + $"firewall. {ServerSettings.Play}");
     }
 
@@ -125,13 +125,13 @@ internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddr
     {
         try
         {
-            LinkOptions limited = _link with { ConnectTimeout = task.Share(task.Pace.Asking) };
-            IPAddress[] addresses = await HostResolver.ResolveAsync(limited, task.Stop).ConfigureAwait(false);
+            LinkOptions limited = _link with { ConnectTimeout = context.Share(context.Pace.Asking) };
+            IPAddress[] addresses = await HostResolver.ResolveAsync(limited, context.CancellationToken).ConfigureAwait(false);
             return addresses.Length > 0 ? addresses[0] : null;
         }
         catch (Exception exception) when (exception is System.Net.Sockets.SocketException or ArgumentException or TimeoutException)
         {
-            task.Stop.ThrowIfCancellationRequested();
+            context.CancellationToken.ThrowIfCancellationRequested();
             return null;
         }
     }

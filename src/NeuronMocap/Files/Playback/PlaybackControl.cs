@@ -107,14 +107,14 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     public void End() => Change(() => _isOver = true);
 
     // Playback thread: waits until it is known what to do next. Of what is due at the instant, timestamp is when it was.
-    public PlaybackAction WaitFor(TimeSpan instant, CancellationToken closed, out long timestamp)
+    public PlaybackAction WaitFor(TimeSpan instant, CancellationToken cancellationToken, out long timestamp)
     {
         timestamp = 0;
         lock (_lock)
         {
             while (true)
             {
-                if (closed.IsCancellationRequested || _isOver)
+                if (cancellationToken.IsCancellationRequested || _isOver)
                     return PlaybackAction.Stop;
                 if (_seek is not null)
                     return PlaybackAction.Seek;

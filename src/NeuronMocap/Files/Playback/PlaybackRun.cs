@@ -11,22 +11,22 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
     private bool _hasOpened;
 
     // Of the link that plays.
-    private CancellationToken _closed;
+    private CancellationToken _cancellationToken;
     private ILinkListener? _listener;
 
     public string Target => file.Target;
 
     // Waits until a connection stands.
-    public LinkEnd Open(CancellationToken closed) => file.Use(() =>
+    public LinkEnd Open(CancellationToken cancellationToken) => file.Use(() =>
     {
-        _closed = closed;
+        _cancellationToken = cancellationToken;
         return Open();
     });
 
     // Plays until the connection ends.
-    public LinkEnd Receive(IPacketReceiver receiver, ILinkListener? listener, CancellationToken closed) => file.Use(() =>
+    public LinkEnd Receive(IPacketReceiver receiver, ILinkListener? listener, CancellationToken cancellationToken) => file.Use(() =>
     {
-        _closed = closed;
+        _cancellationToken = cancellationToken;
         _listener = listener;
         feed.Target = receiver;
         return Receive();
@@ -41,7 +41,7 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
         while (!feed.Parser.IsOpen)
         {
             Arrival arrival = feed.Peek();
-            switch (control.WaitFor(arrival.Time, _closed, out _))
+            switch (control.WaitFor(arrival.Time, _cancellationToken, out _))
             {
                 case PlaybackAction.Stop:
                     return LinkEnd.Requested;
@@ -86,7 +86,7 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
         while (true)
         {
             Arrival arrival = feed.Peek();
-            PlaybackAction turn = control.WaitFor(arrival.Time, _closed, out long timestamp);
+            PlaybackAction turn = control.WaitFor(arrival.Time, _cancellationToken, out long timestamp);
             if (turn == PlaybackAction.Stop)
                 return LinkEnd.Requested;
 
@@ -174,5 +174,5 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
     }
 
     // A place may be far from where reading can begin: whoever closes the link or disposes of the player does not wait until it is found.
-    private bool IsStopped() => _closed.IsCancellationRequested || control.IsOver;
+    private bool IsStopped() => _cancellationToken.IsCancellationRequested || control.IsOver;
 }
