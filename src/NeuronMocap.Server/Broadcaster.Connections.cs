@@ -142,7 +142,7 @@ public sealed partial class Broadcaster
             socket.Dispose();
             feed?.Close();
             if (exception is not (SocketException or OutOfMemoryException or IOException or UnauthorizedAccessException or NeuronException))
-                _report.Tell(exception);
+                _report.Report(exception);
             return false;
         }
     }

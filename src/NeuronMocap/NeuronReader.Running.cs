@@ -116,7 +116,7 @@ public sealed partial class NeuronReader
         get
         {
             int thread = Environment.CurrentManagedThreadId;
-            return thread == _tellingThread || thread == _pipeline.DeliveringThread || _reporter.IsReporting;
+            return thread == _reportingThread || thread == _pipeline.DeliveringThread || _reporter.IsReporting;
         }
     }
 
@@ -242,10 +242,10 @@ public sealed partial class NeuronReader
         if (status.IsConnected)
             _connected.TrySetResult(true);
         _recordings.Learn(status.Format);
-        _tellingThread = Environment.CurrentManagedThreadId;
+        _reportingThread = Environment.CurrentManagedThreadId;
         _reporter.OnStatus(status);
         _statusHandlers.Invoke(status);
-        _tellingThread = 0;
+        _reportingThread = 0;
         if (status.State == ConnectionState.Stopped)
             Complete(status);
     }

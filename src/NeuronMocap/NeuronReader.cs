@@ -58,7 +58,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private int _started;
     private int _begun;
     private int _disposed;
-    private int _tellingThread;
+    private int _reportingThread;
     private int _failureTraced;
 
     /// <summary>Makes a reader for a TCP server.</summary>
@@ -141,7 +141,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         if (_combinedStatus is not null)
             _calculation = CreateCalculationConnection(_options.CalculationLink!, _combinedStatus);
 
-        _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke) { Patience = _options.StopTimeout / 2 };
+        _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke) { EndTimeout = _options.StopTimeout / 2 };
     }
 
     /// <summary>

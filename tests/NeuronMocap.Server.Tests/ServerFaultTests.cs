@@ -149,8 +149,8 @@ public sealed class ServerFaultTests
         try
         {
             var report = new FaultReport("test");
-            report.Tell(new InvalidDataException(marker));
-            report.Tell(new InvalidDataException(marker));
+            report.Report(new InvalidDataException(marker));
+            report.Report(new InvalidDataException(marker));
             Assert.Equal(1, listener.Count);
         }
         finally

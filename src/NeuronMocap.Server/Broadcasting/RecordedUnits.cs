@@ -27,8 +27,8 @@ internal sealed class RecordedUnits : IDisposable
     public bool IsCalculation { get; private set; }
 
     /// <summary>The most bytes that a unit has.</summary>
-    public static int LongestUnit(int maxValues) => UnitCollector.MostNoise
-        + ProtocolConstants.HeaderSize + Math.Max(maxValues * sizeof(float), ProtocolConstants.MaxCommandPayload) + UnitCollector.MostNoise;
+    public static int LongestUnit(int maxValues) => UnitCollector.MaxNoiseLength
+        + ProtocolConstants.HeaderSize + Math.Max(maxValues * sizeof(float), ProtocolConstants.MaxCommandPayload) + UnitCollector.MaxNoiseLength;
 
     /// <summary>Reads the next unit.</summary>
     /// <param name="unit">Its bytes; valid until the next call.</param>

@@ -7,7 +7,7 @@ namespace NeuronMocap.Tool.Convert;
 /// <summary>What convert says at its end, in one line: what the new file holds, what is missing in it, and what is doubtful.</summary>
 internal sealed class ConversionSummary
 {
-    private const int MostNamed = 3;
+    private const int MaxListed = 3;
 
     private readonly List<string> _warnings = [];
     private readonly List<string> _losses = [];
@@ -78,9 +78,9 @@ internal sealed class ConversionSummary
         if (warnings > 0)
         {
             // A warning is a sentence, which may have semicolons of its own.
-            line += ": " + (warnings == 1 ? _warnings[0] : string.Join(", ", _warnings.Take(MostNamed).Select(static (warning, index) => $"({index + 1}) {warning}")));
-            if (warnings > MostNamed)
-                line += $", and {warnings - MostNamed} more, which info lists";
+            line += ": " + (warnings == 1 ? _warnings[0] : string.Join(", ", _warnings.Take(MaxListed).Select(static (warning, index) => $"({index + 1}) {warning}")));
+            if (warnings > MaxListed)
+                line += $", and {warnings - MaxListed} more, which info lists";
         }
 
         return line + (_losses.Count > 0 ? $"; not kept: {string.Join(", ", _losses)}." : ".");

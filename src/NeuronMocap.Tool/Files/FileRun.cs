@@ -10,7 +10,7 @@ namespace NeuronMocap.Tool.Files;
 internal sealed class FileRun(FileSettings settings, StandardStreams streams)
 {
     // For work that looks whether it shall end; what does not, as a read from a disk that hangs, is left behind.
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(2);
+    private static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(2);
 
     public async Task<int> RunAsync(CancellationToken cancellationToken)
     {
@@ -55,7 +55,7 @@ internal sealed class FileRun(FileSettings settings, StandardStreams streams)
     private static async Task WaitForEndAsync(CancellationToken cancellationToken)
     {
         await Task.Delay(Timeout.Infinite, cancellationToken).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
-        await Task.Delay(Patience, CancellationToken.None);
+        await Task.Delay(StopTimeout, CancellationToken.None);
     }
 
     private void Run(OutputFile? output, CancellationToken cancellationToken)

@@ -12,7 +12,7 @@ namespace NeuronMocap.Tool.Info;
 /// <summary>--info of a BVH file.</summary>
 internal sealed class BvhInspection(string path, IProgress<double> progress)
 {
-    private const int MostNamed = 6;
+    private const int MaxListed = 6;
 
     public InfoReport Run(CancellationToken cancellationToken)
     {
@@ -83,7 +83,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
             section.Add(
                 "jointNames",
                 "first joints",
-                string.Join(", ", document.Joints.Take(MostNamed).Select(static joint => joint.Name)) + (document.Joints.Count > MostNamed ? ", …" : string.Empty),
+                string.Join(", ", document.Joints.Take(MaxListed).Select(static joint => joint.Name)) + (document.Joints.Count > MaxListed ? ", …" : string.Empty),
                 new JsonArray([.. document.Joints.Select(static joint => (JsonNode)joint.Name)]));
             return;
         }

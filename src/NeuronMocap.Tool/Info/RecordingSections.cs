@@ -10,7 +10,7 @@ internal static class RecordingSections
     private const int LongestValue = 120;
 
     // A file can hold millions of connections and senders, and nobody reads that many.
-    private const int MostEvents = 1000;
+    private const int MaxEvents = 1000;
 
     public static void Add(InfoReport report, string path, long size, IProgress<double> progress, CancellationToken cancellationToken)
     {
@@ -68,15 +68,15 @@ internal static class RecordingSections
                     break;
                 case RecordingEntryKind.ConnectionOpened:
                     RecordedConnection opened = entry.Opened!;
-                    if (++events <= MostEvents)
+                    if (++events <= MaxEvents)
                         Add(connections, entry, "opened", $"{opened.Transport.ToString().ToUpperInvariant()} {NameOf(opened)}");
                     break;
                 case RecordingEntryKind.SenderAdded:
-                    if (++events <= MostEvents)
+                    if (++events <= MaxEvents)
                         Add(connections, entry, "sender", $"datagrams of {entry.Text}");
                     break;
                 case RecordingEntryKind.ConnectionClosed:
-                    if (++events <= MostEvents)
+                    if (++events <= MaxEvents)
                         Add(connections, entry, "closed", $"closed: {entry.Text}");
                     break;
                 default:
@@ -84,8 +84,8 @@ internal static class RecordingSections
             }
         }
 
-        if (events > MostEvents)
-            connections.Remark("more", Quantity.Format($"and {events - MostEvents:#,0} more, which are not listed"));
+        if (events > MaxEvents)
+            connections.Remark("more", Quantity.Format($"and {events - MaxEvents:#,0} more, which are not listed"));
 
         return (pieces, bytes, lost);
     }

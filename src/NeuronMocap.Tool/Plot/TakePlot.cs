@@ -8,7 +8,7 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
     public const double Width = 1200;
     public const double Height = 900;
 
-    private const int MostPoses = 8;
+    private const int MaxPoses = 8;
     private const double Left = 84;
     private const double Right = Width - 36;
     private const double ContactHeight = 7;
@@ -28,7 +28,7 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
     public void Write(Stream output, IProgress<double> progress, CancellationToken cancellationToken)
     {
         TakeCurves curves = TakeCurves.Measure(motion, progress, cancellationToken);
-        SampledPose[] poses = SampledPose.Take(motion, MostPoses);
+        SampledPose[] poses = SampledPose.Take(motion, MaxPoses);
         using var svg = new SvgDrawing(output, Width, Height, title);
         DrawHeader(svg);
         DrawPoses(svg, poses, float.IsFinite(curves.Ground) ? curves.Ground : 0);

@@ -19,7 +19,7 @@ internal static class AlternativePortScan
             return default;
 
         using var shareSource = CancellationTokenSource.CreateLinkedTokenSource(context.CancellationToken);
-        shareSource.CancelAfter(context.Share(context.Pace.Elsewhere));
+        shareSource.CancelAfter(context.Share(context.Pace.OtherPorts));
         using var limitSource = CancellationTokenSource.CreateLinkedTokenSource(shareSource.Token);
         int[] tcpPorts = host is null ? [] : [.. PortsBeside(context, context.Options.UsualTcpPorts, skipped: !isUdp)];
         int[] udpPorts = [.. PortsBeside(context, context.Options.UsualUdpPorts, skipped: isUdp)];
@@ -30,8 +30,8 @@ internal static class AlternativePortScan
 
         Probe[] same = [.. probes.Where(probe => probe.Place.Transport == TransportKind.Udp == isUdp)];
         Probe[] other = [.. probes.Except(same)];
-        Tell(context, same, "other ports");
-        Tell(context, other, isUdp ? "TCP" : "UDP");
+        Report(context, same, "other ports");
+        Report(context, other, isUdp ? "TCP" : "UDP");
         Probe[] ordered = [.. same, .. other];
         return new Search(
             ordered.FirstOrDefault(probe => probe.Sample.Has(context.Expected)) ?? ordered.FirstOrDefault(static probe => probe.Sample.Avatars.Any()),
@@ -92,7 +92,7 @@ internal static class AlternativePortScan
             limitSource.CancelAfter(context.Pace.Grace);
     }
 
-    private static void Tell(DiagnosisContext context, Probe[] probes, string name)
+    private static void Report(DiagnosisContext context, Probe[] probes, string name)
     {
         if (probes.Length == 0)
             return;

@@ -21,7 +21,7 @@ internal static class CalculationExamination
 
         // Axis Studio's have a packet of their own, and are calculation data as well.
         if (!found.IsFault || found.Verdict == DiagnosisVerdict.StudioCalculationOnly)
-            return joint with { Verdicts = [.. first.Verdicts.Select((verdict, index) => index == 0 ? Tell(verdict, link.Port) : verdict)] };
+            return joint with { Verdicts = [.. first.Verdicts.Select((verdict, index) => index == 0 ? AddCalculationPort(verdict, link.Port) : verdict)] };
 
         var missing = new ExplainedVerdict(
             DiagnosisVerdict.CalculationUnavailable,
@@ -31,5 +31,5 @@ internal static class CalculationExamination
         return joint with { Verdicts = isAllElse ? [missing with { Text = $"{first.Verdicts[0].Text} {missing.Text}" }] : [.. first.Verdicts, missing] };
     }
 
-    private static ExplainedVerdict Tell(ExplainedVerdict verdict, int port) => verdict with { Text = $"{verdict.Text} Calculation port {port}: frames arrive." };
+    private static ExplainedVerdict AddCalculationPort(ExplainedVerdict verdict, int port) => verdict with { Text = $"{verdict.Text} Calculation port {port}: frames arrive." };
 }

@@ -16,7 +16,7 @@ internal sealed record DiagnosisPace
 
     public double Asking { get; init; } = 0.06;
 
-    public double Elsewhere { get; init; } = 0.13;
+    public double OtherPorts { get; init; } = 0.13;
 
     // No share, but what the other ports still get of theirs when one has the stream.
     public TimeSpan Grace { get; init; } = TimeSpan.FromMilliseconds(200);

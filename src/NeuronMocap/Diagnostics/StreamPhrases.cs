@@ -5,7 +5,7 @@ namespace NeuronMocap.Diagnostics;
 // Says what a stream is.
 internal static class StreamPhrases
 {
-    private const int MostNames = 4;
+    private const int MaxNames = 4;
 
     public static string Describe(AvatarSample[] avatars)
     {
@@ -22,8 +22,8 @@ internal static class StreamPhrases
 
     public static string DescribeAvatars(AvatarSample[] avatars)
     {
-        string names = string.Join(", ", avatars.Take(MostNames).Select(NameOf));
-        string more = avatars.Length > MostNames ? $" and {avatars.Length - MostNames} more" : string.Empty;
+        string names = string.Join(", ", avatars.Take(MaxNames).Select(NameOf));
+        string more = avatars.Length > MaxNames ? $" and {avatars.Length - MaxNames} more" : string.Empty;
         return $"{avatars.Length} {(avatars.Length == 1 ? "avatar" : "avatars")}: {names}{more}";
     }
 

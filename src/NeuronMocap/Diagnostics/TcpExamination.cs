@@ -8,7 +8,7 @@ namespace NeuronMocap.Diagnostics;
 internal sealed class TcpExamination(DiagnosisContext context)
 {
     // More addresses than any computer has that is meant.
-    private const int MostAddresses = 4;
+    private const int MaxAddresses = 4;
 
     private readonly LinkOptions _link = context.Link;
 
@@ -61,8 +61,8 @@ internal sealed class TcpExamination(DiagnosisContext context)
             IPAddress[] addresses = await HostResolver.ResolveAsync(limited, context.CancellationToken).ConfigureAwait(false);
             if (addresses.Length > 0)
             {
-                context.Log.Ok("name", $"{_link.Host} has the address {string.Join(", ", addresses.Take(MostAddresses).Select(Written))}");
-                return ([.. addresses.Take(MostAddresses)], null);
+                context.Log.Ok("name", $"{_link.Host} has the address {string.Join(", ", addresses.Take(MaxAddresses).Select(Written))}");
+                return ([.. addresses.Take(MaxAddresses)], null);
             }
         }
         catch (Exception exception) when (exception is SocketException or ArgumentException or TimeoutException)
@@ -157,7 +157,7 @@ internal sealed class TcpExamination(DiagnosisContext context)
         }
 
         context.Log.Ok("first bytes", $"{sample.FirstBytes}{(closedByServer ? "; then the server closed the connection" : string.Empty)}");
-        return await TcpFaults.AddElsewhereAsync(context, StreamExamination.Judge(context, sample, Place), address, isUdp: false).ConfigureAwait(false);
+        return await TcpFaults.AddOtherPortsAsync(context, StreamExamination.Judge(context, sample, Place), address, isUdp: false).ConfigureAwait(false);
     }
 
     private static string Written(IPAddress address) =>

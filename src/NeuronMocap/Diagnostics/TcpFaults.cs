@@ -119,7 +119,7 @@ internal static class TcpFaults
     {
         context.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
         if (context.Options.SearchOtherPorts && await ServerProbe.AskAsync(context, address).ConfigureAwait(false) is { } answer)
-            return await AddElsewhereAsync(context, Answered(context, answer), address, isUdp: false).ConfigureAwait(false);
+            return await AddOtherPortsAsync(context, Answered(context, answer), address, isUdp: false).ConfigureAwait(false);
 
         if (context.Options.SearchOtherPorts)
             context.Log.Ok("question", "asked who it is, it says nothing");
@@ -134,7 +134,7 @@ internal static class TcpFaults
     }
 
     // Something else comes from the port; frames may come from another one.
-    public static async Task<Conclusion> AddElsewhereAsync(DiagnosisContext context, Conclusion conclusion, IPAddress? address, bool isUdp)
+    public static async Task<Conclusion> AddOtherPortsAsync(DiagnosisContext context, Conclusion conclusion, IPAddress? address, bool isUdp)
     {
         if (!conclusion.Verdicts[0].IsFault)
             return conclusion;

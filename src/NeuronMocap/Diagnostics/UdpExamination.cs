@@ -45,7 +45,7 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
     {
         string senders = string.Join(", ", listener.Senders);
         context.Log.Ok("first bytes", $"{sample.FirstBytes}, from {senders}, datagrams of up to {listener.LargestDatagram} bytes");
-        return TcpFaults.AddElsewhereAsync(context, StreamExamination.Judge(context, sample, place), address: null, isUdp: true);
+        return TcpFaults.AddOtherPortsAsync(context, StreamExamination.Judge(context, sample, place), address: null, isUdp: true);
     }
 
     private Conclusion NotAllowed(SenderFilter filter, StreamPlace place)

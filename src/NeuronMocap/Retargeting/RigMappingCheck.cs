@@ -83,7 +83,7 @@ internal sealed class RigMappingCheck
             Add(RigFault.DuplicateMapping, RigSeverity.Error, bone,
                 $"{_nodes[node].Name} is mapped to {HumanoidBones.GetName((HumanoidBone)first)} and to {name}. Map it to one of them.");
         }
-        else if (AncestorOf(bone) is { } ancestor && !HangsFrom(node, _nodeOf[(int)ancestor]))
+        else if (AncestorOf(bone) is { } ancestor && !IsDescendantOf(node, _nodeOf[(int)ancestor]))
         {
             IsUsable = false;
             Add(RigFault.InvalidHierarchy, RigSeverity.Error, bone,
@@ -109,7 +109,7 @@ internal sealed class RigMappingCheck
         return ancestor;
     }
 
-    private bool HangsFrom(int node, int ancestor)
+    private bool IsDescendantOf(int node, int ancestor)
     {
         while (node > ancestor)
             node = _nodes[node].Parent;

@@ -31,7 +31,7 @@ public sealed partial class TargetRig
         _offsets = new Vector3[nodes.Length];
         _scales = new Vector3[nodes.Length];
         _subtreeEnds = new int[nodes.Length];
-        _hangsFromHips = new bool[nodes.Length];
+        _isBelowHips = new bool[nodes.Length];
         IsSheared = MeasureScales();
 
         _restRotations = new Quaternion[nodes.Length];

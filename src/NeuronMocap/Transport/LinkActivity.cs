@@ -13,7 +13,7 @@ internal sealed class LinkActivity(
 
     // So many refused datagrams in one period of silence are a stream. Fewer are strays, such as those of a port scan, and no reason to tell
     // anybody to let their sender in.
-    private const int FewestRefused = 3;
+    private const int MinRefused = 3;
 
     // The first bytes since the last packet that belong to none, and why.
     private readonly byte[] _skipped = new byte[64];
@@ -98,10 +98,10 @@ internal sealed class LinkActivity(
 
         _description = stream.Text;
         string message = MessageOf(stream);
-        bool isTold = status.TrySet(
+        bool isSet = status.TrySet(
             current => current.State == ConnectionState.Receiving && (current.Format != stream.Format || !string.Equals(current.Message, message, StringComparison.Ordinal)),
             current => current with { Format = stream.Format, Reason = stream.Reason, Message = message, Timestamp = timestamp });
-        if (isTold)
+        if (isSet)
             Volatile.Write(ref _described, timestamp);
     }
 
@@ -153,7 +153,7 @@ internal sealed class LinkActivity(
 
         if (IsOver(_periodStart, now))
         {
-            _isRefusing = udpSenders?.RefusedDatagrams - _refusedBefore >= FewestRefused;
+            _isRefusing = udpSenders?.RefusedDatagrams - _refusedBefore >= MinRefused;
             BeginPeriod(now);
         }
 

@@ -15,7 +15,7 @@ internal sealed class UdpSenders : IPacketReceiver
     private const int PieceSize = 1024;
 
     // Of datagrams that wait: what 100 avatars send in half a second.
-    private const int MostHeldBytes = 4 * 1024 * 1024;
+    private const int MaxHeldBytes = 4 * 1024 * 1024;
 
     private static readonly long KeptAfterFrame = 5 * Stopwatch.Frequency;
 
@@ -120,12 +120,12 @@ internal sealed class UdpSenders : IPacketReceiver
     private void SettleAlone(long clock, bool isLast, UdpSender? speaker = null, long before = 0)
     {
         _clock = clock;
-        isLast |= _heldBytes > MostHeldBytes;
+        isLast |= _heldBytes > MaxHeldBytes;
         for (int i = 0; i < _newcomers.Count;)
         {
             UdpSender sender = _newcomers[i];
-            bool isTold = isLast || clock > sender.Due || (speaker is not null && before < sender.Began && speaker.Host == sender.Host);
-            if (isTold && _servers.TryPlace(sender, IsCalculation(sender), clock, isLast, out UdpSender? replaced))
+            bool isDue = isLast || clock > sender.Due || (speaker is not null && before < sender.Began && speaker.Host == sender.Host);
+            if (isDue && _servers.TryPlace(sender, IsCalculation(sender), clock, isLast, out UdpSender? replaced))
                 Release(sender, replaced, speaker);
             else
                 i++;

@@ -98,7 +98,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     public async Task A_host_that_answers_on_another_port_is_not_switched_off()
     {
         using var hole = new BlackHole();
-        DiagnosisOptions how = Diagnosing.With(Diagnosing.Silent with { Connecting = 0.003, Elsewhere = 0.015 });
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Silent with { Connecting = 0.003, OtherPorts = 0.015 });
         how.UsualTcpPorts = [_refusing.Number];
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = hole.Port }, how);
         diagnosis.AssertFault(DiagnosisVerdict.NoAnswer, "port", "answers on other ports");
@@ -139,7 +139,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     {
         using ScriptedServer server = ScriptedServer.Streaming();
         using var silent = new ScriptedServer(static (_, stop) => Task.Delay(Timeout.Infinite, stop));
-        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Elsewhere = 0.05, Grace = TimeSpan.FromMinutes(20) });
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { OtherPorts = 0.05, Grace = TimeSpan.FromMinutes(20) });
         how.UsualTcpPorts = [server.Port, silent.Port];
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
         diagnosis.AssertFault(DiagnosisVerdict.OtherPort, "port", $"Use port {server.Port} here");
@@ -168,7 +168,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     public async Task Calculation_data_on_another_port_show_that_the_server_runs()
     {
         using ScriptedServer server = ScriptedServer.Streaming(PacketKind.Calculation);
-        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Elsewhere = 0.05 });
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { OtherPorts = 0.05 });
         how.UsualTcpPorts = [server.Port];
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
 

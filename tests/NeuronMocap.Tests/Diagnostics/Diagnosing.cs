@@ -6,9 +6,9 @@ namespace NeuronMocap.Tests.Diagnostics;
 // Diagnoses with a pace that suits tests: long where an answer ends the wait, short where nothing is going to come.
 internal static class Diagnosing
 {
-    public static readonly DiagnosisPace Patient = new() { Silence = 0.5, Measuring = 0.003, Asking = 0.2, Elsewhere = 0.2 };
+    public static readonly DiagnosisPace Patient = new() { Silence = 0.5, Measuring = 0.003, Asking = 0.2, OtherPorts = 0.2 };
 
-    public static readonly DiagnosisPace Silent = Patient with { Silence = 0.002, Asking = 0.002, Elsewhere = 0.002 };
+    public static readonly DiagnosisPace Silent = Patient with { Silence = 0.002, Asking = 0.002, OtherPorts = 0.002 };
 
     public static DiagnosisOptions With(DiagnosisPace pace) => new()
     {

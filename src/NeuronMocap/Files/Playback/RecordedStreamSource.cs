@@ -9,10 +9,10 @@ namespace NeuronMocap.Recording;
 internal sealed class RecordedStreamSource : ArrivalSource
 {
     // What a reader's options allow.
-    private const int MostValues = 1_000_000;
+    private const int MaxValuesOfReader = 1_000_000;
 
     // Addresses of senders that the file does not tell. A reader has 64 senders at a time.
-    private const int MostInvented = 1024;
+    private const int MaxInventedAddresses = 1024;
 
     private readonly RecordingReader _reader;
     private readonly TimeSpan _origin;
@@ -38,7 +38,7 @@ internal sealed class RecordedStreamSource : ArrivalSource
 
     public override SkeletonVariant? SkeletonVariant => _reader.Metadata.SkeletonVariant;
 
-    public override int MaxValues => Math.Min(_reader.Metadata.MaxValues ?? ProtocolConstants.DefaultMaxValues, MostValues);
+    public override int MaxValues => Math.Min(_reader.Metadata.MaxValues ?? ProtocolConstants.DefaultMaxValues, MaxValuesOfReader);
 
     public override Arrival Read()
     {
@@ -118,7 +118,7 @@ internal sealed class RecordedStreamSource : ArrivalSource
             return address;
 
         address = new IPEndPoint(IPAddress.None, (ushort)sender).Serialize();
-        if (_invented < MostInvented)
+        if (_invented < MaxInventedAddresses)
         {
             SendersOf(connection)[sender] = address;
             _invented++;

@@ -148,7 +148,7 @@ public sealed class RecordingReader : IDisposable
 
             if (!TryMoveOn())
                 return false;
-            if (TryTellDamage(out entry))
+            if (TryReportDamage(out entry))
                 return true;
         }
     }
@@ -201,7 +201,7 @@ public sealed class RecordingReader : IDisposable
     }
 
     // Before what follows the damaged or missing place.
-    private bool TryTellDamage(out RecordingEntry entry)
+    private bool TryReportDamage(out RecordingEntry entry)
     {
         entry = new RecordingEntry { Kind = RecordingEntryKind.Damaged, Time = new TimeSpan(_time), LostBytes = _walk.DamagedBytes };
         bool isBroken = _walk.IsBroken;
