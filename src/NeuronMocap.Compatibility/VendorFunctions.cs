@@ -3,6 +3,7 @@ using System.Text;
 using NeuronMocap.Commands;
 using NeuronMocap.Compatibility.Callbacks;
 using NeuronMocap.Compatibility.Sockets;
+using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Compatibility;

@@ -42,7 +42,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
         if (broadcaster.Plan is not { } plan)
             throw new ArgumentException("A recording does not say what a command channel answers.", nameof(broadcaster));
 
-        _answers = new CommandAnswers(plan, broadcaster.Rate, broadcaster.ZeroOut, broadcaster.ZeroOutAll);
+        _answers = new CommandAnswers(plan, broadcaster.FrameRate, broadcaster.ZeroOut, broadcaster.ZeroOutAll);
         _options = (options ?? new CommandServerOptions()).CopyChecked();
     }
 

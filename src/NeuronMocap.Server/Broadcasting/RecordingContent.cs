@@ -21,7 +21,7 @@ internal sealed class RecordingContent : BroadcastContent
         TakesCalculation = hasCalculation;
         _path = options.RecordingPath!;
         _isLooped = options.LoopRecording;
-        _options = new PlaybackOptions { FrameRate = options.Rate is { } rate && !double.IsPositiveInfinity(rate) ? rate : null };
+        _options = new PlaybackOptions { FrameRate = options.FrameRate is { } rate && !double.IsPositiveInfinity(rate) ? rate : null };
         using ArrivalSource source = Open();
         MaxFrameSize = RecordedUnits.LongestUnit(source.MaxValues);
     }
@@ -57,7 +57,7 @@ internal sealed class RecordingContent : BroadcastContent
         catch (ArgumentException) when (_options.FrameRate is not null)
         {
             throw BroadcasterOptionsCheck.Fault(
-                nameof(BroadcasterOptions.Rate), "is null or MaxRate for a recording, which has times of its own (see RecordingSpeed)", _options.FrameRate);
+                nameof(BroadcasterOptions.FrameRate), "must be null or MaxFrameRate: a recording has its own times; set RecordingSpeed instead", _options.FrameRate);
         }
     }
 }

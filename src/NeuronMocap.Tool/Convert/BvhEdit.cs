@@ -11,7 +11,7 @@ internal static class BvhEdit
     {
         BvhDocument document = BvhFile.Load(settings.Input, progress, cancellationToken);
         summary.AddRepairs(document);
-        if (settings.Rate is { } rate)
+        if (settings.FrameRate is { } rate)
             document = document.Resample(rate);
         if (!range.IsAll)
         {
@@ -24,6 +24,6 @@ internal static class BvhEdit
 
         cancellationToken.ThrowIfCancellationRequested();
         document.Save(output);
-        (summary.Frames, summary.Rate, summary.Seconds) = (document.FrameCount, document.FrameRate, document.FrameCount / document.FrameRate);
+        (summary.Frames, summary.FrameRate, summary.Seconds) = (document.FrameCount, document.FrameRate, document.FrameCount / document.FrameRate);
     }
 }

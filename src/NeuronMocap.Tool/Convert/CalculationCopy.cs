@@ -78,7 +78,7 @@ internal static class CalculationCopy
         if (reader is { DeclaredFrameRate: null, FrameRate: CalculationReadOptions.DefaultFrameRate })
             summary.AddWarning("the export does not say its rate, and 120 Hz is assumed; --rate tells another one");
 
-        (summary.Frames, summary.Rate, summary.Seconds) = (rows - first, reader.FrameRate, (rows - first) / reader.FrameRate);
+        (summary.Frames, summary.FrameRate, summary.Seconds) = (rows - first, reader.FrameRate, (rows - first) / reader.FrameRate);
         if (rows <= first)
             throw new NeuronException(Quantity.Format($"Nothing is left: the take ends at {rows / reader.FrameRate:0.###} s."));
     }

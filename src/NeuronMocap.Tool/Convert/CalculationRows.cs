@@ -30,7 +30,7 @@ internal static class CalculationRows
             summary.Frames = writer.FrameCount;
         }
 
-        (summary.Rate, summary.Seconds, summary.Gaps, summary.MissingFrames) = (rate, summary.Frames / rate, gaps, missing);
+        (summary.FrameRate, summary.Seconds, summary.Gaps, summary.MissingFrames) = (rate, summary.Frames / rate, gaps, missing);
         if (missing > 0)
             summary.AddWarning("rows have no times, so that what follows a gap comes too early");
 

@@ -17,7 +17,7 @@ internal sealed class ConversionSummary
     public long Frames { get; set; }
 
     /// <summary>Frames per second; null where the file has times of its own, or none.</summary>
-    public double? Rate { get; set; }
+    public double? FrameRate { get; set; }
 
     /// <summary>How long it takes; null where nothing tells.</summary>
     public double? Seconds { get; set; }
@@ -66,7 +66,7 @@ internal sealed class ConversionSummary
         string line = $"{name}: {Count(Frames, "frame")}";
         if (Seconds is { } seconds)
             line += Quantity.Format($", {seconds:0.000} s");
-        if (Rate is { } rate)
+        if (FrameRate is { } rate)
             line += Quantity.Format($" at {rate:0.###} Hz");
 
         line += $"; {Count(Gaps, "gap")}";

@@ -53,7 +53,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
                 RejectForCopy("the rows of a calculation export are copied as they are");
                 CalculationCopy.ToFile(settings, _range, path, _summary, progress, cancellationToken);
                 break;
-            case FileKind.Calculation when isStream && settings.Rate is null
+            case FileKind.Calculation when isStream && settings.FrameRate is null
                 && CalculationRows.TryWrite(settings, _range, path, _summary, progress, cancellationToken):
                 break;
             default:
@@ -66,7 +66,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     {
         InputTake take = InputTake.Load(settings, from, progress, cancellationToken);
         RotationOrder order = settings.RotationOrder ?? take.Order;
-        MotionSource motion = _range.IsAll && settings.Rate is null ? take.Motion : new TakePart(take.Motion, _range, settings.Rate);
+        MotionSource motion = _range.IsAll && settings.FrameRate is null ? take.Motion : new TakePart(take.Motion, _range, settings.FrameRate);
         switch (to)
         {
             case FileKind.Bvh:
@@ -135,7 +135,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
 
     private void RejectForCopy(string why)
     {
-        if (settings.Rate is not null)
+        if (settings.FrameRate is not null)
             throw new NeuronException($"--resample: {why}; only poses can be interpolated, for a .bvh file.");
         if (settings.RotationOrder is not null)
             throw new NeuronException($"--order: {why}.");

@@ -53,7 +53,7 @@ internal sealed class ConvertVerb : Verb
     {
         FileSettings settings = _take.Read(result, FileTask.Convert) with
         {
-            Rate = result.GetValue(_resample),
+            FrameRate = result.GetValue(_resample),
             RotationOrder = result.GetValue(_order),
             InputOrder = result.GetValue(_inputOrder),
         };

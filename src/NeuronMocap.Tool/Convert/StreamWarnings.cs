@@ -40,7 +40,7 @@ internal static class StreamWarnings
         while (reader.Read())
             cancellationToken.ThrowIfCancellationRequested();
 
-        ReaderStatistics statistics = reader.Statistics;
+        ReaderStatistics statistics = reader.GetStatistics();
         summary.Frames = statistics.MotionFrames + statistics.CalculationFrames + statistics.StudioCalculationFrames;
         summary.Seconds = hasTimes ? reader.Duration.TotalSeconds : null;
         summary.MissingFrames = statistics.Lost;
@@ -73,8 +73,8 @@ internal static class StreamWarnings
             isStudio |= reader.Frame is MotionFrame { Header.Version: var version } && version == DataVersion.Studio;
         }
 
-        if (reader.Statistics.BytesSkipped > 0)
-            summary.AddWarning($"{Quantity.Bytes(reader.Statistics.BytesSkipped)} are no frames");
+        if (reader.GetStatistics().BytesSkipped > 0)
+            summary.AddWarning($"{Quantity.Bytes(reader.GetStatistics().BytesSkipped)} are no frames");
         if (hasMotion && !isStudio && settings.InputOrder is null && !KnowsOrder(settings.Input))
             summary.AddWarning("the rotation order of the stream is not known, and YXZ is assumed; --input-order tells another one");
         if (others > 0)

@@ -12,7 +12,7 @@ internal static class TakeWarnings
         ConversionSummary summary, FileSettings settings, InputTake take, MotionSource written, TimeRange range, CancellationToken cancellationToken)
     {
         long count = written.FrameCount!.Value;
-        (summary.Frames, summary.Rate, summary.Seconds) = (count, written.FrameRate, count / written.FrameRate);
+        (summary.Frames, summary.FrameRate, summary.Seconds) = (count, written.FrameRate, count / written.FrameRate);
         if (take.Bvh is { } bvh)
             summary.AddRepairs(bvh);
         if (take.Calculation is { } rows)

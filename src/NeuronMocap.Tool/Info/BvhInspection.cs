@@ -48,11 +48,11 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
         section.Add("bytes", string.Empty, null, size);
         section.Add("seconds", "duration", Quantity.Format($"{duration:0.000} s"), duration);
         section.Add("frames", "frames", Quantity.Count(document.FrameCount), document.FrameCount);
-        section.Add("frameRate", "frame rate", Rate(document), document.FrameRate);
+        section.Add("frameRate", "frame rate", DescribeFrameRate(document), document.FrameRate);
         section.Add("declaredFrameTime", string.Empty, null, document.DeclaredFrameTime);
     }
 
-    private static string Rate(BvhDocument document)
+    private static string DescribeFrameRate(BvhDocument document)
     {
         string rate = Quantity.Format($"{document.FrameRate:0.###} Hz");
         if (document.DeclaredFrameTime == 0)

@@ -26,7 +26,7 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
         take.Add("bytes", string.Empty, null, reader.Length ?? 0);
         take.Add("seconds", "duration", Quantity.Format($"{duration:0.000} s"), duration);
         take.Add("frames", "frames", Quantity.Count(reader.FrameCount), reader.FrameCount);
-        take.Add("frameRate", "frame rate", Rate(reader), reader.FrameRate);
+        take.Add("frameRate", "frame rate", DescribeFrameRate(reader), reader.FrameRate);
         take.Add("columns", "columns", Quantity.Format($"{reader.ValueCount}: 16 for each of {bones} bones, and the contacts of both feet"), reader.ValueCount);
         take.Add("decimals", "text", Describe(reader.TextFormat), reader.TextFormat.Decimals);
         take.Add(
@@ -68,7 +68,7 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
         }
     }
 
-    private string Rate(CalculationFileReader reader)
+    private string DescribeFrameRate(CalculationFileReader reader)
     {
         string rate = Quantity.Format($"{reader.FrameRate:0.###} Hz");
         if (settings.InputRate is not null)

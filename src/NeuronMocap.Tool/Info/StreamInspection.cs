@@ -39,7 +39,7 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         take.Add("seconds", "duration", Quantity.Format($"{duration:0.000} s"), duration);
         take.Add("frames", "frames", Frames(source), source.FrameCount.Value);
         take.Add("receivedFrames", string.Empty, null, source.ReceivedFrames).Add("interpolatedFrames", string.Empty, null, source.InterpolatedFrames);
-        take.Add("frameRate", "frame rate", Rate(source), source.FrameRate);
+        take.Add("frameRate", "frame rate", DescribeFrameRate(source), source.FrameRate);
         take.Add("measuredRate", string.Empty, null, source.MeasuredFrameRate ?? double.NaN);
         take.Add("variant", "bone names", source.Variant.ToString());
         take.Add("rotationOrder", "rotation order", source.Format.RotationOrder.ToString());
@@ -80,7 +80,7 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         ? Quantity.Count(source.ReceivedFrames)
         : Quantity.Format($"{source.FrameCount:#,0}: {source.ReceivedFrames:#,0} received and {source.InterpolatedFrames:#,0} interpolated");
 
-    private string Rate(RecordingSource source)
+    private string DescribeFrameRate(RecordingSource source)
     {
         string rate = Quantity.Format($"{source.FrameRate:0.###} Hz");
         if (!isRecording)

@@ -31,7 +31,7 @@ internal sealed class SimulateRun(SimulateArguments arguments, ParseResult resul
         {
             return new Broadcaster(options);
         }
-        catch (ArgumentException exception) when (exception.ParamName is nameof(BroadcasterOptions.Rate))
+        catch (ArgumentException exception) when (exception.ParamName is nameof(BroadcasterOptions.FrameRate))
         {
             throw new SimulatorException("--rate: the file's own rate is not from 0.01 to 100000 Hz; give one.");
         }

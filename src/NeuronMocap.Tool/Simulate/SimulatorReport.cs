@@ -43,7 +43,7 @@ internal sealed class SimulatorReport(
             await WatchAsync();
 
         await WaitForEndAsync();
-        Say(Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"Served {Count(broadcaster.Statistics.Accepted, "client")}: "));
+        Say(Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"Served {Count(broadcaster.GetStatistics().Accepted, "client")}: "));
     }
 
     private async Task WaitForEndAsync()
@@ -91,7 +91,7 @@ internal sealed class SimulatorReport(
 
     private string Describe() => options.RecordingPath is not null ? description : string.Create(
         CultureInfo.InvariantCulture,
-        $"Broadcasting {description}: {Count(options.Sources.Count, "avatar")}, {Rate()}, {broadcaster.Layout.ValueCount} values, "
+        $"Broadcasting {description}: {Count(options.Sources.Count, "avatar")}, {DescribeFrameRate()}, {broadcaster.Layout.ValueCount} values, "
         + $"{options.RotationOrder}, {Format()}");
 
     private string Format() => options.Format switch
@@ -109,13 +109,13 @@ internal sealed class SimulatorReport(
         _ => $", {packets}",
     };
 
-    private string Rate() => double.IsPositiveInfinity(broadcaster.Rate)
+    private string DescribeFrameRate() => double.IsPositiveInfinity(broadcaster.FrameRate)
         ? "as fast as clients read"
-        : string.Create(CultureInfo.InvariantCulture, $"{broadcaster.Rate:0.###} Hz");
+        : string.Create(CultureInfo.InvariantCulture, $"{broadcaster.FrameRate:0.###} Hz");
 
     private string Clients()
     {
-        BroadcasterStatistics statistics = broadcaster.Statistics;
+        BroadcasterStatistics statistics = broadcaster.GetStatistics();
         string ofCalculation = options.CalculationPort is null
             ? string.Empty
             : string.Create(CultureInfo.InvariantCulture, $" ({statistics.CalculationClients} of them for calculation)");
@@ -124,7 +124,7 @@ internal sealed class SimulatorReport(
 
     private string Summarize(string clients)
     {
-        BroadcasterStatistics statistics = broadcaster.Statistics;
+        BroadcasterStatistics statistics = broadcaster.GetStatistics();
         string calculation = statistics.CalculationFramesSent == 0 ? string.Empty : $" and {Count(statistics.CalculationFramesSent, "calculation frame")}";
         return string.Create(
             CultureInfo.InvariantCulture,

@@ -41,7 +41,7 @@ internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
     public long Frames { get; private set; }
 
     // Without the first frames, which the server may have kept for a new client, and which wait while this end gets ready.
-    public double Rate => Frames switch
+    public double FrameRate => Frames switch
     {
         >= 3 * FramesToBegin => PerSecond(Frames - FramesToBegin, _begun),
         >= MinFrames => PerSecond(Frames - 1, _first),
@@ -93,7 +93,7 @@ internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
         HasReference = HasReference,
         Frames = Frames,
         Lost = Lost,
-        Rate = Rate,
+        FrameRate = FrameRate,
         LongestGap = LongestGap,
     };
 

@@ -10,7 +10,7 @@ internal static class StreamPhrases
     public static string Describe(AvatarSample[] avatars)
     {
         AvatarSample first = avatars[0];
-        double rate = avatars.Min(static avatar => avatar.Rate);
+        double rate = avatars.Min(static avatar => avatar.FrameRate);
         string frequency = rate > 0 ? Invariant($", {rate:0.0} frames per second{(avatars.Length > 1 ? " of each" : string.Empty)}") : string.Empty;
         string version = first.Version == DataVersion.None ? "as text" : $"version {first.Version}";
         return $"{NameOf(first.Kind)}, {version}, {DescribeFormat(first)}; {DescribeAvatars(avatars)}{frequency}";

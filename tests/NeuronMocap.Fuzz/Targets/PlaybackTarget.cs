@@ -35,7 +35,7 @@ internal sealed class PlaybackTarget
             input.Digest.Add(reader.Frame.AvatarName);
         }
 
-        input.Digest.Add(reader.Statistics.BytesSkipped);
+        input.Digest.Add(reader.GetStatistics().BytesSkipped);
         foreach (SkipReason reason in Enum.GetValues<SkipReason>())
             input.Digest.Add(reader.GetSkipped(reason));
     }

@@ -25,7 +25,7 @@ internal sealed class RawDumpIndex : IPacketReceiver
     public SkipReason Skipped { get; private set; }
 
     // As the timecodes tell it; null where there are none.
-    public double? Rate => _timecodes.Rate;
+    public double? FrameRate => _timecodes.FrameRate;
 
     public long EndOf(int piece) => piece < 0 ? 0 : _pieces[piece].End;
 
@@ -111,7 +111,7 @@ internal sealed class RawDumpIndex : IPacketReceiver
         private long _seconds;
         private long _instants;
 
-        public double? Rate => _seconds > 0 ? _instants / (double)_seconds : null;
+        public double? FrameRate => _seconds > 0 ? _instants / (double)_seconds : null;
 
         public void Add(Timecode code, int instant)
         {

@@ -22,11 +22,11 @@ internal sealed class RawDumpSource : ArrivalSource
     {
         _file = file;
         _index = index;
-        _rate = rate ?? index.Rate ?? UsualRate;
+        _rate = rate ?? index.FrameRate ?? UsualRate;
     }
 
     // Frames of each avatar per second.
-    public double Rate => _rate;
+    public double FrameRate => _rate;
 
     // So that a loop goes on at the same rate.
     public override TimeSpan Duration => TimeOf(_index.InstantCount);

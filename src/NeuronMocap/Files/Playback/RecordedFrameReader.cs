@@ -59,7 +59,8 @@ public sealed class RecordedFrameReader : IDisposable
     /// <summary>
     /// What was read so far, as a <see cref="NeuronReader"/> would have it of the same bytes. All that the file holds, once <see cref="Read"/> was false.
     /// </summary>
-    public ReaderStatistics Statistics => _counters.Snapshot();
+    /// <returns>A snapshot.</returns>
+    public ReaderStatistics GetStatistics() => _counters.Snapshot();
 
     /// <summary>What was read so far of each avatar, in the order in which they appeared; at most 1024.</summary>
     /// <returns>A snapshot.</returns>
@@ -71,7 +72,7 @@ public sealed class RecordedFrameReader : IDisposable
     public long GetSkipped(SkipReason reason) => _counters.GetSkipped(reason);
 
     // Of a raw dump, whose times are made of it; null where times were recorded.
-    internal double? EvenRate => (_source as RawDumpSource)?.Rate;
+    internal double? EvenRate => (_source as RawDumpSource)?.FrameRate;
 
     /// <summary>Opens a file.</summary>
     /// <param name="path">A recording (<c>.nmrec</c>), or the bytes of a stream as they came off the wire. Which one it is, its first bytes tell, not its name.</param>
