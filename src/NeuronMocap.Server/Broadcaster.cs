@@ -39,7 +39,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     private long _refused;
     private bool _isStarted;
     private bool _hasBegun;
-    private bool _isOver;
+    private bool _hasEnded;
 
     /// <summary>Makes a broadcaster that does nothing yet.</summary>
     /// <param name="options">The settings; copied.</param>
@@ -161,7 +161,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     {
         lock (_lock)
         {
-            if (_isOver)
+            if (_hasEnded)
                 throw new ObjectDisposedException(nameof(Broadcaster), "The broadcaster was stopped.");
             if (_isStarted)
                 throw new InvalidOperationException("The broadcaster was started before.");
@@ -234,5 +234,5 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     }
 
     private static BroadcasterClient Describe(Recipient recipient) =>
-        new(recipient.RemoteEndPoint, recipient is UdpSender, recipient.Stream.IsBeside, recipient.Counters);
+        new(recipient.RemoteEndPoint, recipient is UdpRecipient, recipient.Stream.IsBeside, recipient.Counters);
 }

@@ -57,7 +57,7 @@ public static class NeuronDiagnostics
             Verdicts = [.. verdicts.Select(static verdict => verdict.Verdict)],
             Summary = string.Join(" ", verdicts.Select(static verdict => verdict.Advice is null ? verdict.Text : $"{verdict.Text} {verdict.Advice}")),
             Advice = advice.Length > 0 ? advice : null,
-            SampleCode = conclusion.Place is { } place ? SampleProgram.For(options, place, how.Expected) : null,
+            SampleCode = conclusion.Endpoint is { } endpoint ? SampleProgram.For(options, endpoint, how.Expected) : null,
             Steps = log.Steps,
             Avatars = [.. conclusion.Samples.SelectMany(static sample => sample.Avatars).Select(static avatar => avatar.ToPublic())],
             Elapsed = context.Elapsed,

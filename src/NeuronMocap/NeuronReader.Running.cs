@@ -90,7 +90,7 @@ public sealed partial class NeuronReader
         // Not for both in one task, nor for Completion: that would take a thread of the pool, and in a busy process there may be none for a while.
         Stop();
         if (!IsHandlerThread)
-            Task.WaitAll([_stopped.Task, _reporter.Over], _options.StopTimeout);
+            Task.WaitAll([_stopped.Task, _reporter.Ended], _options.StopTimeout);
     }
 
     /// <summary>As <see cref="Dispose"/>, without blocking the thread.</summary>
@@ -105,7 +105,7 @@ public sealed partial class NeuronReader
             return;
 
         // What follows is the caller's, and not for a thread of the reader.
-        Task stopped = Task.WhenAll(_stopped.Task, _reporter.Over).ContinueWith(
+        Task stopped = Task.WhenAll(_stopped.Task, _reporter.Ended).ContinueWith(
             static _ => { }, CancellationToken.None, TaskContinuationOptions.RunContinuationsAsynchronously, TaskScheduler.Default);
         await Task.WhenAny(stopped, Task.Delay(_options.StopTimeout)).ConfigureAwait(false);
     }

@@ -43,7 +43,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly HandlerList<ReaderEvent> _eventHandlers;
     private readonly EventReporter _reporter;
     private readonly HandlerList<ConnectionStatus> _statusHandlers;
-    private readonly StatusBoard _status;
+    private readonly StatusPublisher _status;
     private readonly LinkActivity _activity;
     private readonly SenderFilter _senders;
     private readonly ConnectionSupervisor _supervisor;
@@ -113,7 +113,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
             _combinedStatus = new CombinedStatus(OnStatusChanged, second.Port);
         }
 
-        _status = new StatusBoard(OnFirstStatusChanged);
+        _status = new StatusPublisher(OnFirstStatusChanged);
         _senders = new SenderFilter(_options.AllowedSenders);
         Func<Link>? playback = player?.Attach(_senders, OnCallbackFailed);
         _format = player?.CreateFormat(_options.RotationOrder, _options.SkeletonVariant) ?? _options.Format;

@@ -16,13 +16,13 @@ internal abstract class VendorSocket : IDisposable
     private readonly ManualResetEventSlim _opened = new();
     private readonly ManualResetEventSlim _endReported = new();
     private volatile bool _isOpen;
-    private volatile bool _isOver;
+    private volatile bool _hasEnded;
     private int _isClosed;
 
     // Given by the table.
     public IntPtr Handle { get; set; }
 
-    public virtual SocketState State => (_isOver || IsClosed, _isOpen) switch
+    public virtual SocketState State => (_hasEnded || IsClosed, _isOpen) switch
     {
         (true, _) => SocketState.OffWork,
         (_, true) => SocketState.Running,
@@ -50,7 +50,7 @@ internal abstract class VendorSocket : IDisposable
         {
             // The program may interrupt or abort its thread, and others wait for this one.
             if (!stands)
-                _isOver = true;
+                _hasEnded = true;
 
             _opening--;
             _opened.Set();
@@ -131,10 +131,10 @@ internal abstract class VendorSocket : IDisposable
     protected void SetOpen()
     {
         _isOpen = true;
-        _isOver = false;
+        _hasEnded = false;
     }
 
-    protected void SetOver() => _isOver = true;
+    protected void SetOver() => _hasEnded = true;
 
     // Holds frames and the end of a connection back until its beginning was told.
     protected void WaitUntilOpenReported()

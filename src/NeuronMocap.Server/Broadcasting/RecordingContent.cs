@@ -22,7 +22,7 @@ internal sealed class RecordingContent : BroadcastContent
         _path = options.RecordingPath!;
         _isLooped = options.LoopRecording;
         _options = new PlaybackOptions { FrameRate = options.FrameRate is { } rate && !double.IsPositiveInfinity(rate) ? rate : null };
-        using ArrivalSource source = Open();
+        using RecordedEventSource source = Open();
         MaxFrameSize = RecordedUnits.LongestUnit(source.MaxValues);
     }
 
@@ -48,11 +48,11 @@ internal sealed class RecordingContent : BroadcastContent
 
     public bool Takes(RecordedUnits units) => units.IsCalculation ? TakesCalculation : HasMotion;
 
-    private ArrivalSource Open()
+    private RecordedEventSource Open()
     {
         try
         {
-            return ArrivalSource.Open(_path, _options);
+            return RecordedEventSource.Open(_path, _options);
         }
         catch (ArgumentException) when (_options.FrameRate is not null)
         {

@@ -51,29 +51,29 @@ internal sealed class CommandRun(CommandSettings settings, StandardStreams strea
             new CommandPage(streams).ZeroOut(server, settings.Avatar);
     }
 
-    private async Task<CommandAnswers> AskAsync(NeuronCommandClient client, ServerAddress server, CancellationToken cancellationToken)
+    private async Task<CommandResults> AskAsync(NeuronCommandClient client, ServerAddress server, CancellationToken cancellationToken)
     {
-        var answers = new CommandAnswers(server, settings.Avatar ?? 0);
+        var results = new CommandResults(server, settings.Avatar ?? 0);
         if (settings.Question is CommandQuestion.All or CommandQuestion.Order)
-            answers = answers with { Order = await client.GetRotationOrderAsync(cancellationToken) };
+            results = results with { Order = await client.GetRotationOrderAsync(cancellationToken) };
         if (settings.Question is CommandQuestion.All or CommandQuestion.Bones)
-            answers = answers with { Sizes = await client.GetBoneDimensionsAsync(answers.Avatar, cancellationToken) };
+            results = results with { Sizes = await client.GetBoneDimensionsAsync(results.Avatar, cancellationToken) };
         if (settings.Question is CommandQuestion.All or CommandQuestion.Header)
-            answers = answers with { Header = await client.GetBvhHeaderTextAsync(answers.Avatar, cancellationToken) };
+            results = results with { Header = await client.GetBvhHeaderTextAsync(results.Avatar, cancellationToken) };
 
-        return answers;
+        return results;
     }
 
-    private void Write(CommandAnswers answers)
+    private void Write(CommandResults results)
     {
         if (settings.Json)
-            WriteText(CommandJson.Report(answers));
+            WriteText(CommandJson.Report(results));
         else if (settings.Question == CommandQuestion.Header)
-            WriteText(streams.IsTerminal ? CleanLines(answers.Header!) : answers.Header!);
+            WriteText(streams.IsTerminal ? CleanLines(results.Header!) : results.Header!);
         else if (settings.Question == CommandQuestion.Order)
-            WriteText($"{answers.Order}\n");
+            WriteText($"{results.Order}\n");
         else
-            new CommandPage(streams).Report(answers);
+            new CommandPage(streams).Report(results);
     }
 
     private void WriteText(string text)

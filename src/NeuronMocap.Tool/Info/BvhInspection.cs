@@ -142,7 +142,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
         }
 
         RowScan scan = RowScan.Run(document.Joints, document.ChannelCount, document.FrameCount, document.GetFrame, cancellationToken);
-        RowRemarks.Add(section, scan, document.FrameRate, document.ChannelCount);
+        RowWarnings.Add(section, scan, document.FrameRate, document.ChannelCount);
         if (map is { Layout.HasDisplacement: true })
             AddDisplacement(section, map);
         if (section.IsEmpty)

@@ -53,7 +53,7 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         BvhHierarchy hierarchy = BvhBoneHierarchy.Create(source.Format, source.Layout);
         RowScan scan = RowScan.Run(
             hierarchy.Joints, hierarchy.ChannelCount, checked((int)source.FrameCount.Value), frame => source.GetValues(frame), cancellationToken);
-        RowRemarks.Add(oddities, scan, source.FrameRate, hierarchy.ChannelCount);
+        RowWarnings.Add(oddities, scan, source.FrameRate, hierarchy.ChannelCount);
         if (oddities.IsEmpty)
             oddities.Remark("none", "none");
         AddMotion(report, source, source.HasOwnBody, cancellationToken);

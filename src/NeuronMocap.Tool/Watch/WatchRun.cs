@@ -14,7 +14,7 @@ namespace NeuronMocap.Tool.Watch;
 /// <summary>One run of the program: a reader, an output, and whatever ends first.</summary>
 internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
 {
-    private readonly TaskCompletionSource<ReaderStatistics> _enough = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly TaskCompletionSource<ReaderStatistics> _limitReached = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private readonly FailureMessage _failure = new();
     private long _frames;
 
@@ -57,7 +57,7 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         using var stopSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken, durationSource.Token);
         reader.Start();
         Task showing = output.RunAsync(stopSource.Token);
-        await Task.WhenAny(showing, reader.Completion, _enough.Task, NothingToDoAsync(export, takes));
+        await Task.WhenAny(showing, reader.Completion, _limitReached.Task, NothingToDoAsync(export, takes));
         bool asked = !durationSource.IsCancellationRequested && !reader.Completion.IsCompleted;
         ConnectionStatus status = reader.Status;
 
@@ -66,7 +66,7 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         await showing;
 
         // At the last frame that was asked for, the receive thread took the figures; what came before it stopped does not count.
-        ReaderStatistics statistics = _enough.Task.IsCompleted ? await _enough.Task : reader.GetStatistics();
+        ReaderStatistics statistics = _limitReached.Task.IsCompleted ? await _limitReached.Task : reader.GetStatistics();
         output.Finish(statistics);
         bool isExported = export.TryFinish(streams);
         bool isRecorded = await takes.FinishAsync(streams);
@@ -118,7 +118,7 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         reader.StatusChanged += output.OnStatus;
         reader.MotionReceived += frame =>
         {
-            if (_enough.Task.IsCompleted)
+            if (_limitReached.Task.IsCompleted)
                 return;
 
             output.OnMotion(frame);
@@ -126,7 +126,7 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         };
         reader.CalculationReceived += frame =>
         {
-            if (_enough.Task.IsCompleted)
+            if (_limitReached.Task.IsCompleted)
                 return;
 
             output.OnCalculation(frame);
@@ -134,7 +134,7 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         };
         reader.StudioCalculationReceived += frame =>
         {
-            if (_enough.Task.IsCompleted)
+            if (_limitReached.Task.IsCompleted)
                 return;
 
             output.OnStudioCalculation(frame);
@@ -146,6 +146,6 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
     private void Count(NeuronReader reader)
     {
         if (++_frames == options.Frames)
-            _enough.TrySetResult(reader.GetStatistics());
+            _limitReached.TrySetResult(reader.GetStatistics());
     }
 }

@@ -4,7 +4,7 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Diagnostics;
 
 // The shares of the whole time that the stages may take. What one leaves over, the later ones do not get.
-internal sealed record DiagnosisPace
+internal sealed record DiagnosisBudget
 {
     public double Name { get; init; } = 0.25;
 
@@ -31,7 +31,7 @@ internal sealed class DiagnosisContext(LinkOptions link, DiagnosisOptions option
 
     public DiagnosisOptions Options => options;
 
-    public DiagnosisPace Pace => options.Pace;
+    public DiagnosisBudget Budget => options.Budget;
 
     public PacketKind Expected => options.Expected;
 

@@ -19,7 +19,7 @@ internal static class ServerProbe
     public static async Task<StreamSample?> AskAsync(DiagnosisContext context, IPAddress address)
     {
         var server = new IPEndPoint(address, context.Link.Port);
-        TimeSpan time = context.Share(context.Pace.Asking);
+        TimeSpan time = context.Share(context.Budget.Asking);
         byte[][] answers = await Task.WhenAll(
             ExchangeAsync(server, RotationCommand, time, context.CancellationToken),
             ExchangeAsync(server, WebRequest, time, context.CancellationToken)).ConfigureAwait(false);

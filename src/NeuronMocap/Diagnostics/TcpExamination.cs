@@ -12,7 +12,7 @@ internal sealed class TcpExamination(DiagnosisContext context)
 
     private readonly LinkOptions _link = context.Link;
 
-    private StreamPlace Place => new(TransportKind.Tcp, _link.Host, _link.Port);
+    private StreamEndpoint Place => new(TransportKind.Tcp, _link.Host, _link.Port);
 
     public async Task<Conclusion> RunAsync()
     {
@@ -22,14 +22,14 @@ internal sealed class TcpExamination(DiagnosisContext context)
 
         IPAddress[] routed = FindRoutes(addresses, out ConnectionReason reason);
         if (routed.Length == 0)
-            return TcpFaults.NoRoute(context, reason);
+            return TcpConclusions.NoRoute(context, reason);
 
         TcpLink[] links = [.. routed.Select(Open)];
         try
         {
             (TcpLink? link, IPAddress address, LinkEnd failure) = await ConnectAsync(links, routed).ConfigureAwait(false);
             if (link is null)
-                return await TcpFaults.NotConnectedAsync(context, failure, address).ConfigureAwait(false);
+                return await TcpConclusions.NotConnectedAsync(context, failure, address).ConfigureAwait(false);
 
             return await ListenAsync(link, address).ConfigureAwait(false);
         }
@@ -40,7 +40,7 @@ internal sealed class TcpExamination(DiagnosisContext context)
         }
 
         TcpLink Open(IPAddress address) =>
-            new(_link with { Host = address.ToString(), ConnectTimeout = context.Share(context.Pace.Connecting) });
+            new(_link with { Host = address.ToString(), ConnectTimeout = context.Share(context.Budget.Connecting) });
     }
 
     private async Task<(IPAddress[] Addresses, Conclusion? Unknown)> ResolveAsync()
@@ -57,7 +57,7 @@ internal sealed class TcpExamination(DiagnosisContext context)
 
         try
         {
-            LinkOptions limited = _link with { ConnectTimeout = context.Share(context.Pace.Name) };
+            LinkOptions limited = _link with { ConnectTimeout = context.Share(context.Budget.Name) };
             IPAddress[] addresses = await HostResolver.ResolveAsync(limited, context.CancellationToken).ConfigureAwait(false);
             if (addresses.Length > 0)
             {
@@ -68,10 +68,10 @@ internal sealed class TcpExamination(DiagnosisContext context)
         catch (Exception exception) when (exception is SocketException or ArgumentException or TimeoutException)
         {
             context.CancellationToken.ThrowIfCancellationRequested();
-            return ([], TcpFaults.UnknownHost(context, exception));
+            return ([], TcpConclusions.UnknownHost(context, exception));
         }
 
-        return ([], TcpFaults.UnknownHost(context, exception: null));
+        return ([], TcpConclusions.UnknownHost(context, exception: null));
     }
 
     private IPAddress[] FindRoutes(IPAddress[] addresses, out ConnectionReason reason)
@@ -141,10 +141,10 @@ internal sealed class TcpExamination(DiagnosisContext context)
     {
         var sample = new StreamSample(context.Expected);
         Task<LinkEnd> receiving = link.ReceiveAsync(sample, listener: null);
-        TimeSpan silence = context.Share(context.Pace.Silence);
+        TimeSpan silence = context.Share(context.Budget.Silence);
         await context.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
         if (sample.Started.IsCompleted)
-            await context.WaitAsync(context.Share(context.Pace.Measuring), receiving).ConfigureAwait(false);
+            await context.WaitAsync(context.Share(context.Budget.Measuring), receiving).ConfigureAwait(false);
 
         bool closedByServer = receiving.IsCompleted;
         link.Close();
@@ -152,12 +152,12 @@ internal sealed class TcpExamination(DiagnosisContext context)
         if (sample.Bytes == 0)
         {
             return closedByServer
-                ? await TcpFaults.ClosedAsync(context, address).ConfigureAwait(false)
-                : await TcpFaults.SilentAsync(context, address, silence).ConfigureAwait(false);
+                ? await TcpConclusions.ClosedAsync(context, address).ConfigureAwait(false)
+                : await TcpConclusions.SilentAsync(context, address, silence).ConfigureAwait(false);
         }
 
         context.Log.Ok("first bytes", $"{sample.FirstBytes}{(closedByServer ? "; then the server closed the connection" : string.Empty)}");
-        return await TcpFaults.AddOtherPortsAsync(context, StreamExamination.Judge(context, sample, Place), address, isUdp: false).ConfigureAwait(false);
+        return await TcpConclusions.AddOtherPortsAsync(context, StreamExamination.Judge(context, sample, Place), address, isUdp: false).ConfigureAwait(false);
     }
 
     private static string Written(IPAddress address) =>

@@ -25,36 +25,36 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
         context.Log.Ok("port", $"UDP port {listener.Port} is free and open");
         ReceiveBufferStep.Add(context.Log, listener.ReceiveBufferSize);
         Task receiving = listener.ReceiveAsync();
-        TimeSpan silence = context.Share(context.Pace.Silence);
+        TimeSpan silence = context.Share(context.Budget.Silence);
         await context.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
         if (sample.Started.IsCompleted)
-            await context.WaitAsync(context.Share(context.Pace.Measuring), receiving).ConfigureAwait(false);
+            await context.WaitAsync(context.Share(context.Budget.Measuring), receiving).ConfigureAwait(false);
 
-        var place = new StreamPlace(TransportKind.Udp, _link.Host, listener.Port);
+        var endpoint = new StreamEndpoint(TransportKind.Udp, _link.Host, listener.Port);
         listener.Dispose();
         await receiving.ConfigureAwait(false);
         if (sample.Bytes == 0 && filter.RefusedDatagrams > 0)
-            return NotAllowed(filter, place);
+            return NotAllowed(filter, endpoint);
 
         return sample.Bytes == 0
             ? await SilentAsync(listener, silence, addresses).ConfigureAwait(false)
-            : await JudgeAsync(listener, sample, place).ConfigureAwait(false);
+            : await JudgeAsync(listener, sample, endpoint).ConfigureAwait(false);
     }
 
-    private Task<Conclusion> JudgeAsync(UdpListener listener, StreamSample sample, StreamPlace place)
+    private Task<Conclusion> JudgeAsync(UdpListener listener, StreamSample sample, StreamEndpoint endpoint)
     {
         string senders = string.Join(", ", listener.Senders);
         context.Log.Ok("first bytes", $"{sample.FirstBytes}, from {senders}, datagrams of up to {listener.LargestDatagram} bytes");
-        return TcpFaults.AddOtherPortsAsync(context, StreamExamination.Judge(context, sample, place), address: null, isUdp: true);
+        return TcpConclusions.AddOtherPortsAsync(context, StreamExamination.Judge(context, sample, endpoint), address: null, isUdp: true);
     }
 
-    private Conclusion NotAllowed(SenderFilter filter, StreamPlace place)
+    private Conclusion NotAllowed(SenderFilter filter, StreamEndpoint endpoint)
     {
         string senders = string.Join(", ", filter.RefusedSenders);
         context.Log.Failed("first bytes", StreamPhrases.Invariant($"none that may be looked at: {filter.RefusedDatagrams} datagrams from {senders}"));
         return new Conclusion(
             DiagnosisVerdict.SenderNotAllowed,
-            $"Datagrams arrive on {place}, but only from {senders}, which AllowedSenders does not list.",
+            $"Datagrams arrive on {endpoint}, but only from {senders}, which AllowedSenders does not list.",
             "If that is the computer that runs Axis Neuron, give AllowedSenders its address, or leave it out to let everyone send.");
     }
 
@@ -92,9 +92,9 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
     {
         context.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
         IPAddress? host = await ResolveHostAsync().ConfigureAwait(false);
-        Search search = await AlternativePortScan.FindAsync(context, host, isUdp: true).ConfigureAwait(false);
+        PortScanResult search = await AlternativePortScan.FindAsync(context, host, isUdp: true).ConfigureAwait(false);
         if (search.Found is { } found && found.Sample.Has(context.Expected))
-            return Instead(found);
+            return FoundElsewhereOnUdp(found);
 
         string port = $"{listener.Port}";
         string destination = $"{(addresses.Count > 0 ? addresses[0] : "127.0.0.1")}:{port}";
@@ -106,18 +106,18 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
             + $"firewall. {ServerSettings.Play}");
     }
 
-    private static Conclusion Instead(Probe found)
+    private static Conclusion FoundElsewhereOnUdp(PortProbe found)
     {
-        ExplainedVerdict verdict = found.Place.Transport == TransportKind.Udp
+        ExplainedVerdict verdict = found.Endpoint.Transport == TransportKind.Udp
             ? new ExplainedVerdict(
                 DiagnosisVerdict.OtherPort,
-                $"Frames arrive on {found.Place}, from {found.Sender}, and not on the port that was asked for.",
-                $"Use port {found.Place.Port} here, or change the client's or destination's port in the server's broadcasting settings.")
+                $"Frames arrive on {found.Endpoint}, from {found.Sender}, and not on the port that was asked for.",
+                $"Use port {found.Endpoint.Port} here, or change the client's or destination's port in the server's broadcasting settings.")
             : new ExplainedVerdict(
                 DiagnosisVerdict.OfferedOverTcp,
-                $"No datagram arrives, but {found.Place} has the stream: the server is set to TCP.",
-                $"Receive over TCP from {found.Place.Host}, port {found.Place.Port}; or choose UDP on the server.");
-        return new Conclusion([verdict], Place: found.Place);
+                $"No datagram arrives, but {found.Endpoint} has the stream: the server is set to TCP.",
+                $"Receive over TCP from {found.Endpoint.Host}, port {found.Endpoint.Port}; or choose UDP on the server.");
+        return new Conclusion([verdict], Endpoint: found.Endpoint);
     }
 
     // A name that cannot be looked up is no fault here: over UDP nobody needs it.
@@ -125,7 +125,7 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
     {
         try
         {
-            LinkOptions limited = _link with { ConnectTimeout = context.Share(context.Pace.Asking) };
+            LinkOptions limited = _link with { ConnectTimeout = context.Share(context.Budget.Asking) };
             IPAddress[] addresses = await HostResolver.ResolveAsync(limited, context.CancellationToken).ConfigureAwait(false);
             return addresses.Length > 0 ? addresses[0] : null;
         }

@@ -6,7 +6,7 @@ namespace NeuronMocap.Reader;
 // there is no other. Statuses come in the order of each connection, on any thread.
 internal sealed class CombinedStatus(Action<ConnectionStatus> changed, int calculationPort)
 {
-    private readonly StatusBoard _combined = new(changed);
+    private readonly StatusPublisher _combined = new(changed);
     private ConnectionStatus _first = new(ConnectionState.Created, ConnectionReason.None, "Not started.");
     private ConnectionStatus _calculation = new(ConnectionState.Created, ConnectionReason.None, "Not started.");
 

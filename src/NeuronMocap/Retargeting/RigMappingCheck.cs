@@ -36,8 +36,8 @@ internal sealed class RigMappingCheck
         return _issues;
     }
 
-    private static bool IsSound(in RigNode node) => Numbers.IsFinite(node.Position) && Numbers.IsFinite(node.Rotation)
-        && Numbers.IsFinite(node.Scale) && node.Rotation.LengthSquared() > 1e-6f && node.Scale.X * node.Scale.Y * node.Scale.Z != 0;
+    private static bool IsSound(in RigNode node) => FiniteValues.IsFinite(node.Position) && FiniteValues.IsFinite(node.Rotation)
+        && FiniteValues.IsFinite(node.Scale) && node.Rotation.LengthSquared() > 1e-6f && node.Scale.X * node.Scale.Y * node.Scale.Z != 0;
 
     private void CheckTransforms()
     {

@@ -27,7 +27,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
     private readonly object _lock = new();
     private readonly StatusLevels _levels = new();
     private readonly Dictionary<(ReaderEventId Id, string? Subject), ThrottledCount> _counts = [];
-    private readonly TaskCompletionSource<bool> _over = new();
+    private readonly TaskCompletionSource<bool> _endedCompletion = new();
     private readonly HashSet<IFileOutput> _outputs = [];
     private long _droppedReported;
     private volatile Exception? _failure;
@@ -40,7 +40,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
     public bool IsReporting => Monitor.IsEntered(_lock);
 
     // Completes after the end, when no report runs any more, and lets those who wait go on without a thread of the pool.
-    public Task Over => _over.Task;
+    public Task Ended => _endedCompletion.Task;
 
     // One thread at a time, in the order of the changes.
     public void OnStatus(ConnectionStatus status) =>
@@ -99,7 +99,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
 
         // Still entered where a handler's Dispose came to the end on the handler's thread.
         if (_ended && !IsReporting)
-            _over.TrySetResult(true);
+            _endedCompletion.TrySetResult(true);
     }
 
     private void Report(long now, bool force)

@@ -177,6 +177,6 @@ public sealed class UdpDiagnosisTests
 
     private static byte[][] Halves(byte[] packet) => [packet[..1024], packet[1024..]];
 
-    private Task<StreamDiagnosis> RunAsync(DiagnosisPace pace) =>
-        Diagnosing.RunAsync(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port }, Diagnosing.With(pace));
+    private Task<StreamDiagnosis> RunAsync(DiagnosisBudget budget) =>
+        Diagnosing.RunAsync(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port }, Diagnosing.With(budget));
 }

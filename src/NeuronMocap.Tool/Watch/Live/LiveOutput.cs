@@ -53,7 +53,7 @@ internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, T
         while (!_quit && !cancellationToken.IsCancellationRequested)
         {
             while (keyboard.TryRead(out ConsoleKeyInfo key))
-                Obey(key);
+                HandleKey(key);
 
             _state.Update(reader, latest);
             screen.Show(Dashboard.Create(_state, Screen.Width, Screen.Height), Screen.Width, Screen.Height);
@@ -61,9 +61,9 @@ internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, T
         }
     }
 
-    private void Obey(ConsoleKeyInfo key)
+    private void HandleKey(ConsoleKeyInfo key)
     {
-        if (player is not null && PlaybackKeys.Obey(player, key))
+        if (player is not null && PlaybackKeys.TryHandle(player, key))
             return;
 
         switch (key)

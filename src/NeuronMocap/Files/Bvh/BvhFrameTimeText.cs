@@ -50,7 +50,7 @@ internal static class BvhFrameTimeText
             return false;
         }
 
-        time = Choose(declared, lastDigit) ?? TakeByItsWord(word, Math.Max(0, -lastDigit));
+        time = Choose(declared, lastDigit) ?? UseAsWritten(word, Math.Max(0, -lastDigit));
         return true;
     }
 
@@ -89,7 +89,7 @@ internal static class BvhFrameTimeText
         return nearest;
     }
 
-    private static BvhFrameTime TakeByItsWord(ReadOnlySpan<byte> word, int decimals)
+    private static BvhFrameTime UseAsWritten(ReadOnlySpan<byte> word, int decimals)
     {
         decimal seconds = decimal.Parse(Encoding.ASCII.GetString(word), NumberStyles.Float, CultureInfo.InvariantCulture);
         long denominator = 1;

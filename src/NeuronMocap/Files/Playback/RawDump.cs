@@ -26,18 +26,18 @@ public static class RawDump
         CancellationToken cancellationToken = default)
     {
         ArgumentNullException.ThrowIfNull(writer);
-        using ArrivalSource source = ArrivalSource.Open(path, PlaybackOptions.CopyChecked(options));
+        using RecordedEventSource source = RecordedEventSource.Open(path, PlaybackOptions.CopyChecked(options));
         if (source is not RawDumpSource)
             throw new ArgumentException("The file is a recording already.", nameof(path));
 
         writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, "", ""));
-        while (source.Read() is { Kind: not ArrivalKind.End } arrival)
+        while (source.Read() is { Kind: not RecordedEventKind.End } recorded)
         {
             cancellationToken.ThrowIfCancellationRequested();
-            if (arrival.Kind == ArrivalKind.Bytes && arrival.Time >= from && !(arrival.Time >= to))
-                Write(writer, arrival.Time - from, arrival.Bytes);
+            if (recorded.Kind == RecordedEventKind.Bytes && recorded.Time >= from && !(recorded.Time >= to))
+                Write(writer, recorded.Time - from, recorded.Bytes);
 
-            progress?.Report(source.Duration > TimeSpan.Zero ? arrival.Time / source.Duration : 0);
+            progress?.Report(source.Duration > TimeSpan.Zero ? recorded.Time / source.Duration : 0);
         }
 
         writer.CloseConnection(writer.Duration, 0, "The dump ends.");

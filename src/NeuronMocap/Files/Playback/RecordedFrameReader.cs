@@ -18,19 +18,19 @@ public sealed class RecordedFrameReader : IDisposable
     // Counters take 0 for "never"; times begin one tick later.
     private const long FirstTimestamp = 1;
 
-    private readonly ArrivalSource _source;
+    private readonly RecordedEventSource _source;
     private readonly StreamCounters _counters = new();
     private readonly PacketCollector _found;
-    private readonly ArrivalParser _parser;
+    private readonly RecordedEventParser _parser;
     private readonly FramePool _frames;
     private AvatarFrame? _frame;
-    private bool _isOver;
+    private bool _hasEnded;
 
-    internal RecordedFrameReader(ArrivalSource source, PlaybackOptions options)
+    internal RecordedFrameReader(RecordedEventSource source, PlaybackOptions options)
     {
         _source = source;
         _found = new PacketCollector(_counters);
-        _parser = new ArrivalParser(options.MaxValues ?? source.MaxValues, new SenderFilter([]), _found);
+        _parser = new RecordedEventParser(options.MaxValues ?? source.MaxValues, new SenderFilter([]), _found);
         _frames = new FramePool(source.CreateFormat(options.RotationOrder, options.SkeletonVariant), FramePool.OfTakers);
     }
 
@@ -86,7 +86,7 @@ public sealed class RecordedFrameReader : IDisposable
     public static RecordedFrameReader Open(string path, PlaybackOptions? options = null)
     {
         PlaybackOptions copy = PlaybackOptions.CopyChecked(options);
-        return new RecordedFrameReader(ArrivalSource.Open(path, copy), copy);
+        return new RecordedFrameReader(RecordedEventSource.Open(path, copy), copy);
     }
 
     /// <summary>Goes on to the next frame.</summary>
@@ -99,21 +99,21 @@ public sealed class RecordedFrameReader : IDisposable
         ReceivedPacket packet;
         while (!_found.TryTake(out packet))
         {
-            if (_isOver)
+            if (_hasEnded)
                 return false;
 
-            Arrival arrival = _source.Read();
-            Time = arrival.Time;
-            if (arrival.Kind == ArrivalKind.End)
+            RecordedEvent recorded = _source.Read();
+            Time = recorded.Time;
+            if (recorded.Kind == RecordedEventKind.End)
             {
                 // What waited to be told whose it is comes out now.
-                _isOver = true;
-                _parser.Close(arrival.Time);
+                _hasEnded = true;
+                _parser.Close(recorded.Time);
                 continue;
             }
 
-            if (_parser.Follow(arrival, FirstTimestamp + (long)(arrival.Time.TotalSeconds * Stopwatch.Frequency)))
-                _counters.Resume(arrival.IsCalculation);
+            if (_parser.Follow(recorded, FirstTimestamp + (long)(recorded.Time.TotalSeconds * Stopwatch.Frequency)))
+                _counters.Resume(recorded.IsCalculation);
 
             Connection = _parser.Connection;
         }

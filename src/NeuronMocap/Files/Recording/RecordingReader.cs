@@ -16,7 +16,7 @@ public sealed class RecordingReader : IDisposable
     private readonly BlockFile _file;
     private readonly RecordingMap _map;
     private readonly EntryDecoder _decoder = new();
-    private readonly BlockWalk _walk;
+    private readonly BlockIterator _walk;
     private readonly OpenEntries _open = new();
     private readonly RecordingProblems _problems = new();
     private long _time;
@@ -31,7 +31,7 @@ public sealed class RecordingReader : IDisposable
         _leaveOpen = leaveOpen;
         _file = new BlockFile(stream);
         _map = new RecordingMap(_file);
-        _walk = new BlockWalk(_file, _problems);
+        _walk = new BlockIterator(_file, _problems);
         if (_map.LacksEnd)
             _problems.Add(_file.Length, 0, "The last block is missing, which ends a recording that was closed.");
     }

@@ -6,7 +6,7 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Diagnostics;
 
 // What to say where no bytes come over TCP, and where to look instead.
-internal static class TcpFaults
+internal static class TcpConclusions
 {
     public static Conclusion UnknownHost(DiagnosisContext context, Exception? exception)
     {
@@ -84,7 +84,7 @@ internal static class TcpFaults
             _ => (DiagnosisVerdict.NetworkError, failure.Message),
         };
         context.Log.Failed("port", $"TCP port {context.Link.Port}: {detail}");
-        Search search = await AlternativePortScan.FindAsync(context, address, isUdp: false).ConfigureAwait(false);
+        PortScanResult search = await AlternativePortScan.FindAsync(context, address, isUdp: false).ConfigureAwait(false);
         ExplainedVerdict plain = verdict switch
         {
             DiagnosisVerdict.Refused => new ExplainedVerdict(
@@ -105,7 +105,7 @@ internal static class TcpFaults
     public static async Task<Conclusion> ClosedAsync(DiagnosisContext context, IPAddress address)
     {
         context.Log.Failed("first bytes", "none: the server closed the connection");
-        Search search = await AlternativePortScan.FindAsync(context, address, isUdp: false).ConfigureAwait(false);
+        PortScanResult search = await AlternativePortScan.FindAsync(context, address, isUdp: false).ConfigureAwait(false);
         var plain = new ExplainedVerdict(
             DiagnosisVerdict.ClosedImmediately,
             $"{context.Link.Target} accepts the connection and closes it without sending anything. A forwarded port (a container, a VPN, a tunnel) "
@@ -124,7 +124,7 @@ internal static class TcpFaults
         if (context.Options.SearchOtherPorts)
             context.Log.Ok("question", "asked who it is, it says nothing");
 
-        Search search = await AlternativePortScan.FindAsync(context, address, isUdp: false).ConfigureAwait(false);
+        PortScanResult search = await AlternativePortScan.FindAsync(context, address, isUdp: false).ConfigureAwait(false);
         var plain = new ExplainedVerdict(
             DiagnosisVerdict.Silent,
             $"{context.Link.Target} accepts the connection, but sends nothing: most likely no suit is connected and calibrated and no take is played.",
@@ -139,17 +139,17 @@ internal static class TcpFaults
         if (!conclusion.Verdicts[0].IsFault)
             return conclusion;
 
-        Search search = await AlternativePortScan.FindAsync(context, address, isUdp).ConfigureAwait(false);
+        PortScanResult search = await AlternativePortScan.FindAsync(context, address, isUdp).ConfigureAwait(false);
         if (search.Found is not { } found || !found.Sample.Has(context.Expected))
             return conclusion;
 
-        ExplainedVerdict instead = found.Place.Transport == TransportKind.Udp
+        ExplainedVerdict instead = found.Endpoint.Transport == TransportKind.Udp
             ? new ExplainedVerdict(
                 DiagnosisVerdict.SentOverUdp,
-                $"Frames do arrive on {found.Place}, from {found.Sender}.",
-                $"Receive over UDP on port {found.Place.Port} here.")
-            : new ExplainedVerdict(DiagnosisVerdict.OtherPort, $"Frames do arrive on {found.Place}.", $"Use port {found.Place.Port} over TCP here.");
-        return conclusion with { Verdicts = [.. conclusion.Verdicts, instead], Place = found.Place };
+                $"Frames do arrive on {found.Endpoint}, from {found.Sender}.",
+                $"Receive over UDP on port {found.Endpoint.Port} here.")
+            : new ExplainedVerdict(DiagnosisVerdict.OtherPort, $"Frames do arrive on {found.Endpoint}.", $"Use port {found.Endpoint.Port} over TCP here.");
+        return conclusion with { Verdicts = [.. conclusion.Verdicts, instead], Endpoint = found.Endpoint };
     }
 
     private static Conclusion Answered(DiagnosisContext context, StreamSample answer)
@@ -187,7 +187,7 @@ internal static class TcpFaults
     }
 
     // A stream that was found in another place explains more than the silence in this one.
-    private static Conclusion Conclude(DiagnosisContext context, ExplainedVerdict plain, in Search search)
+    private static Conclusion Conclude(DiagnosisContext context, ExplainedVerdict plain, in PortScanResult search)
     {
         if (search.Found is not { } found)
             return new Conclusion([search.AdvancedBvh is { } other ? AddAdvancedBvh(plain, other) : plain]);
@@ -195,28 +195,28 @@ internal static class TcpFaults
         {
             return new Conclusion([plain with
             {
-                Text = $"{plain.Text} The server does run: {found.Place} has {StreamPhrases.KindsOf(found.Sample)}.",
+                Text = $"{plain.Text} The server does run: {found.Endpoint} has {StreamPhrases.KindsOf(found.Sample)}.",
             }]);
         }
 
-        string instead = $"Nothing comes from TCP port {context.Link.Port}, but frames arrive on {found.Place}";
-        ExplainedVerdict better = found.Place.Transport == TransportKind.Tcp
+        string instead = $"Nothing comes from TCP port {context.Link.Port}, but frames arrive on {found.Endpoint}";
+        ExplainedVerdict better = found.Endpoint.Transport == TransportKind.Tcp
             ? new ExplainedVerdict(
                 DiagnosisVerdict.OtherPort,
                 $"{instead}.",
-                $"Use port {found.Place.Port} here, or set the port in the server's broadcasting settings to {context.Link.Port}.")
+                $"Use port {found.Endpoint.Port} here, or set the port in the server's broadcasting settings to {context.Link.Port}.")
             : new ExplainedVerdict(
                 DiagnosisVerdict.SentOverUdp,
                 $"{instead}, from {found.Sender}: the server is set to UDP.",
-                $"Receive over UDP on port {found.Place.Port} here, or choose TCP on the server. "
+                $"Receive over UDP on port {found.Endpoint.Port} here, or choose TCP on the server. "
                 + ServerSettings.BroadcastTcp(context.Expected, context.Link.Port, isRemote: false));
-        return new Conclusion([better], Place: found.Place);
+        return new Conclusion([better], Endpoint: found.Endpoint);
     }
 
-    private static ExplainedVerdict AddAdvancedBvh(ExplainedVerdict plain, Probe probe)
+    private static ExplainedVerdict AddAdvancedBvh(ExplainedVerdict plain, PortProbe probe)
     {
         FormatGuess guess = probe.Sample.Guess();
-        return plain with { Text = $"{plain.Text} The server does run: {probe.Place} has {guess.Text}.", Advice = guess.Advice };
+        return plain with { Text = $"{plain.Text} The server does run: {probe.Endpoint} has {guess.Text}.", Advice = guess.Advice };
     }
 
     private static string OtherComputer(IPAddress address) => IPAddress.IsLoopback(address)

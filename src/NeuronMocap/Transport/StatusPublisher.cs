@@ -2,7 +2,7 @@ namespace NeuronMocap.Transport;
 
 // Holds the newest status and tells about changes, in their order, one at a time, on the thread that made the change or on one that is
 // telling already; never under the lock, so that a handler may call whatever it likes.
-internal sealed class StatusBoard(Action<ConnectionStatus> changed)
+internal sealed class StatusPublisher(Action<ConnectionStatus> changed)
 {
     private readonly object _lock = new();
     private readonly Queue<ConnectionStatus> _pending = new();

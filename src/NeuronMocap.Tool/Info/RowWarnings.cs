@@ -4,7 +4,7 @@ using NeuronMocap.Tool.Terminal;
 namespace NeuronMocap.Tool.Info;
 
 /// <summary>What a <see cref="RowScan"/> found, in words.</summary>
-internal static class RowRemarks
+internal static class RowWarnings
 {
     private const float RemarkableStep = 45;
     private const int MaxListed = 4;
