@@ -48,7 +48,7 @@ while (reader.GetStatistics().Frames < limit && await timer.WaitForNextTickAsync
 {
     foreach (AvatarStatistics avatar in reader.GetAvatarStatistics())
     {
-        string line = $"{avatar.AvatarName,-12} {avatar.Kind,-12} {avatar.Rate,6:0.0} Hz {avatar.Frames,8} frames {avatar.Lost,4} lost";
+        string line = $"{avatar.AvatarName,-12} {avatar.Kind,-12} {avatar.FrameRate,6:0.0} Hz {avatar.Frames,8} frames {avatar.Lost,4} lost";
         if (latest.TryTakeMotion(avatar.AvatarIndex, out MotionFrame? frame) && frame.HasSkeleton)
             line += $"   hips at {frame.GetPosition(Bone.Hips):0.0} cm";
 

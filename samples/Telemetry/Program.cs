@@ -51,12 +51,12 @@ try
     using IHost host = builder.Build();
     var reader = host.Services.GetRequiredService<NeuronReader>();
     var meters = host.Services.GetRequiredService<MeterProvider>();
-    using var end = new CancellationTokenSource();
+    using var endSource = new CancellationTokenSource();
     if (builder.Configuration.GetValue<double?>("Seconds") is { } seconds)
-        end.CancelAfter(TimeSpan.FromSeconds(seconds));
+        endSource.CancelAfter(TimeSpan.FromSeconds(seconds));
 
     await host.StartAsync();
-    await host.WaitForShutdownAsync(end.Token);
+    await host.WaitForShutdownAsync(endSource.Token);
     if (reader.GetStatistics().Frames == 0)
         return Fail(1, "No frame arrived; the log above says why.");
 

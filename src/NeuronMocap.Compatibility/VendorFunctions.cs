@@ -3,6 +3,7 @@ using System.Text;
 using NeuronMocap.Commands;
 using NeuronMocap.Compatibility.Callbacks;
 using NeuronMocap.Compatibility.Sockets;
+using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Compatibility;
@@ -51,9 +52,9 @@ internal sealed class VendorFunctions(IVendorCallbacks callbacks)
         failure: false,
         "BRUnregisterAutoSyncParmeter");
 
-    public static bool ZeroOut(IntPtr socket, int avatar) => TryTell(socket, client => client.ZeroOutAsync(avatar), nameof(ZeroOut));
+    public static bool ZeroOut(IntPtr socket, int avatar) => TrySend(socket, client => client.ZeroOutAsync(avatar), nameof(ZeroOut));
 
-    public static bool ZeroOutAll(IntPtr socket) => TryTell(socket, static client => client.ZeroOutAllAsync(), nameof(ZeroOutAll));
+    public static bool ZeroOutAll(IntPtr socket) => TrySend(socket, static client => client.ZeroOutAllAsync(), nameof(ZeroOutAll));
 
     public static bool TryGetRotationOrder(IntPtr socket, out RotationOrder order) =>
         TryAsk(socket, static client => client.GetRotationOrderAsync(), out order, "GetBvhRotation");
@@ -73,18 +74,18 @@ internal sealed class VendorFunctions(IVendorCallbacks callbacks)
         return bytes is not null;
     }
 
-    private static bool TryTell(IntPtr socket, Func<NeuronCommandClient, Task> tell, string name) => FunctionGuard.Call(
-        (socket, tell),
-        static what => SocketTable.Find(what.socket) is CommandSocket command && command.TryCall(what.tell),
+    private static bool TrySend(IntPtr socket, Func<NeuronCommandClient, Task> send, string name) => FunctionGuard.Call(
+        (socket, send),
+        static what => SocketTable.Find(what.socket) is CommandSocket command && command.TryCall(what.send),
         failure: false,
         name);
 
     private static bool TryAsk<T>(IntPtr socket, Func<NeuronCommandClient, Task<T>> ask, out T? answer, string name)
     {
         Task<T>? answered = null;
-        bool told = TryTell(socket, client => answered = ask(client), name);
-        answer = told ? answered!.Result : default;
-        return told;
+        bool isSent = TrySend(socket, client => answered = ask(client), name);
+        answer = isSent ? answered!.Result : default;
+        return isSent;
     }
 
     private static DataCommands? CommandsOf(IntPtr socket) => (SocketTable.Find(socket) as DataSocket)?.Commands;

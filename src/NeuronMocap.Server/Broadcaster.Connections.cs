@@ -38,12 +38,12 @@ public sealed partial class Broadcaster
         CalculationEndPoint = _streams.FirstOrDefault(static stream => stream.IsBeside)?.Listener?.LocalEndPoint;
     }
 
-    private UdpSender CreateSender(BroadcastStream stream, IPEndPoint destination)
+    private UdpRecipient CreateSender(BroadcastStream stream, IPEndPoint destination)
     {
         Socket socket = ConnectUdp(destination);
         try
         {
-            return new UdpSender(
+            return new UdpRecipient(
                 socket, destination, stream, stream.CreateFeed(isSingle: _recording is not null), _options.Fragment, OnRecipientEnded, _report);
         }
         catch
@@ -57,7 +57,7 @@ public sealed partial class Broadcaster
     {
         try
         {
-            return UdpSender.Connect(destination);
+            return UdpRecipient.Connect(destination);
         }
         catch (SocketException exception)
         {
@@ -88,7 +88,7 @@ public sealed partial class Broadcaster
         _hasBegun = true;
         try
         {
-            foreach (Recipient sender in _recipients.Where(recipient => recipient is UdpSender))
+            foreach (Recipient sender in _recipients.Where(recipient => recipient is UdpRecipient))
                 StartWorker(sender.Worker);
             if (_pacer is not null)
                 StartWorker(_pacer.Worker);
@@ -106,9 +106,9 @@ public sealed partial class Broadcaster
     {
         lock (_lock)
         {
-            if (_isOver || CountClients(stream) >= _options.MaxClients)
+            if (_hasEnded || CountClients(stream) >= _options.MaxClients)
             {
-                _refused += _isOver ? 0 : 1;
+                _refused += _hasEnded ? 0 : 1;
                 socket.Dispose();
                 return;
             }
@@ -142,7 +142,7 @@ public sealed partial class Broadcaster
             socket.Dispose();
             feed?.Close();
             if (exception is not (SocketException or OutOfMemoryException or IOException or UnauthorizedAccessException or NeuronException))
-                _report.Tell(exception);
+                _report.Report(exception);
             return false;
         }
     }
@@ -187,7 +187,7 @@ public sealed partial class Broadcaster
     {
         var watch = Stopwatch.StartNew();
         TimeSpan remaining = timeout;
-        while (_recipients.Count > 0 && !_isOver && remaining > TimeSpan.Zero)
+        while (_recipients.Count > 0 && !_hasEnded && remaining > TimeSpan.Zero)
         {
             Monitor.Wait(_lock, remaining);
             remaining = timeout - watch.Elapsed;
@@ -196,10 +196,10 @@ public sealed partial class Broadcaster
 
     private void Close(Exception? error)
     {
-        if (_isOver)
+        if (_hasEnded)
             return;
 
-        _isOver = true;
+        _hasEnded = true;
         _pacer?.Stop();
         foreach (BroadcastStream stream in _streams)
         {

@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Net;
 using NeuronMocap.Commands;
+using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Server.Clients;
 using NeuronMocap.Server.Sources;
@@ -38,7 +39,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     private long _refused;
     private bool _isStarted;
     private bool _hasBegun;
-    private bool _isOver;
+    private bool _hasEnded;
 
     /// <summary>Makes a broadcaster that does nothing yet.</summary>
     /// <param name="options">The settings; copied.</param>
@@ -56,7 +57,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).CopyChecked();
         _actors = UseZeroOutSources();
-        Rate = _options.Rate ?? (_options.Sources.Count > 0 ? _options.Sources[0].FrameRate : 0);
+        FrameRate = _options.FrameRate ?? (_options.Sources.Count > 0 ? _options.Sources[0].FrameRate : 0);
         if (_options.RecordingPath is not null)
         {
             bool hasOnePort = _options.CalculationPort is null;
@@ -70,12 +71,12 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
             return;
         }
 
-        FramePlan[] plans = CreatePlans(_options, Rate);
+        FramePlan[] plans = CreatePlans(_options, FrameRate);
         _plan = plans[0];
         _replies = new DataCommandReplies(_plan, _options.DataCommandLength);
-        _isPacketwise = IsPaced && new PacketSpacing(Rate, plans.Max(static plan => plan.PacketsPerFrame)).IsPacketwise;
+        _isPacketwise = IsPaced && new PacketSpacing(FrameRate, plans.Max(static plan => plan.PacketsPerFrame)).IsPacketwise;
         _streams = [CreateStream(_plan, _options.AnswerDataCommands ? _replies : null), .. plans[1..].Select(plan => CreateStream(plan, isBeside: true))];
-        _pacer = IsPaced ? new FramePacer([.. _streams.Select(static stream => ((FramePlan)stream.Content, stream.Log!))], Rate, OnPacerEnded, _report, time) : null;
+        _pacer = IsPaced ? new FramePacer([.. _streams.Select(static stream => ((FramePlan)stream.Content, stream.Log!))], FrameRate, OnPacerEnded, _report, time) : null;
     }
 
     // Replaced by tests, which cannot use up all threads of a system.
@@ -91,32 +92,30 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     public IPEndPoint? CalculationEndPoint { get; private set; }
 
     /// <summary>
-    /// Frames per second: the setting or the first source's own; <see cref="BroadcasterOptions.MaxRate"/> when not paced;
+    /// Frames per second: the setting or the first source's own; <see cref="BroadcasterOptions.MaxFrameRate"/> when not paced;
     /// 0 for a recording, which has times of its own.
     /// </summary>
-    public double Rate { get; }
+    public double FrameRate { get; }
 
     /// <summary>Which values the motion packets carry: the settings, and the first source where they leave it to it. Of a recording the default.</summary>
     public ChannelLayout Layout => _plan?.Layout ?? default;
 
     /// <summary>
     /// Ends when the broadcast is over. At a paced rate: the last frame was made, and all clients have read it, have left, or have used up
-    /// <see cref="BroadcasterOptions.CloseTimeout"/>. At <see cref="BroadcasterOptions.MaxRate"/>: the destinations were sent everything,
+    /// <see cref="BroadcasterOptions.CloseTimeout"/>. At <see cref="BroadcasterOptions.MaxFrameRate"/>: the destinations were sent everything,
     /// at least one client of each port was, and none is left. Also ends when the broadcaster is stopped; fails when a source or a calculation writer
     /// threw, which closes all connections, or when the system had no thread left to make the frames on.
     /// </summary>
     public Task Completion => _completion.Task;
 
-    /// <summary>Numbers since the start.</summary>
-    public BroadcasterStatistics Statistics
+    /// <summary>Counts what was sent since the start.</summary>
+    /// <returns>A snapshot.</returns>
+    public BroadcasterStatistics GetStatistics()
     {
-        get
+        lock (_lock)
         {
-            lock (_lock)
-            {
-                RecipientCounters total = _recipients.Aggregate(_departed, (sum, recipient) => sum.Add(recipient.Counters));
-                return new BroadcasterStatistics(_streams.Sum(CountClients), _streams.Where(stream => stream.IsBeside).Sum(CountClients), _accepted, _refused, total);
-            }
+            RecipientCounters total = _recipients.Aggregate(_departed, (sum, recipient) => sum.Add(recipient.Counters));
+            return new BroadcasterStatistics(_streams.Sum(CountClients), _streams.Where(stream => stream.IsBeside).Sum(CountClients), _accepted, _refused, total);
         }
     }
 
@@ -162,7 +161,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     {
         lock (_lock)
         {
-            if (_isOver)
+            if (_hasEnded)
                 throw new ObjectDisposedException(nameof(Broadcaster), "The broadcaster was stopped.");
             if (_isStarted)
                 throw new InvalidOperationException("The broadcaster was started before.");
@@ -205,7 +204,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         ? _replies!
         : throw new ArgumentOutOfRangeException(nameof(avatarIndex), avatarIndex, $"The number of avatars is {_actors.Length}; the first is 0.");
 
-    private bool IsPaced => !double.IsPositiveInfinity(Rate);
+    private bool IsPaced => !double.IsPositiveInfinity(FrameRate);
 
     private BroadcastStream CreateStream(BroadcastContent content, DataCommandReplies? replies = null, bool isBeside = false) =>
         new(content, IsPaced ? new FrameLog(_options.QueueCapacity, content.PacketsPerFrame) : null, replies)
@@ -235,5 +234,5 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     }
 
     private static BroadcasterClient Describe(Recipient recipient) =>
-        new(recipient.RemoteEndPoint, recipient is UdpSender, recipient.Stream.IsBeside, recipient.Counters);
+        new(recipient.RemoteEndPoint, recipient is UdpRecipient, recipient.Stream.IsBeside, recipient.Counters);
 }

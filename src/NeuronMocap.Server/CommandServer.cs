@@ -30,7 +30,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     private readonly List<CommandSession> _sessions = [];
     private readonly ManualResetEventSlim _stop = new();
     private ClientListener? _listener;
-    private bool _isOver;
+    private bool _hasEnded;
 
     /// <summary>Makes a server that does nothing yet.</summary>
     /// <param name="broadcaster">Whose avatars the commands are about; not started, stopped or disposed by the server.</param>
@@ -42,7 +42,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
         if (broadcaster.Plan is not { } plan)
             throw new ArgumentException("A recording does not say what a command channel answers.", nameof(broadcaster));
 
-        _answers = new CommandAnswers(plan, broadcaster.Rate, broadcaster.ZeroOut, broadcaster.ZeroOutAll);
+        _answers = new CommandAnswers(plan, broadcaster.FrameRate, broadcaster.ZeroOut, broadcaster.ZeroOutAll);
         _options = (options ?? new CommandServerOptions()).CopyChecked();
     }
 
@@ -80,7 +80,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     {
         lock (_lock)
         {
-            if (_isOver)
+            if (_hasEnded)
                 throw new ObjectDisposedException(nameof(CommandServer), "The command server was stopped.");
             if (_listener is not null)
                 throw new InvalidOperationException("The command server was started before.");
@@ -106,7 +106,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
         Worker?[] workers;
         lock (_lock)
         {
-            _isOver = true;
+            _hasEnded = true;
             _stop.Set();
             _listener?.Dispose();
             workers = [_listener?.Worker, .. _sessions.ConvertAll(session => session.Worker)];
@@ -129,7 +129,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     {
         lock (_lock)
         {
-            if (_isOver || (CountClients() >= _options.MaxClients && !TryMakeRoom()))
+            if (_hasEnded || (CountClients() >= _options.MaxClients && !TryMakeRoom()))
             {
                 socket.Dispose();
                 return;

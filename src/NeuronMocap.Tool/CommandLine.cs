@@ -31,12 +31,12 @@ internal static class CommandLine
 
     private static readonly string[] Default = ["watch", "demo"];
 
-    public static async Task<int> RunAsync(IReadOnlyList<string> args, StandardStreams streams, CancellationToken cancellation)
+    public static async Task<int> RunAsync(IReadOnlyList<string> args, StandardStreams streams, CancellationToken cancellationToken)
     {
         ParseResult result;
         try
         {
-            result = Create(streams, cancellation).Parse(args.Count == 0 ? Default : args, new ParserConfiguration { ResponseFileTokenReplacer = null });
+            result = Create(streams, cancellationToken).Parse(args.Count == 0 ? Default : args, new ParserConfiguration { ResponseFileTokenReplacer = null });
             bool isSuggestion = args.Count > 0 && args[0].StartsWith(SuggestDirective, StringComparison.Ordinal);
             bool isHelp = result is { Action: HelpPage, UnmatchedTokens.Count: 0 };
             if (!isSuggestion && !isHelp && UsageFault.Find(result) is { } fault)
@@ -80,7 +80,7 @@ internal static class CommandLine
     }
 
     /// <summary>The verbs.</summary>
-    internal static RootCommand Create(StandardStreams streams, CancellationToken cancellation)
+    internal static RootCommand Create(StandardStreams streams, CancellationToken cancellationToken)
     {
         var root = new RootCommand(ProgramHelp.Description);
         foreach (Verb verb in (Verb[])
@@ -89,7 +89,7 @@ internal static class CommandLine
                 new CompletionVerb(),
             ])
         {
-            verb.SetAction((result, _) => verb.RunAsync(result, streams, cancellation));
+            verb.SetAction((result, _) => verb.RunAsync(result, streams, cancellationToken));
             root.Add(verb);
         }
 

@@ -45,10 +45,10 @@ public static class NeuronDiagnostics
         NeuronReaderOptions options, LinkOptions link, DiagnosisOptions how, IProgress<DiagnosisStep>? progress, CancellationToken cancellationToken)
     {
         var log = new StepLog(progress);
-        var task = new DiagnosisContext(ForDiagnosis(link), how, log, cancellationToken);
-        Conclusion conclusion = await ExamineAsync(options, task).ConfigureAwait(false);
+        var context = new DiagnosisContext(ForDiagnosis(link), how, log, cancellationToken);
+        Conclusion conclusion = await ExamineAsync(options, context).ConfigureAwait(false);
         if (options.CalculationLink is { } second)
-            conclusion = await CalculationExamination.AddAsync(task, ForDiagnosis(second), conclusion, other => ExamineAsync(options, other)).ConfigureAwait(false);
+            conclusion = await CalculationExamination.AddAsync(context, ForDiagnosis(second), conclusion, other => ExamineAsync(options, other)).ConfigureAwait(false);
 
         IReadOnlyList<ExplainedVerdict> verdicts = conclusion.Verdicts;
         string advice = string.Join(" ", verdicts.Select(static verdict => verdict.Advice).Where(static text => text is not null));
@@ -57,16 +57,16 @@ public static class NeuronDiagnostics
             Verdicts = [.. verdicts.Select(static verdict => verdict.Verdict)],
             Summary = string.Join(" ", verdicts.Select(static verdict => verdict.Advice is null ? verdict.Text : $"{verdict.Text} {verdict.Advice}")),
             Advice = advice.Length > 0 ? advice : null,
-            SampleCode = conclusion.Place is { } place ? SampleProgram.For(options, place, how.Expected) : null,
+            SampleCode = conclusion.Endpoint is { } endpoint ? SampleProgram.For(options, endpoint, how.Expected) : null,
             Steps = log.Steps,
             Avatars = [.. conclusion.Samples.SelectMany(static sample => sample.Avatars).Select(static avatar => avatar.ToPublic())],
-            Elapsed = task.Elapsed,
+            Elapsed = context.Elapsed,
         };
     }
 
-    private static async Task<Conclusion> ExamineAsync(NeuronReaderOptions options, DiagnosisContext task) => options.Transport == TransportKind.Tcp
-        ? await new TcpExamination(task).RunAsync().ConfigureAwait(false)
-        : await new UdpExamination(task, options.AllowedSenders).RunAsync().ConfigureAwait(false);
+    private static async Task<Conclusion> ExamineAsync(NeuronReaderOptions options, DiagnosisContext context) => options.Transport == TransportKind.Tcp
+        ? await new TcpExamination(context).RunAsync().ConfigureAwait(false)
+        : await new UdpExamination(context, options.AllowedSenders).RunAsync().ConfigureAwait(false);
 
     // The threads that connections share out among them are for readers; a look at a dozen ports is over in a moment.
     private static LinkOptions ForDiagnosis(LinkOptions link) => link with { TakeReceiver = static _ => new BlockingTcpReceiver() };

@@ -53,11 +53,11 @@ public sealed partial class NeuronReader
             throw new ArgumentOutOfRangeException(nameof(timeout), timeout, "The time to wait is more than zero and at most 24 days.");
 
         Start();
-        using var limit = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
-        limit.CancelAfter(timeout);
+        using var limitSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
+        limitSource.CancelAfter(timeout);
         try
         {
-            await WaitForConnectionAsync(limit.Token).ConfigureAwait(false);
+            await WaitForConnectionAsync(limitSource.Token).ConfigureAwait(false);
         }
         catch (OperationCanceledException)
         {
@@ -90,7 +90,7 @@ public sealed partial class NeuronReader
         // Not for both in one task, nor for Completion: that would take a thread of the pool, and in a busy process there may be none for a while.
         Stop();
         if (!IsHandlerThread)
-            Task.WaitAll([_stopped.Task, _reporter.Over], _options.StopTimeout);
+            Task.WaitAll([_stopped.Task, _reporter.Ended], _options.StopTimeout);
     }
 
     /// <summary>As <see cref="Dispose"/>, without blocking the thread.</summary>
@@ -105,7 +105,7 @@ public sealed partial class NeuronReader
             return;
 
         // What follows is the caller's, and not for a thread of the reader.
-        Task stopped = Task.WhenAll(_stopped.Task, _reporter.Over).ContinueWith(
+        Task stopped = Task.WhenAll(_stopped.Task, _reporter.Ended).ContinueWith(
             static _ => { }, CancellationToken.None, TaskContinuationOptions.RunContinuationsAsynchronously, TaskScheduler.Default);
         await Task.WhenAny(stopped, Task.Delay(_options.StopTimeout)).ConfigureAwait(false);
     }
@@ -116,7 +116,7 @@ public sealed partial class NeuronReader
         get
         {
             int thread = Environment.CurrentManagedThreadId;
-            return thread == _tellingThread || thread == _pipeline.DeliveringThread || _reporter.IsReporting;
+            return thread == _reportingThread || thread == _pipeline.DeliveringThread || _reporter.IsReporting;
         }
     }
 
@@ -141,7 +141,7 @@ public sealed partial class NeuronReader
     // there may be none for a while. On a thread of its own, because those handlers may take longer than a stop.
     private void End()
     {
-        _stop.Cancel();
+        _stopSource.Cancel();
         if (Interlocked.Exchange(ref _begun, 1) == 0)
             _ = EndAsync(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, LinkEnd.Requested.Message));
     }
@@ -170,9 +170,9 @@ public sealed partial class NeuronReader
         }
 
         ConnectionStatus last;
-        using var stop = CancellationTokenSource.CreateLinkedTokenSource(_stop.Token);
-        Task<ConnectionStatus> first = _supervisor.RunAsync(_pipeline, _pipeline, _stop.Token);
-        Task calculation = _calculation?.RunAsync(stop.Token) ?? Task.CompletedTask;
+        using var stopSource = CancellationTokenSource.CreateLinkedTokenSource(_stopSource.Token);
+        Task<ConnectionStatus> first = _supervisor.RunAsync(_pipeline, _pipeline, _stopSource.Token);
+        Task calculation = _calculation?.RunAsync(stopSource.Token) ?? Task.CompletedTask;
         try
         {
             last = await first.ConfigureAwait(false);
@@ -183,7 +183,7 @@ public sealed partial class NeuronReader
             last = new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.NetworkError, ConnectionMessages.Failed("the server", exception));
         }
 
-        stop.Cancel();
+        stopSource.Cancel();
         await calculation.ConfigureAwait(false);
         await EndAsync(last).ConfigureAwait(false);
     }
@@ -242,10 +242,10 @@ public sealed partial class NeuronReader
         if (status.IsConnected)
             _connected.TrySetResult(true);
         _recordings.Learn(status.Format);
-        _tellingThread = Environment.CurrentManagedThreadId;
+        _reportingThread = Environment.CurrentManagedThreadId;
         _reporter.OnStatus(status);
         _statusHandlers.Invoke(status);
-        _tellingThread = 0;
+        _reportingThread = 0;
         if (status.State == ConnectionState.Stopped)
             Complete(status);
     }

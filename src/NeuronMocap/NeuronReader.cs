@@ -33,7 +33,7 @@ namespace NeuronMocap;
 public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 {
     private readonly NeuronReaderOptions _options;
-    private readonly CancellationTokenSource _stop = new();
+    private readonly CancellationTokenSource _stopSource = new();
     private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private readonly TaskCompletionSource<bool> _stopped = new();
     private readonly TaskCompletionSource<bool> _connected = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -43,7 +43,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly HandlerList<ReaderEvent> _eventHandlers;
     private readonly EventReporter _reporter;
     private readonly HandlerList<ConnectionStatus> _statusHandlers;
-    private readonly StatusBoard _status;
+    private readonly StatusPublisher _status;
     private readonly LinkActivity _activity;
     private readonly SenderFilter _senders;
     private readonly ConnectionSupervisor _supervisor;
@@ -58,7 +58,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private int _started;
     private int _begun;
     private int _disposed;
-    private int _tellingThread;
+    private int _reportingThread;
     private int _failureTraced;
 
     /// <summary>Makes a reader for a TCP server.</summary>
@@ -113,7 +113,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
             _combinedStatus = new CombinedStatus(OnStatusChanged, second.Port);
         }
 
-        _status = new StatusBoard(OnFirstStatusChanged);
+        _status = new StatusPublisher(OnFirstStatusChanged);
         _senders = new SenderFilter(_options.AllowedSenders);
         Func<Link>? playback = player?.Attach(_senders, OnCallbackFailed);
         _format = player?.CreateFormat(_options.RotationOrder, _options.SkeletonVariant) ?? _options.Format;
@@ -141,7 +141,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         if (_combinedStatus is not null)
             _calculation = CreateCalculationConnection(_options.CalculationLink!, _combinedStatus);
 
-        _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke) { Patience = _options.StopTimeout / 2 };
+        _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke) { EndTimeout = _options.StopTimeout / 2 };
     }
 
     /// <summary>

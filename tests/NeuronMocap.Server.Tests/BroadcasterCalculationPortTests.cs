@@ -11,7 +11,7 @@ public sealed class BroadcasterCalculationPortTests
     private const int Frames = 50;
 
     public static MatrixTheoryData<double, BroadcastFormat> Streams { get; } =
-        new([BroadcasterOptions.MaxRate, 2000], [BroadcastFormat.Binary, BroadcastFormat.Studio]);
+        new([BroadcasterOptions.MaxFrameRate, 2000], [BroadcastFormat.Binary, BroadcastFormat.Studio]);
 
     [Theory, MemberData(nameof(Streams))]
     public async Task Each_port_carries_its_own_packets_of_every_frame(double rate, BroadcastFormat format)
@@ -29,13 +29,13 @@ public sealed class BroadcasterCalculationPortTests
 
         Expect.MotionFrames(motionPackets, options, Frames);
         Expect.CalculationFrames(calculationPackets, options, Frames);
-        BroadcasterStatistics statistics = broadcaster.Statistics;
+        BroadcasterStatistics statistics = broadcaster.GetStatistics();
         Assert.Equal((2L * Frames, 2L * Frames, 0L), (statistics.FramesSent, statistics.CalculationFramesSent, statistics.PacketsDropped));
         Assert.Equal((2L, 0, 0), (statistics.Accepted, statistics.Clients, statistics.CalculationClients));
     }
 
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(2000)]
     public async Task Text_has_a_port_for_each_kind_of_line(double rate)
     {
@@ -53,7 +53,7 @@ public sealed class BroadcasterCalculationPortTests
     }
 
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate, null)]
+    [InlineData(BroadcasterOptions.MaxFrameRate, null)]
     [InlineData(2000, null)]
     [InlineData(2000, 1000)]
     public async Task Calculation_can_be_sent_alone(double rate, int? fragment)
@@ -68,11 +68,11 @@ public sealed class BroadcasterCalculationPortTests
 
         Expect.CalculationFrames(packets, options, Frames);
         Assert.Null(broadcaster.CalculationEndPoint);
-        Assert.Equal((0L, 2L * Frames), (broadcaster.Statistics.FramesSent, broadcaster.Statistics.CalculationFramesSent));
+        Assert.Equal((0L, 2L * Frames), (broadcaster.GetStatistics().FramesSent, broadcaster.GetStatistics().CalculationFramesSent));
     }
 
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(2000)]
     public async Task Over_udp_calculation_comes_from_a_socket_of_its_own_to_its_port_of_each_destination(double rate)
     {
@@ -93,14 +93,14 @@ public sealed class BroadcasterCalculationPortTests
         Expect.CalculationFrames(calculationPackets, options, 10);
         Assert.NotEqual(Assert.Single(motionSenders), Assert.Single(calculationSenders));
         Assert.Null(broadcaster.CalculationEndPoint);
-        Assert.Equal((20L, 20L), (broadcaster.Statistics.FramesSent, broadcaster.Statistics.CalculationFramesSent));
+        Assert.Equal((20L, 20L), (broadcaster.GetStatistics().FramesSent, broadcaster.GetStatistics().CalculationFramesSent));
     }
 
     [Fact]
     public async Task The_same_udp_port_gets_both_from_two_sockets()
     {
         using Socket receiver = Receiver();
-        BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, BroadcastFormat.Binary);
+        BroadcasterOptions options = Options(BroadcasterOptions.MaxFrameRate, BroadcastFormat.Binary);
         options.Port = null;
         options.WaitForClient = false;
         options.UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!];
@@ -127,9 +127,9 @@ public sealed class BroadcasterCalculationPortTests
         using TestClient motion = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
         Assert.NotNull(await motion.ReadAsync());
         using TestClient refused = await TestClient.ConnectAsync(broadcaster.CalculationEndPoint);
-        await Limits.UntilAsync(() => broadcaster.Statistics.Refused == 1);
+        await Limits.UntilAsync(() => broadcaster.GetStatistics().Refused == 1);
 
-        Assert.Equal((2, 1), (broadcaster.Statistics.Clients, broadcaster.Statistics.CalculationClients));
+        Assert.Equal((2, 1), (broadcaster.GetStatistics().Clients, broadcaster.GetStatistics().CalculationClients));
         await Limits.UntilAsync(() => broadcaster.GetClients().All(client => client.FramesSent + client.CalculationFramesSent > 0));
         BroadcasterClient[] clients = [.. broadcaster.GetClients().OrderBy(client => client.IsCalculation)];
         Assert.Equal([false, true], clients.Select(client => client.IsCalculation));
@@ -142,12 +142,12 @@ public sealed class BroadcasterCalculationPortTests
     [Fact]
     public async Task A_take_without_pace_waits_for_a_client_of_each_port()
     {
-        BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, BroadcastFormat.Binary);
+        BroadcasterOptions options = Options(BroadcasterOptions.MaxFrameRate, BroadcastFormat.Binary);
         await using Broadcaster broadcaster = Started(options);
         using (TestClient motion = await TestClient.ConnectAsync(broadcaster.LocalEndPoint))
             Expect.MotionFrames(await motion.ReadToEndAsync(), options, Frames);
 
-        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 0);
+        await Limits.UntilAsync(() => broadcaster.GetStatistics().Clients == 0);
         using (TestClient calculation = await TestClient.ConnectAsync(broadcaster.CalculationEndPoint))
             Expect.CalculationFrames(await calculation.ReadToEndAsync(), options, Frames);
 
@@ -157,11 +157,11 @@ public sealed class BroadcasterCalculationPortTests
     [Fact]
     public async Task An_avatar_that_is_turned_is_turned_on_both_ports_from_the_same_frame_on()
     {
-        BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, BroadcastFormat.Binary);
+        BroadcasterOptions options = Options(BroadcasterOptions.MaxFrameRate, BroadcastFormat.Binary);
         var actor = new SyntheticSource();
         options.Sources = [actor];
         options.Calculation = CalculationSynthesizer.Write;
-        options.Rate = 500;
+        options.FrameRate = 500;
         options.MaxFrames = 40;
         await using Broadcaster broadcaster = Started(options);
         using TestClient motion = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
@@ -217,7 +217,7 @@ public sealed class BroadcasterCalculationPortTests
     private static BroadcasterOptions Options(double rate, BroadcastFormat format)
     {
         BroadcasterOptions options = Expect.Options(avatars: 2, frames: Frames);
-        options.Rate = rate;
+        options.FrameRate = rate;
         options.Format = format;
         options.CalculationPort = 0;
         options.WaitForClient = true;

@@ -10,7 +10,7 @@ public sealed class BroadcasterClientTests
     private const int Frames = 4000;
 
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(200)]
     public async Task A_client_that_resets_is_forgotten(double rate)
     {
@@ -21,12 +21,12 @@ public sealed class BroadcasterClientTests
         await rude.ReadAsync();
         rude.Reset();
 
-        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 1);
+        await Limits.UntilAsync(() => broadcaster.GetStatistics().Clients == 1);
         await AssertGetsFramesAsync(witness, options);
     }
 
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(2000)]
     public async Task A_client_that_closes_its_sending_side_still_gets_everything(double rate)
     {
@@ -40,7 +40,7 @@ public sealed class BroadcasterClientTests
     }
 
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(2000)]
     public async Task What_a_client_sends_is_thrown_away_and_costs_it_nothing(double rate)
     {
@@ -56,7 +56,7 @@ public sealed class BroadcasterClientTests
     }
 
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(200)]
     public async Task A_flood_of_short_connections_reaches_nobody_else(double rate)
     {
@@ -79,7 +79,7 @@ public sealed class BroadcasterClientTests
     public async Task More_clients_than_allowed_are_refused_until_one_leaves()
     {
         BroadcasterOptions options = Expect.Options();
-        options.Rate = 100;
+        options.FrameRate = 100;
         options.MaxClients = 2;
         await using Broadcaster broadcaster = Started(options);
         using TestClient first = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
@@ -89,10 +89,10 @@ public sealed class BroadcasterClientTests
         using (TestClient third = await TestClient.ConnectAsync(broadcaster.LocalEndPoint))
             Assert.Null(await third.ReadAsync());
 
-        BroadcasterStatistics statistics = broadcaster.Statistics;
+        BroadcasterStatistics statistics = broadcaster.GetStatistics();
         Assert.Equal((2, 2, 1), (statistics.Clients, statistics.Accepted, statistics.Refused));
         second.Dispose();
-        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 1);
+        await Limits.UntilAsync(() => broadcaster.GetStatistics().Clients == 1);
         using TestClient fourth = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         Assert.NotNull(await fourth.ReadAsync());
     }
@@ -100,7 +100,7 @@ public sealed class BroadcasterClientTests
     private static BroadcasterOptions Options(double rate)
     {
         BroadcasterOptions options = Expect.Options();
-        options.Rate = rate;
+        options.FrameRate = rate;
         options.WaitForClient = true;
         options.MaxFrames = double.IsPositiveInfinity(rate) ? Frames : Frames / 4;
         options.QueueCapacity = Frames;

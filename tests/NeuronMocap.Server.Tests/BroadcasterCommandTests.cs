@@ -17,9 +17,9 @@ public sealed class BroadcasterCommandTests
     {
         { 500, null },
         { 500, 7 },
-        { BroadcasterOptions.MaxRate, null },
-        { BroadcasterOptions.MaxRate, 1481 },
-        { BroadcasterOptions.MaxRate, 200_000 },
+        { BroadcasterOptions.MaxFrameRate, null },
+        { BroadcasterOptions.MaxFrameRate, 1481 },
+        { BroadcasterOptions.MaxFrameRate, 200_000 },
     };
 
     [Theory]
@@ -44,7 +44,7 @@ public sealed class BroadcasterCommandTests
 
         // Counted when it is sent: the client may have it before.
         await AssertSentAsync(broadcaster, replies: 5);
-        Assert.Equal((0L, 0L), (broadcaster.Statistics.RequestsIgnored, broadcaster.Statistics.RequestsDropped));
+        Assert.Equal((0L, 0L), (broadcaster.GetStatistics().RequestsIgnored, broadcaster.GetStatistics().RequestsDropped));
     }
 
     [Fact]
@@ -88,7 +88,7 @@ public sealed class BroadcasterCommandTests
         await SendAsync(client, [.. strange.SelectMany(bytes => bytes), .. Requests.Create(5, 0)]);
 
         Assert.Equal(DataCommandId.AvatarCount, Assert.Single((await ReadRepliesAsync(client, 1)).Replies).Id);
-        Assert.Equal(strange.Length, broadcaster.Statistics.RequestsIgnored);
+        Assert.Equal(strange.Length, broadcaster.GetStatistics().RequestsIgnored);
         await AssertSentAsync(broadcaster, replies: 1);
         Assert.Equal(strange.Length, Assert.Single(broadcaster.GetClients()).RequestsIgnored);
     }
@@ -157,7 +157,7 @@ public sealed class BroadcasterCommandTests
         // It reads nothing, so that its texts of kilobytes stop: a thousand requests wait, and further ones are dropped.
         Task sending = SendAsync(flooder, [.. Enumerable.Repeat(Requests.Create(4, 0), Flood).SelectMany(bytes => bytes)]);
         List<byte[]> packets = [];
-        while (broadcaster.Statistics.RequestsDropped < Flood / 2)
+        while (broadcaster.GetStatistics().RequestsDropped < Flood / 2)
             packets.Add((await witness.ReadAsync())!);
 
         await sending.Soon();
@@ -165,11 +165,11 @@ public sealed class BroadcasterCommandTests
 
         // What was not dropped is answered when it reads.
         int replies = 0;
-        while (replies < Flood - broadcaster.Statistics.RequestsDropped || broadcaster.Statistics.RepliesSent + broadcaster.Statistics.RequestsDropped < Flood)
+        while (replies < Flood - broadcaster.GetStatistics().RequestsDropped || broadcaster.GetStatistics().RepliesSent + broadcaster.GetStatistics().RequestsDropped < Flood)
             replies += DataCommandHeader.TryRead((await flooder.ReadAsync())!, out _) ? 1 : 0;
 
-        Assert.Equal(Flood, replies + broadcaster.Statistics.RequestsDropped);
-        Assert.Equal(broadcaster.Statistics.RepliesSent, replies);
+        Assert.Equal(Flood, replies + broadcaster.GetStatistics().RequestsDropped);
+        Assert.Equal(broadcaster.GetStatistics().RepliesSent, replies);
     }
 
     [Fact]
@@ -186,7 +186,7 @@ public sealed class BroadcasterCommandTests
             Assert.True(MotionHeader.TryRead((await client.ReadAsync())!, out _));
         }
 
-        Assert.Equal((0L, 0L), (broadcaster.Statistics.RepliesSent, broadcaster.Statistics.RequestsIgnored));
+        Assert.Equal((0L, 0L), (broadcaster.GetStatistics().RepliesSent, broadcaster.GetStatistics().RequestsIgnored));
     }
 
     [Theory]
@@ -262,15 +262,15 @@ public sealed class BroadcasterCommandTests
     // A reply counts when it is sent, and may be read before.
     private static async Task AssertSentAsync(Broadcaster broadcaster, long replies)
     {
-        await Limits.UntilAsync(() => broadcaster.Statistics.RepliesSent >= replies);
-        Assert.Equal(replies, broadcaster.Statistics.RepliesSent);
+        await Limits.UntilAsync(() => broadcaster.GetStatistics().RepliesSent >= replies);
+        Assert.Equal(replies, broadcaster.GetStatistics().RepliesSent);
     }
 
     private static BroadcasterOptions Options(double rate, int avatars = 1)
     {
         BroadcasterOptions options = Expect.Options(avatars);
         options.Sources = [.. Enumerable.Range(0, avatars).Select(avatar => new SyntheticSource(60, avatar))];
-        options.Rate = rate;
+        options.FrameRate = rate;
         options.WaitForClient = true;
         options.QueueCapacity = 10_000;
         return options;

@@ -10,19 +10,19 @@ namespace NeuronMocap.Server.Tests;
 public sealed class BroadcasterHostilityTests
 {
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(200)]
     public async Task A_client_that_takes_nothing_any_more_is_let_go_and_its_place_is_free(double rate)
     {
         BroadcasterOptions options = Expect.Options(avatars: 30);
-        options.Rate = rate;
+        options.FrameRate = rate;
         options.MaxClients = 2;
         options.ClientTimeout = TimeSpan.FromSeconds(3);
         options.QueueCapacity = 20_000;
         await using Broadcaster broadcaster = Started(options);
         using TestClient idle = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         using TestClient witness = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
-        Task<List<byte[]>> reading = ReadUntilAsync(witness, () => broadcaster.Statistics is { Accepted: 2, Clients: 1 });
+        Task<List<byte[]>> reading = ReadUntilAsync(witness, () => broadcaster.GetStatistics() is { Accepted: 2, Clients: 1 });
         List<byte[]> packets = await reading.Soon();
 
         using TestClient next = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
@@ -63,7 +63,7 @@ public sealed class BroadcasterHostilityTests
             taken += read;
         }
 
-        Assert.Equal(1, broadcaster.Statistics.Clients);
+        Assert.Equal(1, broadcaster.GetStatistics().Clients);
     }
 
     [Fact]
@@ -71,7 +71,7 @@ public sealed class BroadcasterHostilityTests
     {
         const int Flood = 300;
         BroadcasterOptions options = Expect.Options();
-        options.Rate = 500;
+        options.FrameRate = 500;
         options.MaxClients = 8;
         options.QueueCapacity = 20_000;
         await using Broadcaster broadcaster = Started(options);
@@ -83,12 +83,12 @@ public sealed class BroadcasterHostilityTests
         for (int i = 0; i < Flood; i++)
             flood.Add(await TestClient.ConnectAsync(broadcaster.LocalEndPoint));
 
-        List<byte[]> packets = [first, .. await ReadUntilAsync(witness, () => broadcaster.Statistics is { Accepted: 8, Refused: Flood - 7 })];
+        List<byte[]> packets = [first, .. await ReadUntilAsync(witness, () => broadcaster.GetStatistics() is { Accepted: 8, Refused: Flood - 7 })];
         packets.AddRange(await ReadUntilAsync(witness, () => packets.Count > 100, packets));
         Expect.Frames(packets, options, packets.Count, Expect.FrameIndex(packets[0]));
-        Assert.Equal(8, broadcaster.Statistics.Clients);
+        Assert.Equal(8, broadcaster.GetStatistics().Clients);
         flood.ForEach(client => client.Dispose());
-        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 1);
+        await Limits.UntilAsync(() => broadcaster.GetStatistics().Clients == 1);
     }
 
     [Fact]
@@ -139,14 +139,14 @@ public sealed class BroadcasterHostilityTests
         Assert.Null(await first.ReadAsync());
         using TestClient second = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         Assert.Equal(0u, Expect.FrameIndex((await second.ReadAsync())!));
-        Assert.Equal((1L, 1L), (broadcaster.Statistics.Accepted, broadcaster.Statistics.Refused));
+        Assert.Equal((1L, 1L), (broadcaster.GetStatistics().Accepted, broadcaster.GetStatistics().Refused));
     }
 
     [Fact]
     public async Task Where_there_is_no_thread_to_make_frames_on_the_broadcast_ends_and_says_why()
     {
         BroadcasterOptions options = Expect.Options();
-        options.Rate = 100;
+        options.FrameRate = 100;
         options.WaitForClient = true;
         await using var broadcaster = new Broadcaster(options)
         {

@@ -72,8 +72,8 @@ public sealed class BroadcasterLifecycleTests
     }
 
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate, false)]
-    [InlineData(BroadcasterOptions.MaxRate, true)]
+    [InlineData(BroadcasterOptions.MaxFrameRate, false)]
+    [InlineData(BroadcasterOptions.MaxFrameRate, true)]
     [InlineData(0.01, false)]
     [InlineData(0.01, true)]
     [InlineData(2000, false)]
@@ -81,19 +81,19 @@ public sealed class BroadcasterLifecycleTests
     public async Task It_can_be_disposed_at_any_moment(double rate, bool hasClients)
     {
         BroadcasterOptions options = Expect.Options();
-        options.Rate = rate;
+        options.FrameRate = rate;
         options.WaitForClient = !hasClients;
         var broadcaster = new Broadcaster(options);
         broadcaster.Start();
         using TestClient? idle = hasClients ? await TestClient.ConnectAsync(broadcaster.LocalEndPoint) : null;
         using TestClient? gone = hasClients ? await TestClient.ConnectAsync(broadcaster.LocalEndPoint) : null;
-        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == (hasClients ? 2 : 0));
+        await Limits.UntilAsync(() => broadcaster.GetStatistics().Clients == (hasClients ? 2 : 0));
         gone?.Reset();
 
         Task again = Task.Run(broadcaster.Dispose, TestContext.Current.CancellationToken);
         await Task.WhenAll(broadcaster.DisposeAsync().AsTask(), again).Soon();
         await broadcaster.Completion.Soon();
-        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 0);
+        await Limits.UntilAsync(() => broadcaster.GetStatistics().Clients == 0);
         using var late = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
         Assert.Throws<SocketException>(() => late.Connect(broadcaster.LocalEndPoint!));
     }
@@ -102,7 +102,7 @@ public sealed class BroadcasterLifecycleTests
     public async Task It_can_be_disposed_while_it_waits_for_clients_at_the_end()
     {
         BroadcasterOptions options = Expect.Options(frames: 5);
-        options.Rate = 1000;
+        options.FrameRate = 1000;
         options.WaitForClient = true;
         options.CloseTimeout = TimeSpan.FromMinutes(10);
         var broadcaster = new Broadcaster(options);
@@ -116,7 +116,7 @@ public sealed class BroadcasterLifecycleTests
     }
 
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(1000)]
     public async Task What_a_source_throws_ends_the_broadcast_and_comes_out_at_its_completion(double rate)
     {
@@ -126,7 +126,7 @@ public sealed class BroadcasterLifecycleTests
     }
 
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(1000)]
     public async Task What_a_calculation_writer_throws_does_so_too(double rate)
     {
@@ -173,10 +173,10 @@ public sealed class BroadcasterLifecycleTests
         { "MaxClients", options => options.MaxClients = 4097 },
         { "UdpDestinations", options => options.UdpDestinations = [null!] },
         { "UdpDestinations", options => options.UdpDestinations = [new IPEndPoint(IPAddress.Loopback, 0)] },
-        { "Rate", options => options.Rate = 0 },
-        { "Rate", options => options.Rate = -60 },
-        { "Rate", options => options.Rate = double.NaN },
-        { "Rate", options => options.Rate = 100_001 },
+        { "FrameRate", options => options.FrameRate = 0 },
+        { "FrameRate", options => options.FrameRate = -60 },
+        { "FrameRate", options => options.FrameRate = double.NaN },
+        { "FrameRate", options => options.FrameRate = 100_001 },
         { "MaxFrames", options => options.MaxFrames = 0 },
         { "RotationOrder", options => options.RotationOrder = (RotationOrder)6 },
         { "DataVersion", options => options.DataVersion = new DataVersion(2, 0, 0, 0) },
@@ -207,10 +207,10 @@ public sealed class BroadcasterLifecycleTests
     {
         BroadcasterOptions options = Expect.Options();
         options.Sources = [new FailingSource(0, own)];
-        options.Rate = null;
+        options.FrameRate = null;
         Assert.Throws<ArgumentException>("Rate", () => new Broadcaster(options));
-        options.Rate = 50;
-        Assert.Equal(50, new Broadcaster(options).Rate);
+        options.FrameRate = 50;
+        Assert.Equal(50, new Broadcaster(options).FrameRate);
     }
 
     [Fact]
@@ -225,13 +225,13 @@ public sealed class BroadcasterLifecycleTests
 
     private static async Task AssertEndsAsync(BroadcasterOptions options, double rate)
     {
-        options.Rate = rate;
+        options.FrameRate = rate;
         options.WaitForClient = true;
         await using var broadcaster = new Broadcaster(options);
         broadcaster.Start();
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
 
         await Assert.ThrowsAsync<InvalidDataException>(() => broadcaster.Completion.Soon());
-        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 0);
+        await Limits.UntilAsync(() => broadcaster.GetStatistics().Clients == 0);
     }
 }

@@ -85,7 +85,7 @@ public sealed class BroadcasterMaxRateTests
         Assert.False(broadcaster.Completion.IsCompleted);
         slow.Dispose();
         await broadcaster.Completion.Soon();
-        BroadcasterStatistics statistics = broadcaster.Statistics;
+        BroadcasterStatistics statistics = broadcaster.GetStatistics();
         Assert.Equal(3, statistics.Accepted);
         Assert.Equal(0, statistics.Clients);
         Assert.Equal(3 * Frames, statistics.FramesSent);
@@ -101,7 +101,7 @@ public sealed class BroadcasterMaxRateTests
         using (TestClient leaver = await TestClient.ConnectAsync(broadcaster.LocalEndPoint))
             Expect.Motion((await leaver.ReadAsync())!, options, avatar: 0, frame: 0);
 
-        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 0);
+        await Limits.UntilAsync(() => broadcaster.GetStatistics().Clients == 0);
         Assert.False(broadcaster.Completion.IsCompleted);
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         Assert.Equal(20_000, (await client.ReadToEndAsync()).Count);

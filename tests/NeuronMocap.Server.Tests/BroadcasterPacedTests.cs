@@ -27,8 +27,8 @@ public sealed class BroadcasterPacedTests
         await broadcaster.Completion.Soon();
 
         Expect.Frames(packets, options, 200);
-        Assert.Equal(200, broadcaster.Statistics.FramesSent);
-        Assert.Equal(200 * 1480, broadcaster.Statistics.BytesSent);
+        Assert.Equal(200, broadcaster.GetStatistics().FramesSent);
+        Assert.Equal(200 * 1480, broadcaster.GetStatistics().BytesSent);
     }
 
     [Fact]
@@ -68,7 +68,7 @@ public sealed class BroadcasterPacedTests
     {
         const int Avatars = 30;
         BroadcasterOptions options = Options(Avatars);
-        options.Rate = 200;
+        options.FrameRate = 200;
         options.QueueCapacity = 200;
         await using Broadcaster broadcaster = Started(options);
         using TestClient idle = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
@@ -76,7 +76,7 @@ public sealed class BroadcasterPacedTests
         Task<List<byte[]>> reading = reader.ReadToEndAsync();
         await Limits.UntilAsync(() => GetDropped(broadcaster, idle) >= Avatars * 20);
         Assert.Equal(0, GetDropped(broadcaster, reader));
-        Assert.True(broadcaster.Statistics.PacketsDropped >= Avatars * 20);
+        Assert.True(broadcaster.GetStatistics().PacketsDropped >= Avatars * 20);
 
         // When the idle one reads at last, it finds whole frames: old ones, a gap, new ones.
         uint previous = 0;
@@ -119,7 +119,7 @@ public sealed class BroadcasterPacedTests
         Assert.False(broadcaster.Completion.IsCompleted);
         client.Dispose();
         await broadcaster.Completion.Soon();
-        Assert.Equal(0, broadcaster.Statistics.PacketsDropped);
+        Assert.Equal(0, broadcaster.GetStatistics().PacketsDropped);
     }
 
     [Fact]
@@ -133,7 +133,7 @@ public sealed class BroadcasterPacedTests
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         await broadcaster.Completion.Soon();
 
-        await Limits.UntilAsync(() => broadcaster.Statistics.Clients == 0);
+        await Limits.UntilAsync(() => broadcaster.GetStatistics().Clients == 0);
     }
 
     [Fact]
@@ -143,22 +143,22 @@ public sealed class BroadcasterPacedTests
         options.MaxFrames = 20;
         await using Broadcaster broadcaster = Started(options);
         await broadcaster.Completion.Soon();
-        Assert.Equal(default, broadcaster.Statistics);
+        Assert.Equal(default, broadcaster.GetStatistics());
     }
 
     [Fact]
     public void The_rate_is_the_sources_own_unless_set()
     {
         BroadcasterOptions options = Options();
-        Assert.Equal(Rate, new Broadcaster(options).Rate);
-        options.Rate = null;
-        Assert.Equal(60, new Broadcaster(options).Rate);
+        Assert.Equal(Rate, new Broadcaster(options).FrameRate);
+        options.FrameRate = null;
+        Assert.Equal(60, new Broadcaster(options).FrameRate);
     }
 
     private static BroadcasterOptions Options(int avatars = 1)
     {
         BroadcasterOptions options = Expect.Options(avatars);
-        options.Rate = Rate;
+        options.FrameRate = Rate;
         options.QueueCapacity = 10_000;
         return options;
     }

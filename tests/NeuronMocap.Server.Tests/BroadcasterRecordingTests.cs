@@ -18,28 +18,28 @@ public sealed class BroadcasterRecordingTests
         byte[] bytes = StreamFixture.Load(name).Bytes;
         using TemporaryFile file = Recordings.OfTcp([.. Splits.Random(bytes, new Random(3)).Select(static (piece, i) => (i / 10.0, piece.ToArray()))]);
         await AssertSameAsync(file, new BroadcasterOptions { RecordingPath = file.Path, Port = 0, WaitForClient = true });
-        await AssertSameAsync(file, new BroadcasterOptions { RecordingPath = file.Path, Port = 0, Rate = BroadcasterOptions.MaxRate, Fragment = 333 });
+        await AssertSameAsync(file, new BroadcasterOptions { RecordingPath = file.Path, Port = 0, FrameRate = BroadcasterOptions.MaxFrameRate, Fragment = 333 });
     }
 
     [Fact]
     public async Task A_raw_dump_goes_out_at_a_rate()
     {
         using var dump = new TemporaryFile(TestPackets.Motions(0, 20), ".bin");
-        await AssertSameAsync(dump, new BroadcasterOptions { RecordingPath = dump.Path, Port = 0, WaitForClient = true, Rate = 1000 });
+        await AssertSameAsync(dump, new BroadcasterOptions { RecordingPath = dump.Path, Port = 0, WaitForClient = true, FrameRate = 1000 });
     }
 
     [Fact]
     public async Task At_the_highest_rate_every_client_gets_all()
     {
         using TemporaryFile file = Recordings.OfTcp([.. Enumerable.Range(0, 50).Select(static i => (i * 100.0, TestPackets.Motion(i)))]);
-        await using var broadcaster = new Broadcaster(new BroadcasterOptions { RecordingPath = file.Path, Port = 0, Rate = BroadcasterOptions.MaxRate });
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions { RecordingPath = file.Path, Port = 0, FrameRate = BroadcasterOptions.MaxFrameRate });
         broadcaster.Start();
         using TestClient first = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         using TestClient second = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         foreach (TestClient client in (TestClient[])[first, second])
             Assert.Equal(Enumerable.Range(0, 50).Select(static frame => (uint)frame), (await client.ReadToEndAsync().Soon()).Select(Expect.FrameIndex));
 
-        Assert.Equal(100, broadcaster.Statistics.FramesSent);
+        Assert.Equal(100, broadcaster.GetStatistics().FramesSent);
     }
 
     [Fact]
@@ -67,14 +67,14 @@ public sealed class BroadcasterRecordingTests
         using TemporaryFile file = Recordings.OfTcp((0, [.. TestPackets.Motion(0), .. TestPackets.Calculation(1)]), (1, TestPackets.Line(2)));
         using var receiver = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         receiver.Bind(new IPEndPoint(IPAddress.Loopback, 0));
-        foreach (double? rate in (double?[])[null, BroadcasterOptions.MaxRate])
+        foreach (double? rate in (double?[])[null, BroadcasterOptions.MaxFrameRate])
         {
             await using var broadcaster = new Broadcaster(new BroadcasterOptions
             {
                 RecordingPath = file.Path,
                 Port = null,
                 UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!],
-                Rate = rate,
+                FrameRate = rate,
             });
             broadcaster.Start();
             byte[] buffer = new byte[65_536];
@@ -101,9 +101,9 @@ public sealed class BroadcasterRecordingTests
         AssertRefused(nameof(BroadcasterOptions.Format), options => options.Format = BroadcastFormat.Text);
         AssertRefused(nameof(BroadcasterOptions.DataVersion), options => options.DataVersion = DataVersion.Old);
         AssertRefused(nameof(BroadcasterOptions.Calculation), options => options.Calculation = static (_, _, _) => { });
-        AssertRefused(nameof(BroadcasterOptions.Rate), options => options.Rate = 60);
+        AssertRefused(nameof(BroadcasterOptions.FrameRate), options => options.FrameRate = 60);
         AssertRefused(nameof(BroadcasterOptions.RecordingSpeed), options => options.RecordingSpeed = 0);
-        AssertRefused(nameof(BroadcasterOptions.RecordingSpeed), options => (options.RecordingSpeed, options.Rate) = (2, BroadcasterOptions.MaxRate));
+        AssertRefused(nameof(BroadcasterOptions.RecordingSpeed), options => (options.RecordingSpeed, options.FrameRate) = (2, BroadcasterOptions.MaxFrameRate));
         AssertRefused(nameof(BroadcasterOptions.LoopRecording), options => (options.Sources, options.RecordingPath, options.LoopRecording) = ([new TestSource(0, 1)], null, true));
         using var broadcaster = new Broadcaster(new BroadcasterOptions { RecordingPath = file.Path, Port = 0 });
         Assert.Throws<ArgumentOutOfRangeException>(() => broadcaster.GetCombinationMode(0));
@@ -128,13 +128,13 @@ public sealed class BroadcasterRecordingTests
 
     [Theory]
     [InlineData(null)]
-    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(BroadcasterOptions.MaxFrameRate)]
     public async Task Calculation_of_a_recording_can_have_a_port_of_its_own(double? rate)
     {
         using TemporaryFile file = Recordings.OfTcp(
             [.. Enumerable.Range(0, 50).Select(static i => (i * 2.0, (byte[])[.. TestPackets.Motion(i), .. TestPackets.Calculation(i)]))]);
         await using var broadcaster = new Broadcaster(
-            new BroadcasterOptions { RecordingPath = file.Path, Port = 0, CalculationPort = 0, WaitForClient = true, Rate = rate });
+            new BroadcasterOptions { RecordingPath = file.Path, Port = 0, CalculationPort = 0, WaitForClient = true, FrameRate = rate });
         broadcaster.Start();
         using TestClient motion = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         using TestClient calculation = await TestClient.ConnectAsync(broadcaster.CalculationEndPoint);
@@ -142,7 +142,7 @@ public sealed class BroadcasterRecordingTests
 
         Assert.Equal(Enumerable.Range(0, 50).SelectMany(static i => TestPackets.Motion(i)), (await motion.ReadToEndAsync().Soon()).SelectMany(static packet => packet));
         Assert.Equal(Enumerable.Range(0, 50).SelectMany(static i => TestPackets.Calculation(i)), (await reading.Soon()).SelectMany(static packet => packet));
-        Assert.Equal((50L, 50L), (broadcaster.Statistics.FramesSent, broadcaster.Statistics.CalculationFramesSent));
+        Assert.Equal((50L, 50L), (broadcaster.GetStatistics().FramesSent, broadcaster.GetStatistics().CalculationFramesSent));
     }
 
     // A recording has a handle for each receiver that reads it at its own speed. None may outlive the broadcast, whatever went wrong.
@@ -153,7 +153,7 @@ public sealed class BroadcasterRecordingTests
             Assert.Skip("Only Linux tells which files a process has open.");
 
         using TemporaryFile file = Recordings.OfTcp([.. Enumerable.Range(0, 50).Select(static i => (i * 100.0, TestPackets.Motion(i)))]);
-        var options = new BroadcasterOptions { RecordingPath = file.Path, Port = 0, Rate = BroadcasterOptions.MaxRate };
+        var options = new BroadcasterOptions { RecordingPath = file.Path, Port = 0, FrameRate = BroadcasterOptions.MaxFrameRate };
 
         // There was no thread for the client.
         int refused = 0;
@@ -220,8 +220,8 @@ public sealed class BroadcasterRecordingTests
         await broadcaster.Completion.Soon();
 
         Assert.Equal(expected, frames.Lines);
-        Assert.Equal(original.Statistics.BytesSkipped, reader.GetStatistics().BytesSkipped);
-        Assert.Equal(original.Statistics.BytesReceived, reader.GetStatistics().BytesReceived);
+        Assert.Equal(original.GetStatistics().BytesSkipped, reader.GetStatistics().BytesSkipped);
+        Assert.Equal(original.GetStatistics().BytesReceived, reader.GetStatistics().BytesReceived);
         Assert.Equal(ConnectionReason.ClosedByPeer, reader.Status.Reason);
     }
 }

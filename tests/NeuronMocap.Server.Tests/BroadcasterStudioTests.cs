@@ -10,13 +10,13 @@ namespace NeuronMocap.Server.Tests;
 public sealed class BroadcasterStudioTests
 {
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate, null)]
-    [InlineData(BroadcasterOptions.MaxRate, 1000)]
+    [InlineData(BroadcasterOptions.MaxFrameRate, null)]
+    [InlineData(BroadcasterOptions.MaxFrameRate, 1000)]
     [InlineData(2000, null)]
     public async Task Packets_are_those_of_axis_studio(double rate, int? fragment)
     {
         BroadcasterOptions options = Options();
-        options.Rate = rate;
+        options.FrameRate = rate;
         options.Fragment = fragment;
         options.RotationOrder = RotationOrder.ZXY;
         await using Broadcaster broadcaster = Started(options);
@@ -36,7 +36,7 @@ public sealed class BroadcasterStudioTests
             Assert.Equal(StudioFrameEncoder.GetTimecode(header.FrameIndex!.Value, framesPerSecond), (header.Reserved1, header.Reserved2));
         }
 
-        Assert.Equal((60L, 30L * 2 * (1480 + 5020)), (broadcaster.Statistics.FramesSent, broadcaster.Statistics.BytesSent));
+        Assert.Equal((60L, 30L * 2 * (1480 + 5020)), (broadcaster.GetStatistics().FramesSent, broadcaster.GetStatistics().BytesSent));
     }
 
     [Fact]

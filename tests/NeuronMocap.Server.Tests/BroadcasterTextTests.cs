@@ -12,9 +12,9 @@ public sealed class BroadcasterTextTests
     private const double Paced = 2000;
 
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate, null)]
-    [InlineData(BroadcasterOptions.MaxRate, 1024)]
-    [InlineData(BroadcasterOptions.MaxRate, 70_001)]
+    [InlineData(BroadcasterOptions.MaxFrameRate, null)]
+    [InlineData(BroadcasterOptions.MaxFrameRate, 1024)]
+    [InlineData(BroadcasterOptions.MaxFrameRate, 70_001)]
     [InlineData(Paced, null)]
     [InlineData(Paced, 7)]
     public async Task Every_line_arrives_in_order_and_the_counters_are_exact(double rate, int? fragment)
@@ -30,7 +30,7 @@ public sealed class BroadcasterTextTests
         await broadcaster.Completion.Soon();
 
         AssertLines(text, options, Frames);
-        BroadcasterStatistics statistics = broadcaster.Statistics;
+        BroadcasterStatistics statistics = broadcaster.GetStatistics();
         Assert.Equal((Frames * 3L, 0L, Encoding.UTF8.GetByteCount(text)), (statistics.FramesSent, statistics.PacketsDropped, statistics.BytesSent));
     }
 
@@ -41,7 +41,7 @@ public sealed class BroadcasterTextTests
     [InlineData((int)(TextQuirks.LineFeedOnly | TextQuirks.StrayZeros), "\0", "||\n", "\n")]
     public async Task Quirks_change_what_stands_around_the_lines(int quirks, string start, string motionEnd, string calculationEnd)
     {
-        BroadcasterOptions options = Options(BroadcasterOptions.MaxRate);
+        BroadcasterOptions options = Options(BroadcasterOptions.MaxFrameRate);
         options.MaxFrames = 1;
         options.Calculation = CalculationSynthesizer.Write;
         options.TextQuirks = (TextQuirks)quirks;
@@ -66,7 +66,7 @@ public sealed class BroadcasterTextTests
         await using Broadcaster broadcaster = Started(options);
         using var idle = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
         await idle.ConnectAsync(broadcaster.LocalEndPoint!, TestContext.Current.CancellationToken).AsTask().Soon();
-        await Limits.UntilAsync(() => broadcaster.Statistics.PacketsDropped >= Avatars * 20);
+        await Limits.UntilAsync(() => broadcaster.GetStatistics().PacketsDropped >= Avatars * 20);
         await broadcaster.DisposeAsync();
         string text = await TextClient.ReadToEndAsync(idle);
 
@@ -89,7 +89,7 @@ public sealed class BroadcasterTextTests
     {
         using var receiver = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ReceiveBufferSize = 1_000_000 };
         receiver.Bind(new IPEndPoint(IPAddress.Loopback, 0));
-        BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, avatars: 2);
+        BroadcasterOptions options = Options(BroadcasterOptions.MaxFrameRate, avatars: 2);
         options.Port = null;
         options.UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!];
         options.MaxFrames = 10;
@@ -114,7 +114,7 @@ public sealed class BroadcasterTextTests
 
         AssertLines(text.ToString(), options, 10);
         await broadcaster.Completion.Soon();
-        Assert.Equal((20L, text.Length), (broadcaster.Statistics.FramesSent, broadcaster.Statistics.BytesSent));
+        Assert.Equal((20L, text.Length), (broadcaster.GetStatistics().FramesSent, broadcaster.GetStatistics().BytesSent));
     }
 
     [Fact]
@@ -133,7 +133,7 @@ public sealed class BroadcasterTextTests
     {
         Sources = [.. Enumerable.Range(0, avatars).Select(avatar => new SyntheticSource(60, avatar))],
         Port = 0,
-        Rate = rate,
+        FrameRate = rate,
         Format = BroadcastFormat.Text,
         WaitForClient = true,
         QueueCapacity = 10_000,

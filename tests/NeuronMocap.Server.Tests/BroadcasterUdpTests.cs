@@ -8,7 +8,7 @@ namespace NeuronMocap.Server.Tests;
 public sealed class BroadcasterUdpTests
 {
     [Theory]
-    [InlineData(BroadcasterOptions.MaxRate)]
+    [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(2000)]
     public async Task A_datagram_is_a_packet(double rate)
     {
@@ -22,16 +22,16 @@ public sealed class BroadcasterUdpTests
         Expect.Frames(packets, options, 10);
         await broadcaster.Completion.Soon();
         Assert.Null(broadcaster.LocalEndPoint);
-        Assert.Equal(20, broadcaster.Statistics.FramesSent);
-        Assert.Equal(packets.Sum(packet => packet.Length), broadcaster.Statistics.BytesSent);
-        Assert.Equal(0, broadcaster.Statistics.Clients);
+        Assert.Equal(20, broadcaster.GetStatistics().FramesSent);
+        Assert.Equal(packets.Sum(packet => packet.Length), broadcaster.GetStatistics().BytesSent);
+        Assert.Equal(0, broadcaster.GetStatistics().Clients);
     }
 
     [Fact]
     public async Task A_packet_can_be_cut_as_on_macos_and_never_shares_a_datagram()
     {
         using Socket receiver = Receiver();
-        BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, receiver);
+        BroadcasterOptions options = Options(BroadcasterOptions.MaxFrameRate, receiver);
         options.Fragment = 1024;
         await using Broadcaster broadcaster = Started(options);
         var packets = new List<byte[]>();
@@ -70,12 +70,12 @@ public sealed class BroadcasterUdpTests
     {
         BroadcasterOptions options;
         using (Socket gone = Receiver())
-            options = Options(BroadcasterOptions.MaxRate, gone);
+            options = Options(BroadcasterOptions.MaxFrameRate, gone);
 
         options.MaxFrames = 2000;
         await using Broadcaster broadcaster = Started(options);
         await broadcaster.Completion.Soon();
-        BroadcasterStatistics statistics = broadcaster.Statistics;
+        BroadcasterStatistics statistics = broadcaster.GetStatistics();
         Assert.Equal(2000 * 2 * 2, CountPackets(statistics));
     }
 
@@ -83,7 +83,7 @@ public sealed class BroadcasterUdpTests
     public async Task A_broadcast_without_end_can_be_stopped()
     {
         using Socket receiver = Receiver();
-        BroadcasterOptions options = Options(BroadcasterOptions.MaxRate, receiver);
+        BroadcasterOptions options = Options(BroadcasterOptions.MaxFrameRate, receiver);
         options.MaxFrames = null;
         Broadcaster broadcaster = Started(options);
         await ReceiveAsync(receiver);
@@ -94,7 +94,7 @@ public sealed class BroadcasterUdpTests
     private static BroadcasterOptions Options(double rate, Socket receiver)
     {
         BroadcasterOptions options = Expect.Options(avatars: 2);
-        options.Rate = rate;
+        options.FrameRate = rate;
         options.Port = null;
         options.UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!];
         options.Calculation = TestSource.WriteCalculation;

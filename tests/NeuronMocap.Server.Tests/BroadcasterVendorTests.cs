@@ -82,8 +82,8 @@ public sealed class BroadcasterVendorTests
         Expect.Calculation((await late.ReadAsync())!, options, avatar: 0, frame: 0);
         await time.PassAsync();
         Expect.Motion((await late.ReadAsync())!, options, avatar: 1, frame: 0);
-        await Limits.UntilAsync(() => broadcaster.Statistics.FramesSent == 4);
-        Assert.Equal((2L, 0L), (broadcaster.Statistics.CalculationFramesSent, broadcaster.Statistics.PacketsDropped));
+        await Limits.UntilAsync(() => broadcaster.GetStatistics().FramesSent == 4);
+        Assert.Equal((2L, 0L), (broadcaster.GetStatistics().CalculationFramesSent, broadcaster.GetStatistics().PacketsDropped));
     }
 
     [Theory]
@@ -107,7 +107,7 @@ public sealed class BroadcasterVendorTests
     private static BroadcasterOptions Options(double rate, int avatars)
     {
         BroadcasterOptions options = Expect.Options(avatars);
-        options.Rate = rate;
+        options.FrameRate = rate;
         options.WaitForClient = true;
         options.Calculation = TestSource.WriteCalculation;
         return options;

@@ -8,7 +8,7 @@ public sealed class DemoTests
     public async Task A_demo_sends_every_avatar_from_the_first_frame_on()
     {
         await using Broadcaster demo = Broadcaster.StartDemo(avatars: 2, frameRate: 240);
-        Assert.Equal(240, demo.Rate);
+        Assert.Equal(240, demo.FrameRate);
         await using var reader = new NeuronReader(NeuronReaderOptions.Parse($"{demo.LocalEndPoint}"));
         List<(string, uint?)> frames = [];
         await foreach (MotionFrame frame in reader.ReadMotionAsync(TestContext.Current.CancellationToken))

@@ -138,7 +138,7 @@ public sealed class FrameLogTests
         Task<FrameBatch> waiting = Task.Run(() => _log.Read(other, new byte[100]), TestContext.Current.CancellationToken);
         _log.Wake(cursor);
         Assert.Equal(default, _log.Read(cursor, _buffer));
-        Assert.False(_log.IsOver(cursor));
+        Assert.False(_log.HasEnded(cursor));
 
         Task<FrameBatch> reading = Task.Run(() => _log.Read(cursor, _buffer), TestContext.Current.CancellationToken);
         _log.Wake(cursor);

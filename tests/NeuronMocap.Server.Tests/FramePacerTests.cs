@@ -19,7 +19,7 @@ public sealed class FramePacerTests
     {
         var time = new LateTime(late.Least, late.Most);
         BroadcasterOptions options = Expect.Options(limit.Packets, Frames);
-        options.Rate = limit.Rate;
+        options.FrameRate = limit.Rate;
         var plan = new FramePlan(options, [.. options.Sources.Select(static _ => new AvatarName("a"))], limit.Rate, hasMotion: true, hasCalculation: false);
         using var ended = new ManualResetEventSlim();
         Exception? failure = null;

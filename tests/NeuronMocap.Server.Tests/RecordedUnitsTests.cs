@@ -75,7 +75,7 @@ public sealed class RecordedUnitsTests
         Assert.Equal([first, second], ReadAll(units).Select(static unit => unit.Bytes));
     }
 
-    private static ArrivalSource Open(TemporaryFile file) => ArrivalSource.Open(file.Path, new PlaybackOptions());
+    private static RecordedEventSource Open(TemporaryFile file) => RecordedEventSource.Open(file.Path, new PlaybackOptions());
 
     private static List<(byte[] Bytes, TimeSpan Time)> ReadAll(RecordedUnits units)
     {

@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Commands;
+using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Server;
@@ -17,14 +18,14 @@ public sealed class ServerFaultTests
         [typeof(InvalidOperationException), typeof(ObjectDisposedException), typeof(OperationCanceledException), typeof(OutOfMemoryException)]);
 
     public static MatrixTheoryData<string, double, bool> Broadcasts { get; } = new(
-        ["WriteValues", "Calculation", "StudioCalculation"], [BroadcasterOptions.MaxRate, 200], [false, true]);
+        ["WriteValues", "Calculation", "StudioCalculation"], [BroadcasterOptions.MaxFrameRate, 200], [false, true]);
 
     [Theory, MemberData(nameof(Questions))]
     public async Task A_source_that_throws_when_a_command_asks_costs_the_client_that_asked_its_connection((int Id, string Member) question, Type type)
     {
         var thrown = (Exception)Activator.CreateInstance(type, "The source is broken.")!;
         var source = new ThrowingSource(question.Member, thrown);
-        using Broadcaster broadcaster = CommandServerTests.CreateBroadcaster(options => (options.Sources, options.Rate) = ([source], BroadcasterOptions.MaxRate));
+        using Broadcaster broadcaster = CommandServerTests.CreateBroadcaster(options => (options.Sources, options.FrameRate) = ([source], BroadcasterOptions.MaxFrameRate));
         using CommandServer server = CommandServerTests.Start(broadcaster);
         var told = new TaskCompletionSource<Exception>(TaskCreationOptions.RunContinuationsAsynchronously);
         server.Failed += _ => throw new InvalidOperationException("The handler is broken, too.");
@@ -64,7 +65,7 @@ public sealed class ServerFaultTests
         var options = new BroadcasterOptions
         {
             Sources = [source],
-            Rate = rate,
+            FrameRate = rate,
             Port = isUdp ? null : 0,
             WaitForClient = !isUdp,
             UdpDestinations = isUdp ? [(IPEndPoint)receiver.LocalEndPoint!] : [],
@@ -149,8 +150,8 @@ public sealed class ServerFaultTests
         try
         {
             var report = new FaultReport("test");
-            report.Tell(new InvalidDataException(marker));
-            report.Tell(new InvalidDataException(marker));
+            report.Report(new InvalidDataException(marker));
+            report.Report(new InvalidDataException(marker));
             Assert.Equal(1, listener.Count);
         }
         finally

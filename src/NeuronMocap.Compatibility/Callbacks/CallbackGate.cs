@@ -13,7 +13,7 @@ internal sealed class CallbackGate
     private static bool _isProcessEnding;
 
     // Under the lock. Threads in status callbacks, which are rare, may be any, and several at once.
-    private readonly List<int> _tellingThreads = [];
+    private readonly List<int> _reportingThreads = [];
 
     // The thread in a callback of the stream, 0 for none. There is one at a time, which alone writes this.
     private volatile int _deliveringThread;
@@ -28,7 +28,7 @@ internal sealed class CallbackGate
         }
     }
 
-    private bool IsIdle => _deliveringThread == 0 && _tellingThreads.Count == 0;
+    private bool IsIdle => _deliveringThread == 0 && _reportingThreads.Count == 0;
 
     // Receive thread. Where it is true, EndDelivery has to follow.
     public bool TryBeginDelivery()
@@ -51,22 +51,22 @@ internal sealed class CallbackGate
     }
 
     // Any thread. Where it is true, EndTelling has to follow, on the same thread. The end is told after closing, by the thread that closes.
-    public bool TryBeginTelling(bool isEnd)
+    public bool TryBeginReport(bool isEnd)
     {
         lock (Lock)
         {
             if (_isProcessEnding || (_isClosed && !isEnd))
                 return false;
 
-            _tellingThreads.Add(Environment.CurrentManagedThreadId);
+            _reportingThreads.Add(Environment.CurrentManagedThreadId);
             return true;
         }
     }
 
-    public void EndTelling()
+    public void EndReport()
     {
         lock (Lock)
-            _tellingThreads.Remove(Environment.CurrentManagedThreadId);
+            _reportingThreads.Remove(Environment.CurrentManagedThreadId);
 
         Retire();
     }
@@ -80,22 +80,22 @@ internal sealed class CallbackGate
     }
 
     // Whether no callback runs, those aside that the calling thread is in.
-    public bool WaitUntilIdle(TimeSpan patience) => Wait(() => IsBusyElsewhere, patience);
+    public bool WaitUntilIdle(TimeSpan timeout) => Wait(() => IsBusyOnOtherThread, timeout);
 
     // The same for status callbacks alone.
-    public bool WaitUntilTold(TimeSpan patience) => Wait(() => IsTellingElsewhere, patience);
+    public bool WaitUntilReported(TimeSpan timeout) => Wait(() => IsReportingOnOtherThread, timeout);
 
     // As the one of a gate, for all callbacks that closing did not wait for.
-    public static bool WaitUntilClosedAreIdle(TimeSpan patience) => Wait(
+    public static bool WaitUntilClosedAreIdle(TimeSpan timeout) => Wait(
         static () =>
         {
             lock (Lock)
-                return Gates.Any(static gate => gate._isClosed && gate.IsBusyElsewhere);
+                return Gates.Any(static gate => gate._isClosed && gate.IsBusyOnOtherThread);
         },
-        patience);
+        timeout);
 
     // No callback of any socket begins any more, and the objects that callbacks use are about to be destroyed.
-    public static bool EndProcess(TimeSpan patience)
+    public static bool EndProcess(TimeSpan timeout)
     {
         lock (Lock)
         {
@@ -105,35 +105,35 @@ internal sealed class CallbackGate
         }
 
         Interlocked.MemoryBarrier();
-        return WaitUntilClosedAreIdle(patience);
+        return WaitUntilClosedAreIdle(timeout);
     }
 
-    private bool IsBusyElsewhere
+    private bool IsBusyOnOtherThread
     {
         get
         {
             int thread = Environment.CurrentManagedThreadId;
-            return (_deliveringThread is not 0 and int delivering && delivering != thread) || IsTellingElsewhere;
+            return (_deliveringThread is not 0 and int delivering && delivering != thread) || IsReportingOnOtherThread;
         }
     }
 
-    private bool IsTellingElsewhere
+    private bool IsReportingOnOtherThread
     {
         get
         {
             int thread = Environment.CurrentManagedThreadId;
             lock (Lock)
-                return _tellingThreads.Exists(telling => telling != thread);
+                return _reportingThreads.Exists(telling => telling != thread);
         }
     }
 
     // By looking: a signal would cost every callback what only closing needs.
-    private static bool Wait(Func<bool> isBusy, TimeSpan patience)
+    private static bool Wait(Func<bool> isBusy, TimeSpan timeout)
     {
         var watch = Stopwatch.StartNew();
         while (isBusy())
         {
-            if (watch.Elapsed >= patience)
+            if (watch.Elapsed >= timeout)
                 return false;
 
             Thread.Sleep(1);

@@ -79,7 +79,7 @@ internal sealed class CommandSocket : VendorSocket
     // Its thread may be waiting for an answer about a name, which cannot be cut short.
     protected override void BeginRelease() => _released = _client?.DisposeAsync().AsTask() ?? Task.CompletedTask;
 
-    protected override void WaitUntilReleased() => _released.Wait(Patience);
+    protected override void WaitUntilReleased() => _released.Wait(CloseTimeout);
 
     private int? Connect()
     {

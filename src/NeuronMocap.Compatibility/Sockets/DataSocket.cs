@@ -88,7 +88,7 @@ internal abstract class DataSocket : VendorSocket
         if (status.State != ConnectionState.Stopped || !_wasConnected)
             return;
 
-        WaitUntilTold();
+        WaitUntilOpenReported();
         if (IsClosed)
             return;
 
@@ -100,7 +100,7 @@ internal abstract class DataSocket : VendorSocket
     // Receive thread. The first frame may be here before the opening thread has told that there is a connection.
     private bool IsReceiving()
     {
-        WaitUntilTold();
+        WaitUntilOpenReported();
         return !IsClosed;
     }
 }

@@ -16,7 +16,7 @@ internal sealed class TcpDataSocket(IVendorCallbacks callbacks, string host, int
 
     protected override bool TryOpen()
     {
-        Tell(SocketState.Starting, $"Connecting to {_target} ...\n");
+        Report(SocketState.Starting, $"Connecting to {_target} ...\n");
         if (IsClosed)
             return false;
 
@@ -28,14 +28,14 @@ internal sealed class TcpDataSocket(IVendorCallbacks callbacks, string host, int
         {
             string message = $"Failed to connect to '{_target}'.";
             LastError.Set(message, code);
-            Tell(SocketState.Starting, message);
+            Report(SocketState.Starting, message);
             SetOver();
-            Tell(SocketState.OffWork, Stopped);
+            Report(SocketState.OffWork, Stopped);
             return false;
         }
 
         SetOpen();
-        Tell(SocketState.Running, $"Successfully connected to '{_target}'.");
+        Report(SocketState.Running, $"Successfully connected to '{_target}'.");
         return true;
     }
 
@@ -49,20 +49,20 @@ internal sealed class TcpDataSocket(IVendorCallbacks callbacks, string host, int
         else
             LastError.Set(message, SystemError.CodeOf(reason));
 
-        Tell(SocketState.Running, message);
-        Tell(SocketState.Running, "Data thread exited.\n");
+        Report(SocketState.Running, message);
+        Report(SocketState.Running, "Data thread exited.\n");
     }
 
     // What happens behind the back of whoever has closed the connection is not told.
-    private void Tell(SocketState status, string message) => Invoke(status, message, isEnd: false);
+    private void Report(SocketState status, string message) => Invoke(status, message, isEnd: false);
 
     private void Invoke(SocketState status, string message, bool isEnd)
     {
-        if (!Gate.TryBeginTelling(isEnd))
+        if (!Gate.TryBeginReport(isEnd))
             return;
 
         if (isEnd)
-            SetToldEnd();
+            SetEndReported();
 
         try
         {
@@ -74,7 +74,7 @@ internal sealed class TcpDataSocket(IVendorCallbacks callbacks, string host, int
         }
         finally
         {
-            Gate.EndTelling();
+            Gate.EndReport();
         }
     }
 }

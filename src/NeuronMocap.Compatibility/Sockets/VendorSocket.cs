@@ -7,22 +7,22 @@ internal abstract class VendorSocket : IDisposable
 {
     // How long closing waits for a callback that runs, about as long as the vendor's libraries. It may wait for the thread that closes. Set by tests: on a
     // busy machine the system holds any callback up for longer.
-    public static TimeSpan Patience { get; set; } = TimeSpan.FromMilliseconds(75);
+    public static TimeSpan CloseTimeout { get; set; } = TimeSpan.FromMilliseconds(75);
 
     // How many this thread is opening: a callback of one may ask for another.
     [ThreadStatic]
     private static int _opening;
 
     private readonly ManualResetEventSlim _opened = new();
-    private readonly ManualResetEventSlim _toldEnd = new();
+    private readonly ManualResetEventSlim _endReported = new();
     private volatile bool _isOpen;
-    private volatile bool _isOver;
+    private volatile bool _hasEnded;
     private int _isClosed;
 
     // Given by the table.
     public IntPtr Handle { get; set; }
 
-    public virtual SocketState State => (_isOver || IsClosed, _isOpen) switch
+    public virtual SocketState State => (_hasEnded || IsClosed, _isOpen) switch
     {
         (true, _) => SocketState.OffWork,
         (_, true) => SocketState.Running,
@@ -50,7 +50,7 @@ internal abstract class VendorSocket : IDisposable
         {
             // The program may interrupt or abort its thread, and others wait for this one.
             if (!stands)
-                _isOver = true;
+                _hasEnded = true;
 
             _opening--;
             _opened.Set();
@@ -67,11 +67,11 @@ internal abstract class VendorSocket : IDisposable
         return State != SocketState.OffWork;
     }
 
-    public void Dispose() => Close(Patience);
+    public void Dispose() => Close(CloseTimeout);
 
     // False where a callback still runs that is waited for no longer. None begins after this, whoever closes how often: one thread tells the end, and
     // the others wait for that, too.
-    public bool Close(TimeSpan patience)
+    public bool Close(TimeSpan timeout)
     {
         bool isFirst = Interlocked.Exchange(ref _isClosed, 1) == 0;
         try
@@ -79,7 +79,7 @@ internal abstract class VendorSocket : IDisposable
             Gate.Close();
             _opened.Set();
             BeginRelease();
-            bool isIdle = Gate.WaitUntilIdle(patience);
+            bool isIdle = Gate.WaitUntilIdle(timeout);
             if (isIdle)
                 WaitUntilReleased();
 
@@ -90,8 +90,8 @@ internal abstract class VendorSocket : IDisposable
             }
             else
             {
-                _toldEnd.Wait();
-                Gate.WaitUntilTold(patience);
+                _endReported.Wait();
+                Gate.WaitUntilReported(timeout);
             }
 
             return isIdle;
@@ -99,7 +99,7 @@ internal abstract class VendorSocket : IDisposable
         finally
         {
             if (isFirst)
-                _toldEnd.Set();
+                _endReported.Set();
         }
     }
 
@@ -108,7 +108,7 @@ internal abstract class VendorSocket : IDisposable
     {
         Volatile.Write(ref _isClosed, 1);
         Gate.Close();
-        _toldEnd.Set();
+        _endReported.Set();
         BeginRelease();
     }
 
@@ -126,18 +126,18 @@ internal abstract class VendorSocket : IDisposable
     }
 
     // The end is being told: it has come before whoever else closes returns.
-    protected void SetToldEnd() => _toldEnd.Set();
+    protected void SetEndReported() => _endReported.Set();
 
     protected void SetOpen()
     {
         _isOpen = true;
-        _isOver = false;
+        _hasEnded = false;
     }
 
-    protected void SetOver() => _isOver = true;
+    protected void SetOver() => _hasEnded = true;
 
     // Holds frames and the end of a connection back until its beginning was told.
-    protected void WaitUntilTold()
+    protected void WaitUntilOpenReported()
     {
         if (!_opened.IsSet)
             _opened.Wait();

@@ -10,7 +10,7 @@ internal static unsafe partial class Entry
     private const int NoThreads = 11;
 
     // A callback may wait for the very thread that ends the process.
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
+    private static readonly TimeSpan ExitTimeout = TimeSpan.FromSeconds(1);
 
     public static void SetHandlers()
     {
@@ -20,7 +20,7 @@ internal static unsafe partial class Entry
 
     // On the thread that ends the process, perhaps in a callback.
     [UnmanagedCallersOnly]
-    private static void OnExit() => ExportGuard.Run(Patience, static patience => CallbackGate.EndProcess(patience));
+    private static void OnExit() => ExportGuard.Run(ExitTimeout, static timeout => CallbackGate.EndProcess(timeout));
 
     [UnmanagedCallersOnly]
     private static void OnRefusal() => ExportGuard.Run(NoThreads, static error => LastError.Set("Failed to start the threads of a connection.", error));

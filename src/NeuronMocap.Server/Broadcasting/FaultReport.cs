@@ -10,7 +10,7 @@ internal sealed class FaultReport(string server)
 
     public event Action<Exception>? Failed;
 
-    public void Tell(Exception exception)
+    public void Report(Exception exception)
     {
         if (Failed is not { } handlers)
         {

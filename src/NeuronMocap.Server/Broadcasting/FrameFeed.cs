@@ -10,7 +10,7 @@ internal abstract class FrameFeed
     public abstract bool IsAtEnd { get; }
 
     /// <summary>Whether there will be no more: the last frame was given, or the broadcast was stopped.</summary>
-    public virtual bool IsOver => IsAtEnd;
+    public virtual bool HasEnded => IsAtEnd;
 
     /// <summary>Packets that the recipient was too slow for. Safe to read on any thread.</summary>
     public abstract long MissedPackets { get; }

@@ -13,7 +13,7 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
     private readonly object _lock = new();
     private readonly Slot[] _slots = new Slot[length];
     private long _end;
-    private bool _isAppearing;
+    private bool _isFramePending;
     private bool _isComplete;
     private bool _isAborted;
 
@@ -36,12 +36,12 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
         lock (_lock)
         {
             ref Slot slot = ref _slots[_end % _slots.Length];
-            if (!_isAppearing)
+            if (!_isFramePending)
                 slot.Clear();
 
             slot.Append(bytes, packets);
-            _isAppearing = slot.Packets < packetsPerFrame;
-            if (!_isAppearing)
+            _isFramePending = slot.Packets < packetsPerFrame;
+            if (!_isFramePending)
                 _end++;
 
             Monitor.PulseAll(_lock);
@@ -128,7 +128,7 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
 
     /// <summary>Whether there will be nothing more for a reader.</summary>
     /// <param name="cursor">The reader's place.</param>
-    public bool IsOver(FrameCursor cursor)
+    public bool HasEnded(FrameCursor cursor)
     {
         lock (_lock)
             return _isAborted || (_isComplete && cursor.Position == _end);
@@ -145,10 +145,10 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
     }
 
     // The first frame that is left.
-    private long Oldest => _end + (_isAppearing ? 1 : 0) - _slots.Length;
+    private long Oldest => _end + (_isFramePending ? 1 : 0) - _slots.Length;
 
     private bool HasMore(FrameCursor cursor) =>
-        cursor.Position < _end || (_isAppearing && cursor.Packets < _slots[_end % _slots.Length].Packets);
+        cursor.Position < _end || (_isFramePending && cursor.Packets < _slots[_end % _slots.Length].Packets);
 
     private long CountOverwritten(FrameCursor cursor) =>
         cursor.Position < Oldest ? ((Oldest - cursor.Position) * packetsPerFrame) - cursor.Packets : 0;

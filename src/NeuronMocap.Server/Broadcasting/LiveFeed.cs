@@ -9,7 +9,7 @@ internal sealed class LiveFeed(FrameLog log, bool isSingle = false) : FrameFeed
 
     public override bool IsAtEnd => log.IsAtEnd(_cursor);
 
-    public override bool IsOver => log.IsOver(_cursor);
+    public override bool HasEnded => log.HasEnded(_cursor);
 
     public override long MissedPackets => log.GetMissed(_cursor);
 

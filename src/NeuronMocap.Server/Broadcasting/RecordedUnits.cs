@@ -10,15 +10,15 @@ namespace NeuronMocap.Server.Broadcasting;
 /// </summary>
 internal sealed class RecordedUnits : IDisposable
 {
-    private readonly ArrivalSource _source;
+    private readonly RecordedEventSource _source;
     private readonly UnitCollector _collector = new();
-    private readonly ArrivalParser _parser;
-    private bool _isOver;
+    private readonly RecordedEventParser _parser;
+    private bool _hasEnded;
 
-    public RecordedUnits(ArrivalSource source)
+    public RecordedUnits(RecordedEventSource source)
     {
         _source = source;
-        _parser = new ArrivalParser(source.MaxValues, new SenderFilter([]), _collector);
+        _parser = new RecordedEventParser(source.MaxValues, new SenderFilter([]), _collector);
     }
 
     public TimeSpan Duration => _source.Duration;
@@ -27,8 +27,8 @@ internal sealed class RecordedUnits : IDisposable
     public bool IsCalculation { get; private set; }
 
     /// <summary>The most bytes that a unit has.</summary>
-    public static int LongestUnit(int maxValues) => UnitCollector.MostNoise
-        + ProtocolConstants.HeaderSize + Math.Max(maxValues * sizeof(float), ProtocolConstants.MaxCommandPayload) + UnitCollector.MostNoise;
+    public static int LongestUnit(int maxValues) => UnitCollector.MaxNoiseLength
+        + ProtocolConstants.HeaderSize + Math.Max(maxValues * sizeof(float), ProtocolConstants.MaxCommandPayload) + UnitCollector.MaxNoiseLength;
 
     /// <summary>Reads the next unit.</summary>
     /// <param name="unit">Its bytes; valid until the next call.</param>
@@ -39,19 +39,19 @@ internal sealed class RecordedUnits : IDisposable
         bool isCalculation;
         while (!_collector.TryTake(out unit, out time, out isCalculation))
         {
-            if (_isOver)
+            if (_hasEnded)
                 return false;
 
-            Arrival arrival = _source.Read();
-            _isOver = arrival.Kind == ArrivalKind.End;
-            bool ends = _isOver || _parser.Ends(arrival);
-            _collector.Time = arrival.Time;
+            RecordedEvent recorded = _source.Read();
+            _hasEnded = recorded.Kind == RecordedEventKind.End;
+            bool ends = _hasEnded || _parser.Ends(recorded);
+            _collector.Time = recorded.Time;
             if (ends)
                 _parser.Close();
             else
-                ends = arrival.Kind == ArrivalKind.Closed;
+                ends = recorded.Kind == RecordedEventKind.Closed;
 
-            _parser.Follow(arrival, timestamp: 0);
+            _parser.Follow(recorded, timestamp: 0);
             _collector.EndPiece(ends);
         }
 
@@ -63,7 +63,7 @@ internal sealed class RecordedUnits : IDisposable
     public void Rewind()
     {
         _source.Seek(TimeSpan.Zero);
-        _isOver = false;
+        _hasEnded = false;
     }
 
     public void Dispose() => _source.Dispose();

@@ -21,8 +21,8 @@ internal sealed class RecordingContent : BroadcastContent
         TakesCalculation = hasCalculation;
         _path = options.RecordingPath!;
         _isLooped = options.LoopRecording;
-        _options = new PlaybackOptions { FrameRate = options.Rate is { } rate && !double.IsPositiveInfinity(rate) ? rate : null };
-        using ArrivalSource source = Open();
+        _options = new PlaybackOptions { FrameRate = options.FrameRate is { } rate && !double.IsPositiveInfinity(rate) ? rate : null };
+        using RecordedEventSource source = Open();
         MaxFrameSize = RecordedUnits.LongestUnit(source.MaxValues);
     }
 
@@ -48,16 +48,16 @@ internal sealed class RecordingContent : BroadcastContent
 
     public bool Takes(RecordedUnits units) => units.IsCalculation ? TakesCalculation : HasMotion;
 
-    private ArrivalSource Open()
+    private RecordedEventSource Open()
     {
         try
         {
-            return ArrivalSource.Open(_path, _options);
+            return RecordedEventSource.Open(_path, _options);
         }
         catch (ArgumentException) when (_options.FrameRate is not null)
         {
             throw BroadcasterOptionsCheck.Fault(
-                nameof(BroadcasterOptions.Rate), "is null or MaxRate for a recording, which has times of its own (see RecordingSpeed)", _options.FrameRate);
+                nameof(BroadcasterOptions.FrameRate), "must be null or MaxFrameRate: a recording has its own times; set RecordingSpeed instead", _options.FrameRate);
         }
     }
 }

@@ -6,7 +6,7 @@ namespace NeuronMocap.Server.Broadcasting;
 internal sealed class UnitCollector : IPacketReceiver
 {
     // Bytes that are no packet do not wait for one when there are so many.
-    public const int MostNoise = 16 * 1024;
+    public const int MaxNoiseLength = 16 * 1024;
 
     private readonly List<(int End, TimeSpan Time, bool IsCalculation)> _units = [];
     private byte[] _bytes = new byte[64 * 1024];
@@ -49,10 +49,10 @@ internal sealed class UnitCollector : IPacketReceiver
         EndBlanks();
         while (bytes.Length > 0)
         {
-            int count = Math.Min(bytes.Length, MostNoise - (_length - Start));
+            int count = Math.Min(bytes.Length, MaxNoiseLength - (_length - Start));
             Append(bytes[..count]);
             bytes = bytes[count..];
-            if (_length - Start == MostNoise)
+            if (_length - Start == MaxNoiseLength)
                 Cut();
         }
     }
@@ -90,7 +90,7 @@ internal sealed class UnitCollector : IPacketReceiver
             return;
 
         _isText = false;
-        bool isBehindLine = _textStart == Start && _units.Count > 0 && _length - _textStart <= MostNoise;
+        bool isBehindLine = _textStart == Start && _units.Count > 0 && _length - _textStart <= MaxNoiseLength;
         if (isBehindLine)
             _units[^1] = _units[^1] with { End = _length };
         else

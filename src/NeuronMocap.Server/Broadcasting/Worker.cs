@@ -39,7 +39,7 @@ internal sealed class Worker
         }
         catch (Exception exception)
         {
-            _report.Tell(exception);
+            _report.Report(exception);
             return false;
         }
     }

@@ -94,7 +94,7 @@ internal sealed class TcpClientSession : Recipient
         do
         {
             FrameBatch batch = ReadFeed(_buffer.AsSpan(kept, ReadSize));
-            isOver = batch.Bytes == 0 && Feed.IsOver;
+            isOver = batch.Bytes == 0 && Feed.HasEnded;
             int filled = AppendReplies(kept + batch.Bytes, out int replies);
             int motion = Plan.CountMotion(batch);
             _marks.Enqueue(new Mark(_sent + filled, motion, Plan.HasCalculation ? batch.Packets - motion : 0, replies));

@@ -9,8 +9,8 @@ namespace NeuronMocap.Server;
 /// </summary>
 public sealed partial class BroadcasterOptions
 {
-    /// <summary>The <see cref="Rate"/> that means: as fast as each receiver takes it.</summary>
-    public const double MaxRate = double.PositiveInfinity;
+    /// <summary>The <see cref="FrameRate"/> that means: as fast as each receiver takes it.</summary>
+    public const double MaxFrameRate = double.PositiveInfinity;
 
     /// <summary>
     /// One performance for each avatar, 1 to 256 of them; avatar indices follow the order. They are called on several threads at once.
@@ -21,7 +21,7 @@ public sealed partial class BroadcasterOptions
     /// <summary>
     /// A file to send instead of <see cref="Sources"/>: a recording, or a raw dump of a stream's bytes. Every byte is sent as it was received, also what is no
     /// packet, in whole packets or lines of text, each when its last byte came. What makes packets of sources (names, format, layout, frame limit) has to be
-    /// left alone, and commands of clients are not answered. A raw dump, which has no times, is sent at <see cref="Rate"/>, or as
+    /// left alone, and commands of clients are not answered. A raw dump, which has no times, is sent at <see cref="FrameRate"/>, or as
     /// <see cref="Recording.PlaybackOptions.FrameRate"/> has it. Default: null.
     /// </summary>
     public string? RecordingPath { get; set; }
@@ -75,15 +75,15 @@ public sealed partial class BroadcasterOptions
     public IReadOnlyList<IPEndPoint> UdpDestinations { get; set; } = [];
 
     /// <summary>
-    /// Frames per second, 0.01 to 100,000, or <see cref="MaxRate"/>; null takes the first source's own. Default: null.
+    /// Frames per second, 0.01 to 100,000, or <see cref="MaxFrameRate"/>; null takes the first source's own. Default: null.
     /// <para>
     /// At a number, each frame is made once, at its time, and sent to all; a client that does not read loses whole packets and delays
-    /// nobody. At <see cref="MaxRate"/> every client gets the whole take from frame 0 as fast as it reads, loses nothing (but see
+    /// nobody. At <see cref="MaxFrameRate"/> every client gets the whole take from frame 0 as fast as it reads, loses nothing (but see
     /// <see cref="ClientTimeout"/>), and its connection is closed after the last frame; UDP, which cannot push back, is sent as fast as the
-    /// system takes it. A recording has its own times: <see cref="MaxRate"/> or null.
+    /// system takes it. A recording has its own times: <see cref="MaxFrameRate"/> or null.
     /// </para>
     /// </summary>
-    public double? Rate { get; set; }
+    public double? FrameRate { get; set; }
 
     /// <summary>Frames of each avatar to send, at least 1; null sends all there are. Default: null.</summary>
     public long? MaxFrames { get; set; }

@@ -51,7 +51,7 @@ internal static class BroadcasterOptionsCheck
         CheckFormat(options);
         CheckRate(options);
         Require(options.MaxFrames is null or >= 1, nameof(options.MaxFrames), "is at least 1 frame", options.MaxFrames);
-        Require(options.RecordingSpeed == 1, nameof(options.RecordingSpeed), "needs a RecordingPath; a source's speed is its Rate", options.RecordingSpeed);
+        Require(options.RecordingSpeed == 1, nameof(options.RecordingSpeed), "needs a RecordingPath; set FrameRate to change the speed of a source", options.RecordingSpeed);
         Require(!options.LoopRecording, nameof(options.LoopRecording), "needs a RecordingPath; of sources there is LoopedSource", true);
     }
 
@@ -81,15 +81,15 @@ internal static class BroadcasterOptionsCheck
             Require(Equals(value, usual), setting, "has no meaning for a Recording, whose bytes are sent as they are", value);
 
         Require(
-            options.Rate is null or (>= 0.01 and <= 100_000) or BroadcasterOptions.MaxRate,
-            nameof(options.Rate),
-            "is 0.01 to 100,000 Hz or MaxRate",
-            options.Rate);
+            options.FrameRate is null or (>= 0.01 and <= 100_000) or BroadcasterOptions.MaxFrameRate,
+            nameof(options.FrameRate),
+            "must be 0.01 to 100,000 Hz, or MaxFrameRate",
+            options.FrameRate);
         Require(options.RecordingSpeed is >= 0.01 and <= 100, nameof(options.RecordingSpeed), "is 0.01 to 100", options.RecordingSpeed);
         Require(
-            options.RecordingSpeed == 1 || options.Rate is null or < BroadcasterOptions.MaxRate,
+            options.RecordingSpeed == 1 || options.FrameRate is null or < BroadcasterOptions.MaxFrameRate,
             nameof(options.RecordingSpeed),
-            "is 1 at the Rate MaxRate, which has no speed",
+            "must be 1 when FrameRate is MaxFrameRate",
             options.RecordingSpeed);
     }
 
@@ -97,13 +97,13 @@ internal static class BroadcasterOptionsCheck
     {
         double own = options.Sources[0].FrameRate;
         Require(
-            options.Rate is null or (>= 0.01 and <= 100_000) or BroadcasterOptions.MaxRate,
-            nameof(options.Rate),
-            "is 0.01 to 100,000 Hz or MaxRate",
-            options.Rate);
+            options.FrameRate is null or (>= 0.01 and <= 100_000) or BroadcasterOptions.MaxFrameRate,
+            nameof(options.FrameRate),
+            "must be 0.01 to 100,000 Hz, or MaxFrameRate",
+            options.FrameRate);
         Require(
-            options.Rate is not null || own is >= 0.01 and <= 100_000,
-            nameof(options.Rate),
+            options.FrameRate is not null || own is >= 0.01 and <= 100_000,
+            nameof(options.FrameRate),
             "has to be set when the first source's own is not 0.01 to 100,000 Hz",
             own);
     }

@@ -16,12 +16,12 @@ public static class CalculationExport
     /// <param name="source">What to write; it has an end.</param>
     /// <param name="writer">Where to; not disposed.</param>
     /// <param name="progress">Is told the number of frames written, every 256 and at the end; null for nobody.</param>
-    /// <param name="cancellation">Ends the work between two frames.</param>
+    /// <param name="cancellationToken">Ends the work between two frames.</param>
     /// <exception cref="ArgumentException">The source never ends.</exception>
     /// <exception cref="OperationCanceledException">The work was cancelled.</exception>
     /// <exception cref="IOException">The file cannot be written.</exception>
     public static void Write(
-        MotionSource source, CalculationFileWriter writer, IProgress<long>? progress = null, CancellationToken cancellation = default)
+        MotionSource source, CalculationFileWriter writer, IProgress<long>? progress = null, CancellationToken cancellationToken = default)
     {
         ArgumentNullException.ThrowIfNull(source);
         ArgumentNullException.ThrowIfNull(writer);
@@ -32,7 +32,7 @@ public static class CalculationExport
         Span<float> values = stackalloc float[writer.ValueCount];
         for (long frame = 0; frame < count; frame++)
         {
-            cancellation.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             CalculationSynthesizer.Write(source, frame, values);
             CalculationAxes.Export.ConvertFromBvh(values);
             Lower(values, ground);

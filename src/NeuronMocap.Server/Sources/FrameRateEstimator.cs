@@ -9,8 +9,8 @@ namespace NeuronMocap.Server;
 public sealed class FrameRateEstimator
 {
     // Two frames stand on every grid.
-    private const int FewestOnGrid = 3;
-    private const int MostDecimals = 6;
+    private const int MinOnGrid = 3;
+    private const int MaxDecimals = 6;
     private const decimal TicksPerSecond = TimeSpan.TicksPerSecond;
 
     private (long Frame, TimeSpan Time) _first;
@@ -28,7 +28,7 @@ public sealed class FrameRateEstimator
     public double? MeasuredFrameRate => _time > TimeSpan.Zero ? _frames / _time.TotalSeconds : null;
 
     /// <summary>Whether every frame stands where an even rate puts it, to a tick; three frames at least.</summary>
-    public bool IsUniform => !_isBroken && _count >= FewestOnGrid && _shortest > 0 && _shortest <= _longest;
+    public bool IsUniform => !_isBroken && _count >= MinOnGrid && _shortest > 0 && _shortest <= _longest;
 
     /// <summary>The rate that is meant: of an even grid its own; else a usual one within one per cent of the measured one, or that one. Null where nothing tells.</summary>
     public double? FrameRate => IsUniform ? FindEvenRate() : MeasuredFrameRate is { } measured ? RecordingSource.ChooseFrameRate(measured) : null;
@@ -88,7 +88,7 @@ public sealed class FrameRateEstimator
                 return usual * 1000.0 / 1001.0;
         }
 
-        for (int decimals = 0; decimals <= MostDecimals; decimals++)
+        for (int decimals = 0; decimals <= MaxDecimals; decimals++)
         {
             decimal rate = Math.Round((lowest + highest) / 2, decimals);
             if (rate >= lowest && rate <= highest)

@@ -86,7 +86,7 @@ public sealed class RecordingSource : MotionSource
     /// <param name="avatarIndex">Which avatar; null for the first one that has a pose.</param>
     /// <param name="options">How to read it; null for what the file says.</param>
     /// <param name="progress">Told the part that is done, 0 to 1; null for nobody.</param>
-    /// <param name="cancelled">Ends the reading.</param>
+    /// <param name="cancellationToken">Ends the reading.</param>
     /// <returns>The source.</returns>
     /// <exception cref="NeuronException">The file is neither, or has no pose of the avatar; the message says what it has.</exception>
     /// <exception cref="IOException">The file cannot be opened or read.</exception>
@@ -97,13 +97,13 @@ public sealed class RecordingSource : MotionSource
         int? avatarIndex = null,
         PlaybackOptions? options = null,
         IProgress<double>? progress = null,
-        CancellationToken cancelled = default)
+        CancellationToken cancellationToken = default)
     {
         using RecordedFrameReader reader = RecordedFrameReader.Open(path, options);
         var builder = new RecordedTakeBuilder(avatarIndex);
         while (reader.Read())
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             builder.Add(reader.Frame, reader.Time, reader.Connection);
             progress?.Report(reader.Duration > TimeSpan.Zero ? Math.Min(reader.Time / reader.Duration, 1) : 0);
         }

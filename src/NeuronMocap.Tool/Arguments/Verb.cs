@@ -34,9 +34,9 @@ internal abstract class Verb : Command
     /// <summary>Does it.</summary>
     /// <param name="result">A command line without errors.</param>
     /// <param name="streams">Where to write.</param>
-    /// <param name="cancelled">Ctrl+C, and whatever else ends the program.</param>
+    /// <param name="cancellationToken">Ctrl+C, and whatever else ends the program.</param>
     /// <returns>The exit code.</returns>
-    public abstract Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled);
+    public abstract Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken);
 
     /// <summary>Whether an option stands on the command line.</summary>
     public static bool IsGiven(CommandResult result, Option option) => result.GetResult(option) is { Implicit: false };

@@ -18,18 +18,18 @@ internal static class CommandJson
             json.WriteString("avatar"u8, "all"u8);
     });
 
-    public static string Report(CommandAnswers answers) => Write(json =>
+    public static string Report(CommandResults results) => Write(json =>
     {
         json.WriteString("type"u8, "commands"u8);
-        json.WriteString("server"u8, answers.Server.ToString());
-        json.WriteString("rotationOrder"u8, answers.Order?.ToString());
-        json.WriteNumber("avatar"u8, answers.Avatar);
-        if (answers.Sizes is { } sizes)
+        json.WriteString("server"u8, results.Server.ToString());
+        json.WriteString("rotationOrder"u8, results.Order?.ToString());
+        json.WriteNumber("avatar"u8, results.Avatar);
+        if (results.Sizes is { } sizes)
             WriteSizes(json, sizes);
         else
             json.WriteNull("boneSizes"u8);
 
-        json.WriteString("bvhHeader"u8, answers.Header);
+        json.WriteString("bvhHeader"u8, results.Header);
     });
 
     private static void WriteSizes(Utf8JsonWriter json, BoneDimensions sizes)

@@ -19,19 +19,19 @@ internal sealed class CommandPage(StandardStreams streams)
         : Quantity.Format($"Avatar {avatar} of {server} was zeroed out."));
 
     /// <summary>All that was asked, with a title each.</summary>
-    public void Report(CommandAnswers answers)
+    public void Report(CommandResults results)
     {
-        _page.WriteLine($"Command channel of {answers.Server}", Palette.StrongStyle);
-        if (answers.Order is { } order)
+        _page.WriteLine($"Command channel of {results.Server}", Palette.StrongStyle);
+        if (results.Order is { } order)
         {
             _page.WriteLine();
             _page.WriteLine($"Rotation order     {order}");
         }
 
-        if (answers.Sizes is { } sizes)
-            WriteSizes(answers.Avatar, sizes);
-        if (answers.Header is { } header)
-            WriteHeader(answers, header);
+        if (results.Sizes is { } sizes)
+            WriteSizes(results.Avatar, sizes);
+        if (results.Header is { } header)
+            WriteHeader(results, header);
     }
 
     private void WriteSizes(int avatar, BoneDimensions sizes)
@@ -51,10 +51,10 @@ internal sealed class CommandPage(StandardStreams streams)
             _page.WriteRow(string.Empty, 0, Quantity.Format($"{left[i].Name,-16} {left[i].Value,6:0.000}    {right[i].Name,-12} {right[i].Value,6:0.000}"));
     }
 
-    private void WriteHeader(CommandAnswers answers, string header)
+    private void WriteHeader(CommandResults results, string header)
     {
-        WriteTitle(Quantity.Format($"BVH header of avatar {answers.Avatar}, {header.Length:N0} characters"));
-        foreach (string line in Describe(BvhDocument.Parse(Encoding.UTF8.GetBytes(header)), answers.Order))
+        WriteTitle(Quantity.Format($"BVH header of avatar {results.Avatar}, {header.Length:N0} characters"));
+        foreach (string line in Describe(BvhDocument.Parse(Encoding.UTF8.GetBytes(header)), results.Order))
             _page.WriteRow(string.Empty, 0, line);
     }
 

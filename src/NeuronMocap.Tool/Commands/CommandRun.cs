@@ -11,7 +11,7 @@ namespace NeuronMocap.Tool.Commands;
 /// <summary>Asks a server's command channel, and prints what it says.</summary>
 internal sealed class CommandRun(CommandSettings settings, StandardStreams streams)
 {
-    public async Task<int> RunAsync(CancellationToken cancelled)
+    public async Task<int> RunAsync(CancellationToken cancellationToken)
     {
         try
         {
@@ -19,9 +19,9 @@ internal sealed class CommandRun(CommandSettings settings, StandardStreams strea
             ServerAddress server = settings.Server ?? demo!.OpenCommands();
             await using var client = new NeuronCommandClient(server.Host, server.Port);
             if (settings.Question == CommandQuestion.ZeroOut)
-                await ZeroOutAsync(client, server, cancelled);
+                await ZeroOutAsync(client, server, cancellationToken);
             else
-                Write(await AskAsync(client, server, cancelled));
+                Write(await AskAsync(client, server, cancellationToken));
 
             return CommandLine.Done;
         }
@@ -42,38 +42,38 @@ internal sealed class CommandRun(CommandSettings settings, StandardStreams strea
         }
     }
 
-    private async Task ZeroOutAsync(NeuronCommandClient client, ServerAddress server, CancellationToken cancelled)
+    private async Task ZeroOutAsync(NeuronCommandClient client, ServerAddress server, CancellationToken cancellationToken)
     {
-        await (settings.Avatar is { } avatar ? client.ZeroOutAsync(avatar, cancelled) : client.ZeroOutAllAsync(cancelled));
+        await (settings.Avatar is { } avatar ? client.ZeroOutAsync(avatar, cancellationToken) : client.ZeroOutAllAsync(cancellationToken));
         if (settings.Json)
             WriteText(CommandJson.ZeroOut(server, settings.Avatar));
         else
             new CommandPage(streams).ZeroOut(server, settings.Avatar);
     }
 
-    private async Task<CommandAnswers> AskAsync(NeuronCommandClient client, ServerAddress server, CancellationToken cancelled)
+    private async Task<CommandResults> AskAsync(NeuronCommandClient client, ServerAddress server, CancellationToken cancellationToken)
     {
-        var answers = new CommandAnswers(server, settings.Avatar ?? 0);
+        var results = new CommandResults(server, settings.Avatar ?? 0);
         if (settings.Question is CommandQuestion.All or CommandQuestion.Order)
-            answers = answers with { Order = await client.GetRotationOrderAsync(cancelled) };
+            results = results with { Order = await client.GetRotationOrderAsync(cancellationToken) };
         if (settings.Question is CommandQuestion.All or CommandQuestion.Bones)
-            answers = answers with { Sizes = await client.GetBoneDimensionsAsync(answers.Avatar, cancelled) };
+            results = results with { Sizes = await client.GetBoneDimensionsAsync(results.Avatar, cancellationToken) };
         if (settings.Question is CommandQuestion.All or CommandQuestion.Header)
-            answers = answers with { Header = await client.GetBvhHeaderTextAsync(answers.Avatar, cancelled) };
+            results = results with { Header = await client.GetBvhHeaderTextAsync(results.Avatar, cancellationToken) };
 
-        return answers;
+        return results;
     }
 
-    private void Write(CommandAnswers answers)
+    private void Write(CommandResults results)
     {
         if (settings.Json)
-            WriteText(CommandJson.Report(answers));
+            WriteText(CommandJson.Report(results));
         else if (settings.Question == CommandQuestion.Header)
-            WriteText(streams.IsTerminal ? CleanLines(answers.Header!) : answers.Header!);
+            WriteText(streams.IsTerminal ? CleanLines(results.Header!) : results.Header!);
         else if (settings.Question == CommandQuestion.Order)
-            WriteText($"{answers.Order}\n");
+            WriteText($"{results.Order}\n");
         else
-            new CommandPage(streams).Report(answers);
+            new CommandPage(streams).Report(results);
     }
 
     private void WriteText(string text)

@@ -32,7 +32,7 @@ internal sealed record CommandSettings(ServerAddress? Server, CommandQuestion Qu
 /// <summary>What a command channel answered.</summary>
 /// <param name="Server">Where it is.</param>
 /// <param name="Avatar">Index of the avatar.</param>
-internal sealed record CommandAnswers(ServerAddress Server, int Avatar)
+internal sealed record CommandResults(ServerAddress Server, int Avatar)
 {
     /// <summary>The rotation order; null where nobody asked.</summary>
     public RotationOrder? Order { get; init; }

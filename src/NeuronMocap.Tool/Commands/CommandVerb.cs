@@ -61,9 +61,9 @@ internal sealed class CommandVerb : Verb
         (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before it knew"),
     ];
 
-    public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled) => new CommandRun(
+    public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken) => new CommandRun(
         new CommandSettings(result.GetValue(_server)!.Server, result.GetValue(_question), result.GetValue(_avatar), result.GetValue(_json)),
-        streams).RunAsync(cancelled);
+        streams).RunAsync(cancellationToken);
 
     // What TCP sources are, with another port where none is given.
     private static Source? ParseServer(ArgumentResult result)

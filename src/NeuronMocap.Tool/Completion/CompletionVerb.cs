@@ -39,7 +39,7 @@ internal sealed class CompletionVerb : Verb
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } = [(CommandLine.Done, "done")];
 
-    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
+    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
         await streams.Output.WriteAsync(Encoding.UTF8.GetBytes(ShellScripts.Of(result.GetValue(_shell)!)), CancellationToken.None);
         await streams.Output.FlushAsync(CancellationToken.None);

@@ -6,11 +6,12 @@ namespace NeuronMocap.Tool.Convert;
 /// <summary>From a BVH file to another one, of any skeleton: what is not to change is written as it was, digit by digit.</summary>
 internal static class BvhEdit
 {
-    public static void Write(FileSettings settings, TimeRange range, string output, ConversionSummary summary, IProgress<double> progress, CancellationToken cancelled)
+    public static void Write(
+        FileSettings settings, TimeRange range, string output, ConversionSummary summary, IProgress<double> progress, CancellationToken cancellationToken)
     {
-        BvhDocument document = BvhFile.Load(settings.Input, progress, cancelled);
+        BvhDocument document = BvhFile.Load(settings.Input, progress, cancellationToken);
         summary.AddRepairs(document);
-        if (settings.Rate is { } rate)
+        if (settings.FrameRate is { } rate)
             document = document.Resample(rate);
         if (!range.IsAll)
         {
@@ -21,8 +22,8 @@ internal static class BvhEdit
         if (settings.RotationOrder is { } order)
             document = document.WithRotationOrder(order);
 
-        cancelled.ThrowIfCancellationRequested();
+        cancellationToken.ThrowIfCancellationRequested();
         document.Save(output);
-        (summary.Frames, summary.Rate, summary.Seconds) = (document.FrameCount, document.FrameRate, document.FrameCount / document.FrameRate);
+        (summary.Frames, summary.FrameRate, summary.Seconds) = (document.FrameCount, document.FrameRate, document.FrameCount / document.FrameRate);
     }
 }

@@ -9,7 +9,7 @@ namespace NeuronMocap.Tool.Convert;
 internal static class BvhOutput
 {
     public static void Write(
-        MotionSource take, ChannelLayout layout, RotationOrder order, Stream output, IProgress<double> progress, CancellationToken cancelled)
+        MotionSource take, ChannelLayout layout, RotationOrder order, Stream output, IProgress<double> progress, CancellationToken cancellationToken)
     {
         Vector3[] offsets = new Vector3[BoneHierarchy.BoneCount];
         Vector3[] endSites = new Vector3[BoneHierarchy.BoneCount];
@@ -21,7 +21,7 @@ internal static class BvhOutput
         long count = take.FrameCount!.Value;
         for (long frame = 0; frame < count; frame++)
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             take.WriteValues(frame, layout, order, values);
             writer.WriteFrame(values);
             progress.Report((double)frame / count);

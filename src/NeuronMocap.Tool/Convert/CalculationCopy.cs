@@ -13,7 +13,7 @@ internal static class CalculationCopy
 
     /// <summary>From an export to another one.</summary>
     public static void ToFile(
-        FileSettings settings, TimeRange range, string output, ConversionSummary summary, IProgress<double> progress, CancellationToken cancelled)
+        FileSettings settings, TimeRange range, string output, ConversionSummary summary, IProgress<double> progress, CancellationToken cancellationToken)
     {
         using CalculationFileReader reader = CalculationFileReader.Open(settings.Input, settings.Calculation);
         CalculationTextFormat format = range.IsAll ? reader.TextFormat with { LastRowEnd = ReadEnd(settings.Input) } : reader.TextFormat;
@@ -21,19 +21,19 @@ internal static class CalculationCopy
             format = format.WithFrameRate(rate);
 
         using var writer = new CalculationFileWriter(output, reader.ValueCount, format);
-        Copy(reader, range, (_, values) => writer.WriteFrame(values), summary, progress, cancelled);
+        Copy(reader, range, (_, values) => writer.WriteFrame(values), summary, progress, cancellationToken);
     }
 
     /// <summary>From an export to the packets of a stream; the sink is closed.</summary>
     public static void ToPackets(
-        FileSettings settings, TimeRange range, IPacketSink sink, ConversionSummary summary, IProgress<double> progress, CancellationToken cancelled)
+        FileSettings settings, TimeRange range, IPacketSink sink, ConversionSummary summary, IProgress<double> progress, CancellationToken cancellationToken)
     {
         using (sink)
         using (CalculationFileReader reader = CalculationFileReader.Open(settings.Input, settings.Calculation))
         {
             var header = new CalculationHeader { ValueCount = reader.ValueCount, AvatarName = new AvatarName("Char00") };
             byte[] packet = new byte[header.PacketSize];
-            Copy(reader, range, Send, summary, progress, cancelled);
+            Copy(reader, range, Send, summary, progress, cancellationToken);
 
             void Send(long row, ReadOnlySpan<float> values)
             {
@@ -60,14 +60,14 @@ internal static class CalculationCopy
         Action<long, ReadOnlySpan<float>> write,
         ConversionSummary summary,
         IProgress<double> progress,
-        CancellationToken cancelled)
+        CancellationToken cancellationToken)
     {
         (long first, long count) = range.FramesOf(long.MaxValue / 2, reader.FrameRate);
         float[] values = new float[reader.ValueCount];
         long rows = 0;
         for (; rows < first + count && reader.TryReadFrame(values); rows++)
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             if (rows >= first)
                 write(rows - first, values);
             if (reader.Length is > 0 and { } length)
@@ -78,7 +78,7 @@ internal static class CalculationCopy
         if (reader is { DeclaredFrameRate: null, FrameRate: CalculationReadOptions.DefaultFrameRate })
             summary.AddWarning("the export does not say its rate, and 120 Hz is assumed; --rate tells another one");
 
-        (summary.Frames, summary.Rate, summary.Seconds) = (rows - first, reader.FrameRate, (rows - first) / reader.FrameRate);
+        (summary.Frames, summary.FrameRate, summary.Seconds) = (rows - first, reader.FrameRate, (rows - first) / reader.FrameRate);
         if (rows <= first)
             throw new NeuronException(Quantity.Format($"Nothing is left: the take ends at {rows / reader.FrameRate:0.###} s."));
     }

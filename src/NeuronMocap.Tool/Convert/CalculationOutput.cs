@@ -6,7 +6,7 @@ namespace NeuronMocap.Tool.Convert;
 /// <summary>A take as a calculation export: what the sensors would have measured, in the axes of Axis Neuron's exports.</summary>
 internal static class CalculationOutput
 {
-    public static void Write(MotionSource take, Stream output, IProgress<double> progress, CancellationToken cancelled)
+    public static void Write(MotionSource take, Stream output, IProgress<double> progress, CancellationToken cancellationToken)
     {
         using var writer = new CalculationFileWriter(
             output, CalculationFrame.FullValueCount, CalculationTextFormat.AxisNeuron.WithFrameRate(take.FrameRate));
@@ -14,7 +14,7 @@ internal static class CalculationOutput
         long count = take.FrameCount!.Value;
         for (long frame = 0; frame < count; frame++)
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             CalculationSynthesizer.Write(take, frame, values);
             CalculationAxes.Export.ConvertFromBvh(values);
             writer.WriteFrame(values);

@@ -10,16 +10,16 @@ internal static class CalculationRows
     /// <summary>Writes an export, one row for each frame.</summary>
     /// <returns>False when the stream has none of the avatar, and nothing was written.</returns>
     public static bool TryWrite(
-        FileSettings settings, TimeRange range, string output, ConversionSummary summary, IProgress<double> progress, CancellationToken cancelled)
+        FileSettings settings, TimeRange range, string output, ConversionSummary summary, IProgress<double> progress, CancellationToken cancellationToken)
     {
-        if (Survey(settings, range, progress, cancelled) is not { } found)
+        if (Survey(settings, range, progress, cancellationToken) is not { } found)
             return false;
 
         (double? measured, long gaps, long missing) = found.Times.Measure();
         double rate = settings.InputRate ?? measured ?? CalculationReadOptions.DefaultFrameRate;
         using (var writer = new CalculationFileWriter(output, found.ValueCount, CalculationTextFormat.AxisNeuron.WithFrameRate(rate)))
         {
-            foreach (CalculationFrame frame in Read(settings, range, found.Avatar, progress, cancelled))
+            foreach (CalculationFrame frame in Read(settings, range, found.Avatar, progress, cancellationToken))
             {
                 if (frame.Values.Length == writer.ValueCount)
                     writer.WriteFrame(frame.Values);
@@ -30,27 +30,28 @@ internal static class CalculationRows
             summary.Frames = writer.FrameCount;
         }
 
-        (summary.Rate, summary.Seconds, summary.Gaps, summary.MissingFrames) = (rate, summary.Frames / rate, gaps, missing);
+        (summary.FrameRate, summary.Seconds, summary.Gaps, summary.MissingFrames) = (rate, summary.Frames / rate, gaps, missing);
         if (missing > 0)
             summary.AddWarning("rows have no times, so that what follows a gap comes too early");
 
         summary.AddLoss("times of arrival, and the avatar's name and number");
         StreamWarnings.AddRest(
-            summary, settings, frame => frame is CalculationFrame { BoneCount: > 0 } && frame.AvatarIndex == found.Avatar, cancelled);
+            summary, settings, frame => frame is CalculationFrame { BoneCount: > 0 } && frame.AvatarIndex == found.Avatar, cancellationToken);
         return true;
     }
 
     /// <summary>The rows of an avatar whose stream has no poses; null where there are poses, or no calculation frames.</summary>
-    public static (CalculationDocument Document, string AvatarName)? TryLoad(FileSettings settings, IProgress<double> progress, CancellationToken cancelled)
+    public static (CalculationDocument Document, string AvatarName)? TryLoad(
+        FileSettings settings, IProgress<double> progress, CancellationToken cancellationToken)
     {
-        if (Survey(settings, default, progress, cancelled) is not { HasPoses: false } found)
+        if (Survey(settings, default, progress, cancellationToken) is not { HasPoses: false } found)
             return null;
 
         double rate = settings.InputRate ?? found.Times.Measure().Rate ?? CalculationReadOptions.DefaultFrameRate;
         using var text = new MemoryStream();
         using (var writer = new CalculationFileWriter(text, found.ValueCount, leaveOpen: true))
         {
-            foreach (CalculationFrame frame in Read(settings, default, found.Avatar, progress, cancelled))
+            foreach (CalculationFrame frame in Read(settings, default, found.Avatar, progress, cancellationToken))
             {
                 if (frame.Values.Length == writer.ValueCount)
                     writer.WriteFrame(frame.Values);
@@ -61,14 +62,14 @@ internal static class CalculationRows
     }
 
     // Which avatar, how wide its rows are, and when they came. The first avatar that has such frames, unless one is named.
-    private static Found? Survey(FileSettings settings, TimeRange range, IProgress<double> progress, CancellationToken cancelled)
+    private static Found? Survey(FileSettings settings, TimeRange range, IProgress<double> progress, CancellationToken cancellationToken)
     {
         Found? found = null;
         bool hasPoses = false;
         using RecordedFrameReader reader = RecordedFrameReader.Open(settings.Input, settings.Playback);
         while (reader.Read())
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             progress.Report(PartOf(reader));
             hasPoses |= reader.Frame is MotionFrame { HasSkeleton: true } && reader.Frame.AvatarIndex == (settings.Avatar ?? reader.Frame.AvatarIndex);
             if (reader.Frame is not CalculationFrame { BoneCount: > 0 } frame || frame.AvatarIndex != (found?.Avatar ?? settings.Avatar ?? frame.AvatarIndex))
@@ -86,12 +87,12 @@ internal static class CalculationRows
 
     // Each frame is valid until the next one.
     private static IEnumerable<CalculationFrame> Read(
-        FileSettings settings, TimeRange range, int avatar, IProgress<double> progress, CancellationToken cancelled)
+        FileSettings settings, TimeRange range, int avatar, IProgress<double> progress, CancellationToken cancellationToken)
     {
         using RecordedFrameReader reader = RecordedFrameReader.Open(settings.Input, settings.Playback);
         while (reader.Read())
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             progress.Report(PartOf(reader));
             if (reader.Frame is CalculationFrame { BoneCount: > 0 } frame && frame.AvatarIndex == avatar && range.Contains(reader.Time))
                 yield return frame;

@@ -7,7 +7,7 @@ namespace NeuronMocap.Tool.Convert;
 /// <summary>What convert says at its end, in one line: what the new file holds, what is missing in it, and what is doubtful.</summary>
 internal sealed class ConversionSummary
 {
-    private const int MostNamed = 3;
+    private const int MaxListed = 3;
 
     private readonly List<string> _warnings = [];
     private readonly List<string> _losses = [];
@@ -17,7 +17,7 @@ internal sealed class ConversionSummary
     public long Frames { get; set; }
 
     /// <summary>Frames per second; null where the file has times of its own, or none.</summary>
-    public double? Rate { get; set; }
+    public double? FrameRate { get; set; }
 
     /// <summary>How long it takes; null where nothing tells.</summary>
     public double? Seconds { get; set; }
@@ -66,7 +66,7 @@ internal sealed class ConversionSummary
         string line = $"{name}: {Count(Frames, "frame")}";
         if (Seconds is { } seconds)
             line += Quantity.Format($", {seconds:0.000} s");
-        if (Rate is { } rate)
+        if (FrameRate is { } rate)
             line += Quantity.Format($" at {rate:0.###} Hz");
 
         line += $"; {Count(Gaps, "gap")}";
@@ -78,9 +78,9 @@ internal sealed class ConversionSummary
         if (warnings > 0)
         {
             // A warning is a sentence, which may have semicolons of its own.
-            line += ": " + (warnings == 1 ? _warnings[0] : string.Join(", ", _warnings.Take(MostNamed).Select(static (warning, index) => $"({index + 1}) {warning}")));
-            if (warnings > MostNamed)
-                line += $", and {warnings - MostNamed} more, which info lists";
+            line += ": " + (warnings == 1 ? _warnings[0] : string.Join(", ", _warnings.Take(MaxListed).Select(static (warning, index) => $"({index + 1}) {warning}")));
+            if (warnings > MaxListed)
+                line += $", and {warnings - MaxListed} more, which info lists";
         }
 
         return line + (_losses.Count > 0 ? $"; not kept: {string.Join(", ", _losses)}." : ".");

@@ -12,7 +12,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     private readonly TimeRange _range = new(settings.From, settings.To);
     private readonly ConversionSummary _summary = new();
 
-    public void Run(OutputFile output, CancellationToken cancelled)
+    public void Run(OutputFile output, CancellationToken cancellationToken)
     {
         FileKind to = FileKinds.OfName(settings.Output!)!.Value;
         FileKind from = settings.RecognizeInput();
@@ -22,14 +22,14 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         output.Write(path =>
         {
             using var progress = new ProgressLine(streams, $"writing {Path.GetFileName(settings.Output)}");
-            Write(from, to, path, progress, cancelled);
+            Write(from, to, path, progress, cancellationToken);
             if (from == FileKind.Recording)
-                StreamWarnings.AddDamage(_summary, settings.Input, cancelled);
+                StreamWarnings.AddDamage(_summary, settings.Input, cancellationToken);
         });
         streams.Complain(_summary.Describe(Path.GetFileName(settings.Output!)));
     }
 
-    private void Write(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancelled)
+    private void Write(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancellationToken)
     {
         bool isStream = from is FileKind.Recording or FileKind.Raw;
         if (to == FileKind.Calculation && settings.RotationOrder is not null)
@@ -38,54 +38,54 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         switch (to)
         {
             case FileKind.Bvh when from == FileKind.Bvh:
-                BvhEdit.Write(settings, _range, path, _summary, progress, cancelled);
+                BvhEdit.Write(settings, _range, path, _summary, progress, cancellationToken);
                 break;
             case FileKind.Recording or FileKind.Raw when isStream:
-                CopyStream(from, to, path, progress, cancelled);
-                StreamWarnings.AddStream(_summary, path, to == FileKind.Recording, cancelled);
+                CopyStream(from, to, path, progress, cancellationToken);
+                StreamWarnings.AddStream(_summary, path, to == FileKind.Recording, cancellationToken);
                 break;
             case FileKind.Recording or FileKind.Raw when from == FileKind.Calculation:
                 RejectForCopy("the rows of a calculation export become packets as they are");
-                CalculationCopy.ToPackets(settings, _range, OpenSink(to, path, take: null), _summary, progress, cancelled);
+                CalculationCopy.ToPackets(settings, _range, OpenSink(to, path, take: null), _summary, progress, cancellationToken);
                 AddLossOfRaw(to);
                 break;
             case FileKind.Calculation when from == FileKind.Calculation:
                 RejectForCopy("the rows of a calculation export are copied as they are");
-                CalculationCopy.ToFile(settings, _range, path, _summary, progress, cancelled);
+                CalculationCopy.ToFile(settings, _range, path, _summary, progress, cancellationToken);
                 break;
-            case FileKind.Calculation when isStream && settings.Rate is null
-                && CalculationRows.TryWrite(settings, _range, path, _summary, progress, cancelled):
+            case FileKind.Calculation when isStream && settings.FrameRate is null
+                && CalculationRows.TryWrite(settings, _range, path, _summary, progress, cancellationToken):
                 break;
             default:
-                WriteTake(from, to, path, progress, cancelled);
+                WriteTake(from, to, path, progress, cancellationToken);
                 break;
         }
     }
 
-    private void WriteTake(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancelled)
+    private void WriteTake(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancellationToken)
     {
-        InputTake take = InputTake.Load(settings, from, progress, cancelled);
+        InputTake take = InputTake.Load(settings, from, progress, cancellationToken);
         RotationOrder order = settings.RotationOrder ?? take.Order;
-        MotionSource motion = _range.IsAll && settings.Rate is null ? take.Motion : new TakePart(take.Motion, _range, settings.Rate);
+        MotionSource motion = _range.IsAll && settings.FrameRate is null ? take.Motion : new TakePart(take.Motion, _range, settings.FrameRate);
         switch (to)
         {
             case FileKind.Bvh:
                 using (FileStream file = File.Create(path))
-                    BvhOutput.Write(motion, take.Layout, order, file, progress, cancelled);
+                    BvhOutput.Write(motion, take.Layout, order, file, progress, cancellationToken);
                 break;
             case FileKind.Calculation:
                 using (FileStream file = File.Create(path))
-                    CalculationOutput.Write(motion, file, progress, cancelled);
+                    CalculationOutput.Write(motion, file, progress, cancellationToken);
                 _summary.AddLoss("the bones' rotations and lengths, of which an export has sensors and centres");
                 break;
             default:
                 using (IPacketSink sink = OpenSink(to, path, take with { Order = order }))
-                    MotionPackets.Write(motion, take.Layout, order, new AvatarName(take.AvatarName), sink, progress, cancelled);
+                    MotionPackets.Write(motion, take.Layout, order, new AvatarName(take.AvatarName), sink, progress, cancellationToken);
                 AddLossOfRaw(to);
                 break;
         }
 
-        TakeWarnings.Add(_summary, settings, take, motion, _range, cancelled);
+        TakeWarnings.Add(_summary, settings, take, motion, _range, cancellationToken);
     }
 
     private void AddLossOfRaw(FileKind to)
@@ -94,7 +94,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
             _summary.AddLoss("times, rotation order and body: the bytes have no place for them, so --rate and --input-order tell when they are read");
     }
 
-    private void CopyStream(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancelled)
+    private void CopyStream(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancellationToken)
     {
         RejectForCopy("the bytes of a stream are copied as they were received");
         if (settings.InputOrder is not null)
@@ -105,7 +105,8 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         if (from == FileKind.Raw && to == FileKind.Recording)
         {
             using RecordingWriter recording = CreateRecording(path, Metadata());
-            RawDump.CopyTo(settings.Input, recording, settings.Playback, _range.Start, settings.To is { } end ? TimeSpan.FromSeconds(end) : null, progress, cancelled);
+            RawDump.CopyTo(
+                settings.Input, recording, settings.Playback, _range.Start, settings.To is { } end ? TimeSpan.FromSeconds(end) : null, progress, cancellationToken);
             return;
         }
 
@@ -116,7 +117,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         if (_range.From is not null)
             reader.Seek(_range.Start);
 
-        var copy = new RecordingCopy(reader, _range, progress, cancelled);
+        var copy = new RecordingCopy(reader, _range, progress, cancellationToken);
         if (to == FileKind.Raw)
         {
             using FileStream file = File.Create(path);
@@ -134,7 +135,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
 
     private void RejectForCopy(string why)
     {
-        if (settings.Rate is not null)
+        if (settings.FrameRate is not null)
             throw new NeuronException($"--resample: {why}; only poses can be interpolated, for a .bvh file.");
         if (settings.RotationOrder is not null)
             throw new NeuronException($"--order: {why}.");

@@ -49,15 +49,15 @@ internal sealed class ConvertVerb : Verb
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes => TakeArguments.Codes;
 
-    public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
+    public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
         FileSettings settings = _take.Read(result, FileTask.Convert) with
         {
-            Rate = result.GetValue(_resample),
+            FrameRate = result.GetValue(_resample),
             RotationOrder = result.GetValue(_order),
             InputOrder = result.GetValue(_inputOrder),
         };
-        return new FileRun(settings, streams).RunAsync(cancelled);
+        return new FileRun(settings, streams).RunAsync(cancellationToken);
     }
 
     private void Reject(CommandResult result)

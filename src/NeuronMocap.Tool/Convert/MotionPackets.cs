@@ -8,7 +8,13 @@ namespace NeuronMocap.Tool.Convert;
 internal static class MotionPackets
 {
     public static void Write(
-        MotionSource take, ChannelLayout layout, RotationOrder order, AvatarName name, IPacketSink sink, IProgress<double> progress, CancellationToken cancelled)
+        MotionSource take,
+        ChannelLayout layout,
+        RotationOrder order,
+        AvatarName name,
+        IPacketSink sink,
+        IProgress<double> progress,
+        CancellationToken cancellationToken)
     {
         long count = take.FrameCount!.Value;
         float[] values = new float[layout.ValueCount];
@@ -22,7 +28,7 @@ internal static class MotionPackets
         byte[] packet = new byte[header.PacketSize];
         for (long frame = 0; frame < count; frame++)
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             take.WriteValues(frame, layout, order, values);
             int length = PacketEncoder.WriteMotion(packet, header with { FrameIndex = (uint)frame }, values);
             sink.Write(FrameTimes.Of(frame, take.FrameRate), packet.AsSpan(0, length));

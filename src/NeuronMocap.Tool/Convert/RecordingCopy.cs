@@ -3,7 +3,7 @@ using NeuronMocap.Recording;
 namespace NeuronMocap.Tool.Convert;
 
 /// <summary>Copies what a recording holds, entry by entry: all bytes as they were received, those that no packet can be made of included.</summary>
-internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IProgress<double> progress, CancellationToken cancelled)
+internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IProgress<double> progress, CancellationToken cancellationToken)
 {
     // What is open in the copy: behind a damaged place a recording says again what was open, and an end may be lost there.
     private readonly Dictionary<int, RecordedConnection> _open = [];
@@ -107,7 +107,7 @@ internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IPr
     {
         while (reader.TryRead(out entry))
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             progress.Report(reader.Duration > TimeSpan.Zero ? entry.Time / reader.Duration : 0);
             bool isTraffic = entry.Kind is RecordingEntryKind.Bytes or RecordingEntryKind.BytesLost;
             if (range.Contains(entry.Time) || (!isTraffic && entry.Time < range.Start))

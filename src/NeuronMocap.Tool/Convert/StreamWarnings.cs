@@ -8,13 +8,13 @@ namespace NeuronMocap.Tool.Convert;
 internal static class StreamWarnings
 {
     /// <summary>Looks for damage of a recording's container; raw bytes have none.</summary>
-    public static void AddDamage(ConversionSummary summary, string path, CancellationToken cancelled)
+    public static void AddDamage(ConversionSummary summary, string path, CancellationToken cancellationToken)
     {
         using RecordingReader reader = RecordingReader.Open(path);
         long lost = 0;
         while (reader.TryRead(out RecordingEntry entry))
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             if (entry.Kind == RecordingEntryKind.BytesLost)
                 lost += entry.LostBytes;
         }
@@ -28,7 +28,7 @@ internal static class StreamWarnings
     }
 
     /// <summary>Counts the frames of a file that was written, as whoever reads it will.</summary>
-    public static void AddStream(ConversionSummary summary, string path, bool hasTimes, CancellationToken cancelled)
+    public static void AddStream(ConversionSummary summary, string path, bool hasTimes, CancellationToken cancellationToken)
     {
         using RecordedFrameReader? reader = TryOpen(path);
         if (reader is null)
@@ -38,9 +38,9 @@ internal static class StreamWarnings
         }
 
         while (reader.Read())
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
 
-        ReaderStatistics statistics = reader.Statistics;
+        ReaderStatistics statistics = reader.GetStatistics();
         summary.Frames = statistics.MotionFrames + statistics.CalculationFrames + statistics.StudioCalculationFrames;
         summary.Seconds = hasTimes ? reader.Duration.TotalSeconds : null;
         summary.MissingFrames = statistics.Lost;
@@ -55,14 +55,14 @@ internal static class StreamWarnings
     /// <param name="summary">Takes what is found.</param>
     /// <param name="settings">The input.</param>
     /// <param name="isOf">Whether a frame is one of those that are kept.</param>
-    /// <param name="cancelled">Ends it.</param>
-    public static void AddRest(ConversionSummary summary, FileSettings settings, Func<AvatarFrame, bool> isOf, CancellationToken cancelled)
+    /// <param name="cancellationToken">Ends it.</param>
+    public static void AddRest(ConversionSummary summary, FileSettings settings, Func<AvatarFrame, bool> isOf, CancellationToken cancellationToken)
     {
         using RecordedFrameReader reader = RecordedFrameReader.Open(settings.Input, settings.Playback);
         (long others, bool isStudio, bool hasMotion) = (0, false, false);
         while (reader.Read())
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             if (!isOf(reader.Frame))
             {
                 others++;
@@ -73,8 +73,8 @@ internal static class StreamWarnings
             isStudio |= reader.Frame is MotionFrame { Header.Version: var version } && version == DataVersion.Studio;
         }
 
-        if (reader.Statistics.BytesSkipped > 0)
-            summary.AddWarning($"{Quantity.Bytes(reader.Statistics.BytesSkipped)} are no frames");
+        if (reader.GetStatistics().BytesSkipped > 0)
+            summary.AddWarning($"{Quantity.Bytes(reader.GetStatistics().BytesSkipped)} are no frames");
         if (hasMotion && !isStudio && settings.InputOrder is null && !KnowsOrder(settings.Input))
             summary.AddWarning("the rotation order of the stream is not known, and YXZ is assumed; --input-order tells another one");
         if (others > 0)

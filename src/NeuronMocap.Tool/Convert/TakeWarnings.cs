@@ -9,10 +9,10 @@ internal static class TakeWarnings
 {
     /// <summary>Adds how long the new file is, and what was wrong in the old one.</summary>
     public static void Add(
-        ConversionSummary summary, FileSettings settings, InputTake take, MotionSource written, TimeRange range, CancellationToken cancelled)
+        ConversionSummary summary, FileSettings settings, InputTake take, MotionSource written, TimeRange range, CancellationToken cancellationToken)
     {
         long count = written.FrameCount!.Value;
-        (summary.Frames, summary.Rate, summary.Seconds) = (count, written.FrameRate, count / written.FrameRate);
+        (summary.Frames, summary.FrameRate, summary.Seconds) = (count, written.FrameRate, count / written.FrameRate);
         if (take.Bvh is { } bvh)
             summary.AddRepairs(bvh);
         if (take.Calculation is { } rows)
@@ -20,7 +20,7 @@ internal static class TakeWarnings
         if (take.Motion is CalculationSource skeleton)
             AddSkeleton(summary, settings, take, skeleton);
         if (take.Motion is RecordingSource stream)
-            AddStream(summary, settings, stream, range, cancelled);
+            AddStream(summary, settings, stream, range, cancellationToken);
     }
 
     private static void AddSkeleton(ConversionSummary summary, FileSettings settings, InputTake take, CalculationSource source)
@@ -34,7 +34,8 @@ internal static class TakeWarnings
         summary.AddLoss("what the sensors measured");
     }
 
-    private static void AddStream(ConversionSummary summary, FileSettings settings, RecordingSource source, TimeRange range, CancellationToken cancelled)
+    private static void AddStream(
+        ConversionSummary summary, FileSettings settings, RecordingSource source, TimeRange range, CancellationToken cancellationToken)
     {
         (long first, long count) = range.FramesOf(source.FrameCount!.Value, source.FrameRate);
         foreach (RecordedGap gap in source.Gaps)
@@ -52,7 +53,8 @@ internal static class TakeWarnings
         if (!source.HasOwnBody)
             summary.AddWarning("the stream does not tell the lengths of the bones, and the default body's are written");
 
-        StreamWarnings.AddRest(summary, settings, frame => frame is MotionFrame { HasSkeleton: true } && frame.AvatarIndex == source.AvatarIndex, cancelled);
+        StreamWarnings.AddRest(
+            summary, settings, frame => frame is MotionFrame { HasSkeleton: true } && frame.AvatarIndex == source.AvatarIndex, cancellationToken);
         summary.AddLoss("times of arrival, and the avatar's name and number");
     }
 }

@@ -65,7 +65,7 @@ internal sealed class DiagnoseVerb : Verb
         (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before it knew"),
     ];
 
-    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
+    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
         Source source = result.GetValue(_source) ?? Source.OfServer(new ServerAddress(ThisComputer, ProtocolConstants.DefaultPort));
         var options = new WatchOptions
@@ -82,7 +82,7 @@ internal sealed class DiagnoseVerb : Verb
         };
         return options.FindFault() is { } fault
             ? await RefuseAsync(streams, fault)
-            : await new DiagnosisRun(options, streams).RunAsync(cancelled);
+            : await new DiagnosisRun(options, streams).RunAsync(cancellationToken);
     }
 
     private void Reject(CommandResult result)

@@ -11,12 +11,12 @@ namespace NeuronMocap.Tool.Diagnose;
 /// <summary>One look at the stream instead of watching it.</summary>
 internal sealed class DiagnosisRun(WatchOptions options, StandardStreams streams)
 {
-    public async Task<int> RunAsync(CancellationToken cancelled)
+    public async Task<int> RunAsync(CancellationToken cancellationToken)
     {
         try
         {
             using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder ?? RotationOrder.YXZ) : null;
-            return await RunAsync(demo?.Address ?? options.Server, cancelled);
+            return await RunAsync(demo?.Address ?? options.Server, cancellationToken);
         }
         catch (BroadcasterException exception)
         {
@@ -35,7 +35,7 @@ internal sealed class DiagnosisRun(WatchOptions options, StandardStreams streams
         }
     }
 
-    private async Task<int> RunAsync(ServerAddress? server, CancellationToken cancelled)
+    private async Task<int> RunAsync(ServerAddress? server, CancellationToken cancellationToken)
     {
         NeuronReaderOptions reader = options.ToReaderOptions(server);
         var how = new DiagnosisOptions();
@@ -43,7 +43,7 @@ internal sealed class DiagnosisRun(WatchOptions options, StandardStreams streams
             how.Timeout = duration;
 
         DiagnosisOutput output = CreateOutput(reader);
-        StreamDiagnosis diagnosis = await NeuronDiagnostics.DiagnoseAsync(reader, how, output, cancelled);
+        StreamDiagnosis diagnosis = await NeuronDiagnostics.DiagnoseAsync(reader, how, output, cancellationToken);
         output.Finish(diagnosis);
         return diagnosis.IsReceiving ? CommandLine.Done : CommandLine.NothingReceived;
     }

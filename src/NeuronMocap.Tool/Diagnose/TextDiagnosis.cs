@@ -35,7 +35,7 @@ internal sealed class TextDiagnosis(StandardStreams streams) : DiagnosisOutput
     {
         Color color = !diagnosis.IsReceiving ? Palette.Bad : diagnosis.Verdict == DiagnosisVerdict.Receiving ? Color.Green : Palette.Warning;
         _console.WriteLine();
-        _console.Write(new Text(DiagnosisTitles.Of(diagnosis.Verdict), new Style(color, decoration: Decoration.Bold)));
+        _console.Write(new Text(diagnosis.Title.ToUpperInvariant(), new Style(color, decoration: Decoration.Bold)));
         _console.WriteLine();
         _console.Write(new Text(TerminalText.Clean(OptionNames.Translate(diagnosis.Summary))));
         _console.WriteLine();

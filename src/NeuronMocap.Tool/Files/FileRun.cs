@@ -10,15 +10,15 @@ namespace NeuronMocap.Tool.Files;
 internal sealed class FileRun(FileSettings settings, StandardStreams streams)
 {
     // For work that looks whether it shall end; what does not, as a read from a disk that hangs, is left behind.
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(2);
+    private static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(2);
 
-    public async Task<int> RunAsync(CancellationToken cancelled)
+    public async Task<int> RunAsync(CancellationToken cancellationToken)
     {
         using OutputFile? output = settings.Output is { } path ? new OutputFile(path, settings.Overwrite) : null;
         try
         {
-            Task work = Task.Run(() => Run(output, cancelled), CancellationToken.None);
-            await Task.WhenAny(work, WaitForEndAsync(cancelled));
+            Task work = Task.Run(() => Run(output, cancellationToken), CancellationToken.None);
+            await Task.WhenAny(work, WaitForEndAsync(cancellationToken));
             if (!work.IsCompleted)
             {
                 ProgressLine.Abandon(streams);
@@ -52,24 +52,24 @@ internal sealed class FileRun(FileSettings settings, StandardStreams streams)
         ? FileFault.OfStandardOutput(exception)
         : FileFault.OfReading(exception, settings.Input);
 
-    private static async Task WaitForEndAsync(CancellationToken cancelled)
+    private static async Task WaitForEndAsync(CancellationToken cancellationToken)
     {
-        await Task.Delay(Timeout.Infinite, cancelled).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
-        await Task.Delay(Patience, CancellationToken.None);
+        await Task.Delay(Timeout.Infinite, cancellationToken).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
+        await Task.Delay(StopTimeout, CancellationToken.None);
     }
 
-    private void Run(OutputFile? output, CancellationToken cancelled)
+    private void Run(OutputFile? output, CancellationToken cancellationToken)
     {
         switch (settings.Task)
         {
             case FileTask.Info:
-                new InfoTool(settings, streams).Run(cancelled);
+                new InfoTool(settings, streams).Run(cancellationToken);
                 break;
             case FileTask.Plot:
-                new PlotTool(settings, streams).Run(output!, cancelled);
+                new PlotTool(settings, streams).Run(output!, cancellationToken);
                 break;
             default:
-                new ConvertTool(settings, streams).Run(output!, cancelled);
+                new ConvertTool(settings, streams).Run(output!, cancellationToken);
                 break;
         }
     }

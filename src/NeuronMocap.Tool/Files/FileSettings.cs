@@ -36,7 +36,7 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     public RotationOrder? InputOrder { get; init; }
 
     /// <summary>Frames per second of the output; null for the input's.</summary>
-    public double? Rate { get; init; }
+    public double? FrameRate { get; init; }
 
     /// <summary>Frames per second of an input without times, raw bytes or a calculation export; null for what it says, or 120.</summary>
     public double? InputRate { get; init; }
@@ -60,10 +60,10 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     public CalculationReadOptions Calculation => new() { FrameRate = InputRate };
 
     /// <summary>The same with progress, and so that Ctrl+C ends it.</summary>
-    public CalculationReadOptions ReadCalculation(IProgress<double> progress, CancellationToken cancelled) => new()
+    public CalculationReadOptions ReadCalculation(IProgress<double> progress, CancellationToken cancellationToken) => new()
     {
         FrameRate = InputRate,
-        Progress = new ReadProgress(new FileInfo(Input).Length, progress, cancelled),
+        Progress = new ReadProgress(new FileInfo(Input).Length, progress, cancellationToken),
     };
 
     /// <summary>Looks into the input.</summary>

@@ -24,11 +24,11 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
     /// <summary>Reads a file.</summary>
     /// <exception cref="NeuronException">There is no pose of the 59 bones in it.</exception>
     /// <exception cref="IOException">It cannot be read.</exception>
-    public static InputTake Load(FileSettings settings, FileKind kind, IProgress<double> progress, CancellationToken cancelled) => kind switch
+    public static InputTake Load(FileSettings settings, FileKind kind, IProgress<double> progress, CancellationToken cancellationToken) => kind switch
     {
-        FileKind.Bvh => Of(BvhFile.Load(settings.Input, progress, cancelled)),
-        FileKind.Calculation => Of(CalculationDocument.Load(settings.Input, settings.ReadCalculation(progress, cancelled)), UsualName),
-        _ => OfStream(settings, progress, cancelled),
+        FileKind.Bvh => Of(BvhFile.Load(settings.Input, progress, cancellationToken)),
+        FileKind.Calculation => Of(CalculationDocument.Load(settings.Input, settings.ReadCalculation(progress, cancellationToken)), UsualName),
+        _ => OfStream(settings, progress, cancellationToken),
     };
 
     public static InputTake Of(BvhDocument document)
@@ -41,12 +41,12 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
     private static InputTake Of(CalculationDocument document, string avatarName) =>
         new(new CalculationSource(document), new ChannelLayout(hasDisplacement: true, hasReference: false), RotationOrder.YXZ, avatarName) { Calculation = document };
 
-    private static InputTake OfStream(FileSettings settings, IProgress<double> progress, CancellationToken cancelled)
+    private static InputTake OfStream(FileSettings settings, IProgress<double> progress, CancellationToken cancellationToken)
     {
-        if (CalculationRows.TryLoad(settings, progress, cancelled) is { } calculation)
+        if (CalculationRows.TryLoad(settings, progress, cancellationToken) is { } calculation)
             return Of(calculation.Document, calculation.AvatarName);
 
-        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Playback, progress, cancelled);
+        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Playback, progress, cancellationToken);
         return new InputTake(source, source.Layout, source.Format.RotationOrder, source.AvatarName);
     }
 }

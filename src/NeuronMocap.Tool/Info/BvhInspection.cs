@@ -12,34 +12,34 @@ namespace NeuronMocap.Tool.Info;
 /// <summary>--info of a BVH file.</summary>
 internal sealed class BvhInspection(string path, IProgress<double> progress)
 {
-    private const int MostNamed = 6;
+    private const int MaxListed = 6;
 
-    public InfoReport Run(CancellationToken cancelled)
+    public InfoReport Run(CancellationToken cancellationToken)
     {
-        BvhDocument document = BvhFile.Load(path, progress, cancelled);
+        BvhDocument document = BvhFile.Load(path, progress, cancellationToken);
         bool isNeuron = BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out string? reason);
         long size = new FileInfo(path).Length;
         var report = new InfoReport(
             Path.GetFileName(path), "bvh", $"BVH file{(isNeuron ? " of Neuron's 59 bones" : string.Empty)}, {Quantity.Bytes(size)}");
         AddTake(report, document, size);
         AddSkeleton(report, document, map, reason);
-        AddOddities(report, document, map, cancelled);
+        AddOddities(report, document, map, cancellationToken);
         if (map is not null && document.FrameCount > 0)
         {
             var source = new BvhSource(document);
             BodySection.Add(report, source);
-            AddMotion(report, new BodyMotion(source), cancelled);
+            AddMotion(report, new BodyMotion(source), cancellationToken);
         }
         else if (document.FrameCount > 0)
         {
-            AddMotion(report, new JointMotion(document), cancelled);
+            AddMotion(report, new JointMotion(document), cancellationToken);
         }
 
         return report;
     }
 
-    private void AddMotion(InfoReport report, PointMotion motion, CancellationToken cancelled) =>
-        MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancelled));
+    private void AddMotion(InfoReport report, PointMotion motion, CancellationToken cancellationToken) =>
+        MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancellationToken));
 
     private static void AddTake(InfoReport report, BvhDocument document, long size)
     {
@@ -48,11 +48,11 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
         section.Add("bytes", string.Empty, null, size);
         section.Add("seconds", "duration", Quantity.Format($"{duration:0.000} s"), duration);
         section.Add("frames", "frames", Quantity.Count(document.FrameCount), document.FrameCount);
-        section.Add("frameRate", "frame rate", Rate(document), document.FrameRate);
+        section.Add("frameRate", "frame rate", DescribeFrameRate(document), document.FrameRate);
         section.Add("declaredFrameTime", string.Empty, null, document.DeclaredFrameTime);
     }
 
-    private static string Rate(BvhDocument document)
+    private static string DescribeFrameRate(BvhDocument document)
     {
         string rate = Quantity.Format($"{document.FrameRate:0.###} Hz");
         if (document.DeclaredFrameTime == 0)
@@ -83,7 +83,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
             section.Add(
                 "jointNames",
                 "first joints",
-                string.Join(", ", document.Joints.Take(MostNamed).Select(static joint => joint.Name)) + (document.Joints.Count > MostNamed ? ", …" : string.Empty),
+                string.Join(", ", document.Joints.Take(MaxListed).Select(static joint => joint.Name)) + (document.Joints.Count > MaxListed ? ", …" : string.Empty),
                 new JsonArray([.. document.Joints.Select(static joint => (JsonNode)joint.Name)]));
             return;
         }
@@ -128,7 +128,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
         };
     }
 
-    private static void AddOddities(InfoReport report, BvhDocument document, BvhSkeletonMap? map, CancellationToken cancelled)
+    private static void AddOddities(InfoReport report, BvhDocument document, BvhSkeletonMap? map, CancellationToken cancellationToken)
     {
         InfoSection section = report.Section("oddities", "Oddities");
         foreach (BvhRepair repair in document.Repairs)
@@ -141,8 +141,8 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
             return;
         }
 
-        RowScan scan = RowScan.Run(document.Joints, document.ChannelCount, document.FrameCount, document.GetFrame, cancelled);
-        RowRemarks.Add(section, scan, document.FrameRate, document.ChannelCount);
+        RowScan scan = RowScan.Run(document.Joints, document.ChannelCount, document.FrameCount, document.GetFrame, cancellationToken);
+        RowWarnings.Add(section, scan, document.FrameRate, document.ChannelCount);
         if (map is { Layout.HasDisplacement: true })
             AddDisplacement(section, map);
         if (section.IsEmpty)

@@ -12,7 +12,7 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
 {
     private const int LeftContact = CalculationFrame.BodyValueCount - 2;
 
-    public InfoReport Run(CancellationToken cancelled)
+    public InfoReport Run(CancellationToken cancellationToken)
     {
         using CalculationFileReader reader = CalculationFileReader.Open(settings.Input, settings.Calculation);
         int bones = reader.ValueCount == CalculationFrame.FullValueCount ? 59 : 21;
@@ -20,13 +20,13 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
             Path.GetFileName(settings.Input), "calculation", $"Calculation export of {bones} bones, {Quantity.Bytes(reader.Length ?? 0)}");
         InfoSection take = report.Section("take", "Take");
         InfoSection oddities = report.Section("oddities", "Oddities");
-        (long left, long right) = Scan(reader, oddities, cancelled);
+        (long left, long right) = Scan(reader, oddities, cancellationToken);
 
         double duration = reader.FrameCount / reader.FrameRate;
         take.Add("bytes", string.Empty, null, reader.Length ?? 0);
         take.Add("seconds", "duration", Quantity.Format($"{duration:0.000} s"), duration);
         take.Add("frames", "frames", Quantity.Count(reader.FrameCount), reader.FrameCount);
-        take.Add("frameRate", "frame rate", Rate(reader), reader.FrameRate);
+        take.Add("frameRate", "frame rate", DescribeFrameRate(reader), reader.FrameRate);
         take.Add("columns", "columns", Quantity.Format($"{reader.ValueCount}: 16 for each of {bones} bones, and the contacts of both feet"), reader.ValueCount);
         take.Add("decimals", "text", Describe(reader.TextFormat), reader.TextFormat.Decimals);
         take.Add(
@@ -43,24 +43,24 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
                 new JsonArray(direction.X, direction.Y, direction.Z));
         }
 
-        AddPoses(report, oddities, cancelled);
+        AddPoses(report, oddities, cancellationToken);
         if (oddities.IsEmpty)
             oddities.Remark("none", "none");
 
         return report;
     }
 
-    private void AddPoses(InfoReport report, InfoSection oddities, CancellationToken cancelled)
+    private void AddPoses(InfoReport report, InfoSection oddities, CancellationToken cancellationToken)
     {
         try
         {
-            var source = new CalculationSource(CalculationDocument.Load(settings.Input, settings.ReadCalculation(progress, cancelled)));
+            var source = new CalculationSource(CalculationDocument.Load(settings.Input, settings.ReadCalculation(progress, cancellationToken)));
             foreach (string warning in source.Skeleton.Warnings)
                 oddities.Remark("lengths", warning);
 
             BodySection.Add(report, source);
             var motion = new BodyMotion(source);
-            MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancelled));
+            MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancellationToken));
         }
         catch (CalculationFormatException exception)
         {
@@ -68,7 +68,7 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
         }
     }
 
-    private string Rate(CalculationFileReader reader)
+    private string DescribeFrameRate(CalculationFileReader reader)
     {
         string rate = Quantity.Format($"{reader.FrameRate:0.###} Hz");
         if (settings.InputRate is not null)
@@ -81,7 +81,7 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
         System.Globalization.CultureInfo.InvariantCulture,
         $"{format.Decimals} decimals, {(format.Separator is "\t" ? "tabs" : "blanks")} between them, {(format.Header.Length > 0 ? $"{format.Header.Length} bytes above the rows" : "no header")}");
 
-    private (long Left, long Right) Scan(CalculationFileReader reader, InfoSection oddities, CancellationToken cancelled)
+    private (long Left, long Right) Scan(CalculationFileReader reader, InfoSection oddities, CancellationToken cancellationToken)
     {
         float[] values = new float[reader.ValueCount];
         float[] first = new float[reader.ValueCount];
@@ -89,7 +89,7 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
         (long left, long right, long notNumbers) = (0, 0, 0);
         while (reader.TryReadFrame(values))
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             progress.Report(reader.Length is > 0 and { } length ? (double)reader.BytesRead / length : 0);
             left += values[LeftContact] != 0 ? 1 : 0;
             right += values[LeftContact + 1] != 0 ? 1 : 0;

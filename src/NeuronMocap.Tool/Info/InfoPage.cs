@@ -6,7 +6,7 @@ namespace NeuronMocap.Tool.Info;
 internal sealed class InfoPage(StandardStreams streams)
 {
     private const int WidestText = 110;
-    private const int MostItems = 20;
+    private const int MaxItems = 20;
 
     private readonly TextPage _page = new(streams, WidestText);
 
@@ -31,11 +31,11 @@ internal sealed class InfoPage(StandardStreams streams)
                     _page.WriteRow(fact.Label, width, text);
             }
 
-            foreach (InfoItem item in section.Items.Take(MostItems))
+            foreach (InfoItem item in section.Items.Take(MaxItems))
                 _page.WriteRow(string.Empty, 0, item.Text);
 
-            if (section.Items.Count > MostItems)
-                _page.WriteRow(string.Empty, 0, $"and {section.Items.Count - MostItems} more; --json lists them");
+            if (section.Items.Count > MaxItems)
+                _page.WriteRow(string.Empty, 0, $"and {section.Items.Count - MaxItems} more; --json lists them");
         }
     }
 }

@@ -7,11 +7,11 @@ namespace NeuronMocap.Tool.Info;
 /// <summary>Says what a file holds.</summary>
 internal sealed class InfoTool(FileSettings settings, StandardStreams streams)
 {
-    public void Run(CancellationToken cancelled)
+    public void Run(CancellationToken cancellationToken)
     {
         InfoReport report;
         using (var progress = new ProgressLine(streams, $"reading {Path.GetFileName(settings.Input)}"))
-            report = Inspect(progress, cancelled);
+            report = Inspect(progress, cancellationToken);
 
         if (!settings.Json)
         {
@@ -23,10 +23,10 @@ internal sealed class InfoTool(FileSettings settings, StandardStreams streams)
         streams.Output.Flush();
     }
 
-    private InfoReport Inspect(IProgress<double> progress, CancellationToken cancelled) => settings.RecognizeInput() switch
+    private InfoReport Inspect(IProgress<double> progress, CancellationToken cancellationToken) => settings.RecognizeInput() switch
     {
-        FileKind.Bvh => new BvhInspection(settings.Input, progress).Run(cancelled),
-        FileKind.Calculation => new CalculationInspection(settings, progress).Run(cancelled),
-        var kind => new StreamInspection(settings, kind == FileKind.Recording, progress).Run(cancelled),
+        FileKind.Bvh => new BvhInspection(settings.Input, progress).Run(cancellationToken),
+        FileKind.Calculation => new CalculationInspection(settings, progress).Run(cancellationToken),
+        var kind => new StreamInspection(settings, kind == FileKind.Recording, progress).Run(cancellationToken),
     };
 }

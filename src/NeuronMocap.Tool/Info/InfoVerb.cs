@@ -42,7 +42,7 @@ internal sealed class InfoVerb : Verb
         (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM"),
     ];
 
-    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
+    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
         bool isJson = result.GetValue(_json);
         string[] files = result.GetValue(_files)!;
@@ -58,7 +58,7 @@ internal sealed class InfoVerb : Verb
                 Avatar = result.GetValue(_avatar),
                 RotationOrder = result.GetValue(_order),
             };
-            int ofFile = await new FileRun(settings, streams).RunAsync(cancelled);
+            int ofFile = await new FileRun(settings, streams).RunAsync(cancellationToken);
             isFirst &= ofFile != CommandLine.Done;
             exitCode = Math.Max(exitCode, ofFile);
             if (ofFile == CommandLine.Interrupted)

@@ -10,15 +10,15 @@ internal static class RecordingSections
     private const int LongestValue = 120;
 
     // A file can hold millions of connections and senders, and nobody reads that many.
-    private const int MostEvents = 1000;
+    private const int MaxEvents = 1000;
 
-    public static void Add(InfoReport report, string path, long size, IProgress<double> progress, CancellationToken cancelled)
+    public static void Add(InfoReport report, string path, long size, IProgress<double> progress, CancellationToken cancellationToken)
     {
         using RecordingReader reader = RecordingReader.Open(path);
         InfoSection recording = report.Section("recording", "Recording");
         InfoSection connections = report.Section("connections", "Connections");
         InfoSection damage = report.Section("damage", "Damage");
-        (long pieces, long bytes, long lost) = ReadEntries(reader, connections, progress, cancelled);
+        (long pieces, long bytes, long lost) = ReadEntries(reader, connections, progress, cancellationToken);
 
         recording.Add("bytes", string.Empty, null, size);
         recording.Add("start", "recorded", Quantity.Format($"{reader.StartTime:yyyy-MM-dd HH:mm:ss} UTC"), JsonValue.Create(reader.StartTime.UtcDateTime));
@@ -49,13 +49,13 @@ internal static class RecordingSections
     }
 
     private static (long Pieces, long Bytes, long Lost) ReadEntries(
-        RecordingReader reader, InfoSection connections, IProgress<double> progress, CancellationToken cancelled)
+        RecordingReader reader, InfoSection connections, IProgress<double> progress, CancellationToken cancellationToken)
     {
         (long pieces, long bytes, long lost) = (0, 0, 0);
         long events = 0;
         while (reader.TryRead(out RecordingEntry entry))
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             progress.Report(reader.Duration > TimeSpan.Zero ? entry.Time / reader.Duration : 0);
             switch (entry.Kind)
             {
@@ -68,15 +68,15 @@ internal static class RecordingSections
                     break;
                 case RecordingEntryKind.ConnectionOpened:
                     RecordedConnection opened = entry.Opened!;
-                    if (++events <= MostEvents)
+                    if (++events <= MaxEvents)
                         Add(connections, entry, "opened", $"{opened.Transport.ToString().ToUpperInvariant()} {NameOf(opened)}");
                     break;
                 case RecordingEntryKind.SenderAdded:
-                    if (++events <= MostEvents)
+                    if (++events <= MaxEvents)
                         Add(connections, entry, "sender", $"datagrams of {entry.Text}");
                     break;
                 case RecordingEntryKind.ConnectionClosed:
-                    if (++events <= MostEvents)
+                    if (++events <= MaxEvents)
                         Add(connections, entry, "closed", $"closed: {entry.Text}");
                     break;
                 default:
@@ -84,8 +84,8 @@ internal static class RecordingSections
             }
         }
 
-        if (events > MostEvents)
-            connections.Remark("more", Quantity.Format($"and {events - MostEvents:#,0} more, which are not listed"));
+        if (events > MaxEvents)
+            connections.Remark("more", Quantity.Format($"and {events - MaxEvents:#,0} more, which are not listed"));
 
         return (pieces, bytes, lost);
     }

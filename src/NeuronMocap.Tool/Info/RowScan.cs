@@ -59,13 +59,13 @@ internal sealed class RowScan
     public bool StartsAtRest { get; private set; }
 
     /// <summary>Goes through all rows.</summary>
-    public static RowScan Run(IEnumerable<BvhJoint> joints, int channels, int frames, RowReader rows, CancellationToken cancelled)
+    public static RowScan Run(IEnumerable<BvhJoint> joints, int channels, int frames, RowReader rows, CancellationToken cancellationToken)
     {
         var scan = new RowScan(joints, channels);
         bool restFirst = false;
         for (int frame = 0; frame < frames; frame++)
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             float turned = scan.Take(frame, rows(frame), frame > 0 ? rows(frame - 1) : default);
             if (frame == 0)
                 restFirst = scan.IsAtRest();

@@ -15,19 +15,19 @@ internal sealed class StreamContents
     private TimeSpan _duration;
     private (SkipReason Reason, long Bytes)[] _skipped = [];
 
-    public static StreamContents Read(string path, PlaybackOptions options, IProgress<double> progress, CancellationToken cancelled)
+    public static StreamContents Read(string path, PlaybackOptions options, IProgress<double> progress, CancellationToken cancellationToken)
     {
         var contents = new StreamContents();
         using RecordedFrameReader reader = RecordedFrameReader.Open(path, options);
         while (reader.Read())
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             progress.Report(reader.Duration > TimeSpan.Zero ? reader.Time / reader.Duration : 0);
             contents.Take(reader.Frame, reader.Time);
         }
 
         contents._duration = reader.Duration;
-        contents._statistics = reader.Statistics;
+        contents._statistics = reader.GetStatistics();
         contents._avatars = reader.GetAvatarStatistics();
         contents._skipped = [.. Enum.GetValues<SkipReason>().Select(reason => (reason, reader.GetSkipped(reason))).Where(static skipped => skipped.Item2 > 0)];
         return contents;
@@ -114,7 +114,7 @@ internal sealed class StreamContents
         Frames? frames = _frames.GetValueOrDefault((avatar.Kind, avatar.Sender, avatar.AvatarIndex));
         string kind = avatar.Kind == PacketKind.Motion ? "motion" : "calculation";
         string text = Quantity.Format($"{avatar.AvatarIndex} {avatar.AvatarName}: {avatar.Frames:#,0} {kind} frame{(avatar.Frames == 1 ? string.Empty : "s")}");
-        if (hasTimes && frames?.Rate is { } rate)
+        if (hasTimes && frames?.FrameRate is { } rate)
             text += Quantity.Format($", {rate:0.0} Hz, at most {frames.LongestInterval.TotalMilliseconds:0} ms between two");
         if (avatar.FrequencyReduction > 1)
             text += $", 1 of {avatar.FrequencyReduction} frames sent";
@@ -131,7 +131,7 @@ internal sealed class StreamContents
             ["source"] = avatar.Sender,
             ["kind"] = avatar.Kind.ToString(),
             ["frames"] = avatar.Frames,
-            ["rate"] = hasTimes && frames?.Rate is { } known ? Math.Round(known, 4) : null,
+            ["rate"] = hasTimes && frames?.FrameRate is { } known ? Math.Round(known, 4) : null,
             ["longestIntervalSeconds"] = hasTimes && frames is not null ? Math.Round(frames.LongestInterval.TotalSeconds, 7) : null,
             ["lost"] = avatar.Lost,
             ["gaps"] = avatar.Gaps,
@@ -152,7 +152,7 @@ internal sealed class StreamContents
 
         public TimeSpan LongestInterval { get; private set; }
 
-        public double? Rate => _last > _first ? (_count - 1) / (_last - _first).TotalSeconds : null;
+        public double? FrameRate => _last > _first ? (_count - 1) / (_last - _first).TotalSeconds : null;
 
         public void Take(AvatarFrame frame, TimeSpan time)
         {

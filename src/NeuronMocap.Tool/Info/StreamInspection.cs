@@ -10,7 +10,7 @@ namespace NeuronMocap.Tool.Info;
 /// <summary>--info of a recording, and of the raw bytes of a stream.</summary>
 internal sealed class StreamInspection(FileSettings settings, bool isRecording, IProgress<double> progress)
 {
-    public InfoReport Run(CancellationToken cancelled)
+    public InfoReport Run(CancellationToken cancellationToken)
     {
         long size = new FileInfo(settings.Input).Length;
         var report = new InfoReport(
@@ -18,28 +18,28 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
             isRecording ? "recording" : "raw",
             $"{(isRecording ? "Recording of a stream" : "Bytes of a stream, without times")}, {Quantity.Bytes(size)}");
         if (isRecording)
-            RecordingSections.Add(report, settings.Input, size, progress, cancelled);
+            RecordingSections.Add(report, settings.Input, size, progress, cancellationToken);
 
-        StreamContents contents = StreamContents.Read(settings.Input, settings.Playback, progress, cancelled);
+        StreamContents contents = StreamContents.Read(settings.Input, settings.Playback, progress, cancellationToken);
         contents.AddTo(report, isRecording);
         if (contents.HasPoses(settings.Avatar))
-            AddTake(report, cancelled);
+            AddTake(report, cancellationToken);
         else if (contents.HasCalculation(settings.Avatar))
-            AddMotion(report, InputTake.Load(settings, FileKind.Recording, progress, cancelled).Motion, hasBody: true, cancelled);
+            AddMotion(report, InputTake.Load(settings, FileKind.Recording, progress, cancellationToken).Motion, hasBody: true, cancellationToken);
 
         return report;
     }
 
-    private void AddTake(InfoReport report, CancellationToken cancelled)
+    private void AddTake(InfoReport report, CancellationToken cancellationToken)
     {
-        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Playback, progress, cancelled);
+        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Playback, progress, cancellationToken);
         double duration = source.FrameCount!.Value / source.FrameRate;
         InfoSection take = report.Section("take", $"Take of avatar {source.AvatarIndex}, {source.AvatarName}");
         take.Add("avatar", string.Empty, null, source.AvatarIndex).Add("avatarName", string.Empty, null, JsonValue.Create(source.AvatarName));
         take.Add("seconds", "duration", Quantity.Format($"{duration:0.000} s"), duration);
         take.Add("frames", "frames", Frames(source), source.FrameCount.Value);
         take.Add("receivedFrames", string.Empty, null, source.ReceivedFrames).Add("interpolatedFrames", string.Empty, null, source.InterpolatedFrames);
-        take.Add("frameRate", "frame rate", Rate(source), source.FrameRate);
+        take.Add("frameRate", "frame rate", DescribeFrameRate(source), source.FrameRate);
         take.Add("measuredRate", string.Empty, null, source.MeasuredFrameRate ?? double.NaN);
         take.Add("variant", "bone names", source.Variant.ToString());
         take.Add("rotationOrder", "rotation order", source.Format.RotationOrder.ToString());
@@ -52,20 +52,20 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
 
         BvhHierarchy hierarchy = BvhBoneHierarchy.Create(source.Format, source.Layout);
         RowScan scan = RowScan.Run(
-            hierarchy.Joints, hierarchy.ChannelCount, checked((int)source.FrameCount.Value), frame => source.GetValues(frame), cancelled);
-        RowRemarks.Add(oddities, scan, source.FrameRate, hierarchy.ChannelCount);
+            hierarchy.Joints, hierarchy.ChannelCount, checked((int)source.FrameCount.Value), frame => source.GetValues(frame), cancellationToken);
+        RowWarnings.Add(oddities, scan, source.FrameRate, hierarchy.ChannelCount);
         if (oddities.IsEmpty)
             oddities.Remark("none", "none");
-        AddMotion(report, source, source.HasOwnBody, cancelled);
+        AddMotion(report, source, source.HasOwnBody, cancellationToken);
     }
 
-    private void AddMotion(InfoReport report, MotionSource source, bool hasBody, CancellationToken cancelled)
+    private void AddMotion(InfoReport report, MotionSource source, bool hasBody, CancellationToken cancellationToken)
     {
         if (hasBody)
             BodySection.Add(report, source);
 
         var motion = new BodyMotion(source);
-        MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancelled));
+        MotionSection.Add(report, motion, TakeCurves.Measure(motion, progress, cancellationToken));
     }
 
     private static void AddGap(InfoSection section, RecordedGap gap)
@@ -80,7 +80,7 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         ? Quantity.Count(source.ReceivedFrames)
         : Quantity.Format($"{source.FrameCount:#,0}: {source.ReceivedFrames:#,0} received and {source.InterpolatedFrames:#,0} interpolated");
 
-    private string Rate(RecordingSource source)
+    private string DescribeFrameRate(RecordingSource source)
     {
         string rate = Quantity.Format($"{source.FrameRate:0.###} Hz");
         if (!isRecording)

@@ -221,7 +221,7 @@ internal sealed class JsonLines
         _json.WriteBoolean("reference"u8, avatar.HasReference);
         _json.WriteNumber("frames"u8, avatar.Frames);
         _json.WriteNumber("lost"u8, avatar.Lost);
-        _json.WriteNumber("rate"u8, avatar.Rate);
+        _json.WriteNumber("rate"u8, avatar.FrameRate);
         _json.WriteEndObject();
     }
 

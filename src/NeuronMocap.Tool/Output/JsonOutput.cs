@@ -7,11 +7,11 @@ namespace NeuronMocap.Tool.Output;
 internal sealed class JsonOutput : WatchOutput
 {
     // The reader has waited already for a line that nobody takes.
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(0.5);
+    private static readonly TimeSpan SummaryTimeout = TimeSpan.FromSeconds(0.5);
 
     private readonly Lock _lock = new();
     private readonly JsonLines _lines = new();
-    private readonly ToldSkeletons _skeletons = new();
+    private readonly SkeletonChanges _skeletons = new();
     private readonly Stream _output;
     private readonly TaskCompletionSource _broken = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private bool _closed;
@@ -62,11 +62,11 @@ internal sealed class JsonOutput : WatchOutput
         return true;
     }
 
-    public override Task RunAsync(CancellationToken stop) => Task.WhenAny(_broken.Task, Until(stop));
+    public override Task RunAsync(CancellationToken cancellationToken) => Task.WhenAny(_broken.Task, Until(cancellationToken));
 
     public override void Finish(ReaderStatistics statistics)
     {
-        if (!_lock.TryEnter(Patience))
+        if (!_lock.TryEnter(SummaryTimeout))
             return;
 
         try

@@ -13,13 +13,13 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : WatchOutp
     private readonly Dictionary<int, Timecode?> _timecodes = [];
     private volatile bool _broken;
 
-    public override async Task RunAsync(CancellationToken stop)
+    public override async Task RunAsync(CancellationToken cancellationToken)
     {
         using LatestFrames latest = reader.OpenLatest();
         using var timer = new PeriodicTimer(Period);
         try
         {
-            while (!_broken && await timer.WaitForNextTickAsync(stop))
+            while (!_broken && await timer.WaitForNextTickAsync(cancellationToken))
             {
                 IReadOnlyList<AvatarStatistics> avatars = reader.GetAvatarStatistics();
                 TakeTimecodes(latest, avatars);
@@ -73,7 +73,7 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : WatchOutp
             };
             string name = TerminalText.Clean(avatar.AvatarName);
             string reduction = avatar.FrequencyReduction > 1 ? $" (1 of {avatar.FrequencyReduction} frames)" : string.Empty;
-            line.Append(CultureInfo.InvariantCulture, $"  {(uint)avatar.AvatarIndex} {name} {kind} {avatar.Rate:0.0} Hz{reduction} {avatar.Frames} frames{TimecodeOf(avatar)}");
+            line.Append(CultureInfo.InvariantCulture, $"  {(uint)avatar.AvatarIndex} {name} {kind} {avatar.FrameRate:0.0} Hz{reduction} {avatar.Frames} frames{TimecodeOf(avatar)}");
         }
 
         string buffer = status.ReceiveBufferSize is { } size ? string.Create(CultureInfo.InvariantCulture, $" buffer {size} bytes") : string.Empty;

@@ -31,7 +31,7 @@ internal abstract class WatchOutput
     public virtual bool OnFileFailed(FileFailure failure) => false;
 
     /// <summary>Runs until it is stopped, or until whoever looks at the output has had enough.</summary>
-    public virtual Task RunAsync(CancellationToken stop) => Until(stop);
+    public virtual Task RunAsync(CancellationToken cancellationToken) => Until(cancellationToken);
 
     /// <summary>Called once at the end, when nothing more arrives.</summary>
     public abstract void Finish(ReaderStatistics statistics);
@@ -50,6 +50,6 @@ internal abstract class WatchOutput
         return exception.HResult == BrokenPipe;
     }
 
-    protected static async Task Until(CancellationToken stop) =>
-        await Task.Delay(Timeout.Infinite, stop).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
+    protected static async Task Until(CancellationToken cancellationToken) =>
+        await Task.Delay(Timeout.Infinite, cancellationToken).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
 }

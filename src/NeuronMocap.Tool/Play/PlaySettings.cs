@@ -7,9 +7,9 @@ namespace NeuronMocap.Tool.Play;
 /// <summary>A file to show instead of a server's stream.</summary>
 /// <param name="File">A recording, or bytes without times.</param>
 /// <param name="Speed">How many times as fast as it was recorded.</param>
-/// <param name="Rate">Frames per second of bytes without times; null where the file shall tell.</param>
+/// <param name="FrameRate">Frames per second of bytes without times; null where the file shall tell.</param>
 /// <param name="Loop">Whether it starts again at its end.</param>
-internal sealed record PlaySettings(string File, double Speed, double? Rate, bool Loop)
+internal sealed record PlaySettings(string File, double Speed, double? FrameRate, bool Loop)
 {
     /// <summary>Opens the file.</summary>
     /// <param name="order">What the command line says about the rotation order.</param>
@@ -19,12 +19,12 @@ internal sealed record PlaySettings(string File, double Speed, double? Rate, boo
         try
         {
             InputFile.Require(File);
-            RecordingPlayer player = RecordingPlayer.Open(File, new PlaybackOptions { FrameRate = Rate, RotationOrder = order });
+            RecordingPlayer player = RecordingPlayer.Open(File, new PlaybackOptions { FrameRate = FrameRate, RotationOrder = order });
             player.Speed = Speed;
             player.Passes = Loop ? RecordingPlayer.Endless : 1;
             return player;
         }
-        catch (ArgumentException) when (Rate is not null)
+        catch (ArgumentException) when (FrameRate is not null)
         {
             throw new PlayException($"--rate: {TerminalText.Clean(File)} has times of its own; --speed makes it faster or slower.");
         }

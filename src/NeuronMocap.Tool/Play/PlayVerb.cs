@@ -47,7 +47,7 @@ internal sealed class PlayVerb : Verb
 
     public override (string Title, IReadOnlyList<string> Lines) Notes => WatchVerb.Keys;
 
-    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
+    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
         WatchOptions options = _output.Read(result) with
         {
@@ -57,7 +57,7 @@ internal sealed class PlayVerb : Verb
         };
         return options.FindFault() is { } fault
             ? await RefuseAsync(streams, fault)
-            : await new WatchRun(options, streams).RunAsync(cancelled);
+            : await new WatchRun(options, streams).RunAsync(cancellationToken);
     }
 
     private void Reject(CommandResult result)

@@ -24,7 +24,7 @@ internal static class PlaybackKeys
     /// <param name="player">The playback.</param>
     /// <param name="key">The key.</param>
     /// <returns>Whether the key is one of a playback.</returns>
-    public static bool Obey(RecordingPlayer player, ConsoleKeyInfo key)
+    public static bool TryHandle(RecordingPlayer player, ConsoleKeyInfo key)
     {
         switch (key)
         {

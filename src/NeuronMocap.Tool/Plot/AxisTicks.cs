@@ -7,7 +7,7 @@ namespace NeuronMocap.Tool.Plot;
 internal static class AxisTicks
 {
     // No axis is long enough for more.
-    private const int MostTicks = 100;
+    private const int MaxTicks = 100;
 
     private const double LargestPlainLabel = 1e7;
 
@@ -54,7 +54,7 @@ internal static class AxisTicks
     {
         double first = Math.Ceiling((from / step) - 1e-6);
         double count = Math.Floor((to / step) + 1e-6) - first + 1;
-        if (!(count <= MostTicks) || first + 1 == first)
+        if (!(count <= MaxTicks) || first + 1 == first)
             yield break;
 
         for (int i = 0; i < count; i++)

@@ -9,7 +9,7 @@ namespace NeuronMocap.Tool.Plot;
 internal sealed class GroundMap(PointMotion motion, IReadOnlyList<SampledPose> poses, TakeCurves curves)
 {
     private const double MarginShare = 0.08;
-    private const int MostFootprints = 400;
+    private const int MaxFootprints = 400;
     private const double BriefestStep = 0.08;
 
     public void Draw(SvgDrawing svg, Box box)
@@ -94,7 +94,7 @@ internal sealed class GroundMap(PointMotion motion, IReadOnlyList<SampledPose> p
 
     private IEnumerable<(Vector3 Place, string Color)> Footprints()
     {
-        if (curves.LeftContacts is not { } left || curves.RightContacts is not { } right || left.Steps.Count + right.Steps.Count > MostFootprints)
+        if (curves.LeftContacts is not { } left || curves.RightContacts is not { } right || left.Steps.Count + right.Steps.Count > MaxFootprints)
             return [];
 
         return Of(left, PlotTheme.Left).Concat(Of(right, PlotTheme.Right)).Where(static print => SampledPose.IsFinite(print.Place));

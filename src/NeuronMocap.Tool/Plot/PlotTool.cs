@@ -8,27 +8,27 @@ namespace NeuronMocap.Tool.Plot;
 /// <summary>Draws a file.</summary>
 internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
 {
-    public void Run(OutputFile output, CancellationToken cancelled)
+    public void Run(OutputFile output, CancellationToken cancellationToken)
     {
         FileKind kind = settings.RecognizeInput();
-        output.Write(path => Draw(kind, path, cancelled));
+        output.Write(path => Draw(kind, path, cancellationToken));
     }
 
-    private void Draw(FileKind kind, string path, CancellationToken cancelled)
+    private void Draw(FileKind kind, string path, CancellationToken cancellationToken)
     {
         string name = Path.GetFileName(settings.Input);
         using var progress = new ProgressLine(streams, $"drawing {name}");
-        (PointMotion motion, string subtitle) = Load(kind, progress, cancelled);
+        (PointMotion motion, string subtitle) = Load(kind, progress, cancellationToken);
         using FileStream file = File.Create(path);
-        new TakePlot(motion, name, subtitle).Write(file, progress, cancelled);
+        new TakePlot(motion, name, subtitle).Write(file, progress, cancellationToken);
     }
 
-    private (PointMotion Motion, string Subtitle) Load(FileKind kind, IProgress<double> progress, CancellationToken cancelled)
+    private (PointMotion Motion, string Subtitle) Load(FileKind kind, IProgress<double> progress, CancellationToken cancellationToken)
     {
         var range = new TimeRange(settings.From, settings.To);
         if (kind == FileKind.Bvh)
         {
-            BvhDocument document = BvhFile.Load(settings.Input, progress, cancelled);
+            BvhDocument document = BvhFile.Load(settings.Input, progress, cancellationToken);
             if (document.FrameCount == 0)
                 throw new NeuronException("The file holds a skeleton and no frames.");
             if (!range.IsAll)
@@ -43,7 +43,7 @@ internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
             return (motion, Describe("BVH", motion));
         }
 
-        InputTake take = InputTake.Load(settings, kind, progress, cancelled);
+        InputTake take = InputTake.Load(settings, kind, progress, cancellationToken);
         var body = new BodyMotion(range.IsAll ? take.Motion : new TakePart(take.Motion, range, rate: null));
         string what = kind switch
         {

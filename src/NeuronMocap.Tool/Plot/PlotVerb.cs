@@ -34,8 +34,8 @@ internal sealed class PlotVerb : Verb
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes => TakeArguments.Codes;
 
-    public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled) =>
-        new FileRun(_take.Read(result, FileTask.Plot) with { RotationOrder = result.GetValue(_order) }, streams).RunAsync(cancelled);
+    public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken) =>
+        new FileRun(_take.Read(result, FileTask.Plot) with { RotationOrder = result.GetValue(_order) }, streams).RunAsync(cancellationToken);
 
     private void Reject(CommandResult result)
     {

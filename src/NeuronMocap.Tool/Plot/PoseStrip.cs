@@ -7,17 +7,17 @@ namespace NeuronMocap.Tool.Plot;
 internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> poses, float ground)
 {
     private const double Padding = 6;
-    private const double LeastSize = 1e-3;
+    private const double MinSize = 1e-3;
     private const double LimbWidth = 2;
     private const double FineWidth = 0.9;
 
-    private const int MostHeights = 8;
+    private const int MaxHeights = 8;
     private const double UsualHeightStep = 50; // cm
 
     // Of the height of the body: fingers are shorter than this, limbs longer.
     private const double FinePart = 0.065;
 
-    private readonly double _height = Math.Max(LeastSize, HeightsOf(poses, ground).Append(0).Max());
+    private readonly double _height = Math.Max(MinSize, HeightsOf(poses, ground).Append(0).Max());
 
     /// <summary>Draws the two rows.</summary>
     /// <param name="svg">The picture.</param>
@@ -28,7 +28,7 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
         double cell = front.Width / poses.Count;
         double lowest = Math.Min(0, HeightsOf(poses, ground).Append(0).Min());
         double highest = _height;
-        double widest = Math.Max(LeastSize, poses.Max(pose => Math.Max(Reach(pose, static point => point.X), Reach(pose, static point => point.Z))));
+        double widest = Math.Max(MinSize, poses.Max(pose => Math.Max(Reach(pose, static point => point.X), Reach(pose, static point => point.Z))));
         double scale = Math.Min((front.Height - (2 * Padding)) / (highest - lowest), ((cell / 2) - Padding) / widest);
         svg.BeginGroup("front");
         DrawRow(svg, front, cell, scale, lowest, static point => point.X, static point => point.Z);
@@ -100,7 +100,7 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
     private void DrawHeights(SvgDrawing svg, Box row, double groundY, double scale)
     {
         double top = (groundY - row.Top) / scale;
-        double step = motion.IsInCentimetres && top <= MostHeights * UsualHeightStep ? UsualHeightStep : AxisTicks.Step(top, 3);
+        double step = motion.IsInCentimetres && top <= MaxHeights * UsualHeightStep ? UsualHeightStep : AxisTicks.Step(top, 3);
         foreach (double height in AxisTicks.Between(0, top, step))
         {
             double y = groundY - (height * scale);

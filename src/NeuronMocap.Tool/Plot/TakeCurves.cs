@@ -59,16 +59,16 @@ internal sealed class TakeCurves
     /// <summary>Walks through a take.</summary>
     /// <param name="motion">The take.</param>
     /// <param name="progress">Told the part that is done, 0 to 1.</param>
-    /// <param name="cancelled">Ends it.</param>
+    /// <param name="cancellationToken">Ends it.</param>
     /// <exception cref="OperationCanceledException">It was ended.</exception>
-    public static TakeCurves Measure(PointMotion motion, IProgress<double> progress, CancellationToken cancelled)
+    public static TakeCurves Measure(PointMotion motion, IProgress<double> progress, CancellationToken cancellationToken)
     {
         var curves = new TakeCurves(motion);
-        curves.Walk(motion, progress, cancelled);
+        curves.Walk(motion, progress, cancellationToken);
         return curves;
     }
 
-    private void Walk(PointMotion motion, IProgress<double> progress, CancellationToken cancelled)
+    private void Walk(PointMotion motion, IProgress<double> progress, CancellationToken cancellationToken)
     {
         PointRoles roles = motion.Roles;
         Vector3[] points = new Vector3[motion.PointCount];
@@ -78,7 +78,7 @@ internal sealed class TakeCurves
         long trailStep = Math.Max(1, motion.FrameCount / LongestTrail);
         for (long frame = 0; frame < motion.FrameCount; frame++)
         {
-            cancelled.ThrowIfCancellationRequested();
+            cancellationToken.ThrowIfCancellationRequested();
             motion.GetPoints(frame, points);
             AddPlace(points[roles.Root], frame / motion.FrameRate);
             AddFeet(frame, motion, points);

@@ -8,7 +8,7 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
     public const double Width = 1200;
     public const double Height = 900;
 
-    private const int MostPoses = 8;
+    private const int MaxPoses = 8;
     private const double Left = 84;
     private const double Right = Width - 36;
     private const double ContactHeight = 7;
@@ -23,12 +23,12 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
     /// <summary>Walks through the take and writes the picture.</summary>
     /// <param name="output">Receives SVG.</param>
     /// <param name="progress">Told the part that is done, 0 to 1.</param>
-    /// <param name="cancelled">Ends it.</param>
+    /// <param name="cancellationToken">Ends it.</param>
     /// <exception cref="OperationCanceledException">It was ended.</exception>
-    public void Write(Stream output, IProgress<double> progress, CancellationToken cancelled)
+    public void Write(Stream output, IProgress<double> progress, CancellationToken cancellationToken)
     {
-        TakeCurves curves = TakeCurves.Measure(motion, progress, cancelled);
-        SampledPose[] poses = SampledPose.Take(motion, MostPoses);
+        TakeCurves curves = TakeCurves.Measure(motion, progress, cancellationToken);
+        SampledPose[] poses = SampledPose.Take(motion, MaxPoses);
         using var svg = new SvgDrawing(output, Width, Height, title);
         DrawHeader(svg);
         DrawPoses(svg, poses, float.IsFinite(curves.Ground) ? curves.Ground : 0);

@@ -7,7 +7,7 @@ internal readonly record struct ChartLine(Curve Curve, string Color);
 internal sealed class TimeChart(string name, Box box, double frameRate, double duration)
 {
     private const double LineWidth = 1.1;
-    private const int MostTimes = 9;
+    private const int MaxTimes = 9;
 
     public Box Box => box;
 
@@ -65,7 +65,7 @@ internal sealed class TimeChart(string name, Box box, double frameRate, double d
     /// <summary>Draws the times below the box.</summary>
     public void DrawTimes(SvgDrawing svg, string unit)
     {
-        double step = AxisTicks.StepOfTime(duration, MostTimes);
+        double step = AxisTicks.StepOfTime(duration, MaxTimes);
         foreach (double seconds in AxisTicks.Between(0, duration, step))
         {
             svg.Line(X(seconds), box.Bottom, X(seconds), box.Bottom + 4, PlotTheme.Axis);

@@ -228,7 +228,7 @@ internal sealed class SimulateArguments
     {
         string text = result.Tokens[0].Value;
         if (string.Equals(text, "max", StringComparison.OrdinalIgnoreCase))
-            return BroadcasterOptions.MaxRate;
+            return BroadcasterOptions.MaxFrameRate;
         if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double rate) && rate is >= 0.01 and <= 100_000)
             return rate;
 

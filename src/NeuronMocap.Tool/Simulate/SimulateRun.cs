@@ -14,14 +14,14 @@ internal sealed class SimulateRun(SimulateArguments arguments, ParseResult resul
     /// <exception cref="UsageException">An option has no meaning here.</exception>
     /// <exception cref="SimulatorException">Something that the options name cannot be had.</exception>
     /// <exception cref="OperationCanceledException">Somebody had enough before it began.</exception>
-    public async Task RunAsync(CancellationToken cancelled)
+    public async Task RunAsync(CancellationToken cancellationToken)
     {
         // A large file is read as a whole.
-        (BroadcasterOptions options, string description) = await Task.Run(CreateOptions, CancellationToken.None).WaitAsync(cancelled);
+        (BroadcasterOptions options, string description) = await Task.Run(CreateOptions, CancellationToken.None).WaitAsync(cancellationToken);
         using Broadcaster broadcaster = OpenBroadcaster(options);
         using CommandServer? commands = OpenCommands(broadcaster, options);
         Start(broadcaster, options);
-        await using CancellationTokenRegistration stop = cancelled.Register(broadcaster.Stop);
+        await using CancellationTokenRegistration stop = cancellationToken.Register(broadcaster.Stop);
         await new SimulatorReport(broadcaster, commands, options, description, streams).RunAsync();
     }
 
@@ -31,7 +31,7 @@ internal sealed class SimulateRun(SimulateArguments arguments, ParseResult resul
         {
             return new Broadcaster(options);
         }
-        catch (ArgumentException exception) when (exception.ParamName is nameof(BroadcasterOptions.Rate))
+        catch (ArgumentException exception) when (exception.ParamName is nameof(BroadcasterOptions.FrameRate))
         {
             throw new SimulatorException("--rate: the file's own rate is not from 0.01 to 100000 Hz; give one.");
         }

@@ -36,11 +36,11 @@ internal sealed class SimulateVerb : Verb
         (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before it began"),
     ];
 
-    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
+    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
         try
         {
-            await new SimulateRun(_arguments, result, streams).RunAsync(cancelled);
+            await new SimulateRun(_arguments, result, streams).RunAsync(cancellationToken);
             return CommandLine.Done;
         }
         catch (UsageException exception)

@@ -17,33 +17,33 @@ internal sealed class SimulatorReport(
     private static readonly TimeSpan Interval = TimeSpan.FromSeconds(1);
 
     private readonly TextPage _page = new(streams, WidestText);
-    private bool _isGone;
+    private bool _isOutputClosed;
 
     /// <summary>Reports until the broadcast is over.</summary>
     /// <exception cref="SimulatorException">The file could not be read to its end, or nothing can be said.</exception>
     public async Task RunAsync()
     {
-        Say(Describe());
+        WriteLine(Describe());
 
         // Scripts wait for these lines.
         if (broadcaster.LocalEndPoint is { } endPoint)
-            Say($"Listening on {endPoint}");
+            WriteLine($"Listening on {endPoint}");
         if (broadcaster.CalculationEndPoint is { } calculationPoint)
-            Say($"Calculation on {calculationPoint}");
+            WriteLine($"Calculation on {calculationPoint}");
         if (commands?.LocalEndPoint is { } commandPoint)
-            Say($"Commands on {commandPoint}");
+            WriteLine($"Commands on {commandPoint}");
         foreach (IPEndPoint destination in options.UdpDestinations)
         {
-            Say($"Sending to {destination}");
+            WriteLine($"Sending to {destination}");
             if (options.CalculationPort is int port)
-                Say($"Calculation to {new IPEndPoint(destination.Address, port)}");
+                WriteLine($"Calculation to {new IPEndPoint(destination.Address, port)}");
         }
 
         if (streams.IsTerminal && Screen.IsSupported)
             await WatchAsync();
 
         await WaitForEndAsync();
-        Say(Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"Served {Count(broadcaster.Statistics.Accepted, "client")}: "));
+        WriteLine(Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"Served {Count(broadcaster.GetStatistics().Accepted, "client")}: "));
     }
 
     private async Task WaitForEndAsync()
@@ -70,9 +70,9 @@ internal sealed class SimulatorReport(
         new(new Text(Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"{Clients()}, "), Palette.DimStyle), new Padding(0, 1, 0, 0));
 
     // Whoever reads the output may leave when he has seen where the server is.
-    private void Say(string line)
+    private void WriteLine(string line)
     {
-        if (_isGone)
+        if (_isOutputClosed)
             return;
 
         try
@@ -81,7 +81,7 @@ internal sealed class SimulatorReport(
         }
         catch (IOException exception) when (WatchOutput.IsBrokenPipe(exception))
         {
-            _isGone = true;
+            _isOutputClosed = true;
         }
         catch (IOException exception)
         {
@@ -91,7 +91,7 @@ internal sealed class SimulatorReport(
 
     private string Describe() => options.RecordingPath is not null ? description : string.Create(
         CultureInfo.InvariantCulture,
-        $"Broadcasting {description}: {Count(options.Sources.Count, "avatar")}, {Rate()}, {broadcaster.Layout.ValueCount} values, "
+        $"Broadcasting {description}: {Count(options.Sources.Count, "avatar")}, {DescribeFrameRate()}, {broadcaster.Layout.ValueCount} values, "
         + $"{options.RotationOrder}, {Format()}");
 
     private string Format() => options.Format switch
@@ -109,13 +109,13 @@ internal sealed class SimulatorReport(
         _ => $", {packets}",
     };
 
-    private string Rate() => double.IsPositiveInfinity(broadcaster.Rate)
+    private string DescribeFrameRate() => double.IsPositiveInfinity(broadcaster.FrameRate)
         ? "as fast as clients read"
-        : string.Create(CultureInfo.InvariantCulture, $"{broadcaster.Rate:0.###} Hz");
+        : string.Create(CultureInfo.InvariantCulture, $"{broadcaster.FrameRate:0.###} Hz");
 
     private string Clients()
     {
-        BroadcasterStatistics statistics = broadcaster.Statistics;
+        BroadcasterStatistics statistics = broadcaster.GetStatistics();
         string ofCalculation = options.CalculationPort is null
             ? string.Empty
             : string.Create(CultureInfo.InvariantCulture, $" ({statistics.CalculationClients} of them for calculation)");
@@ -124,7 +124,7 @@ internal sealed class SimulatorReport(
 
     private string Summarize(string clients)
     {
-        BroadcasterStatistics statistics = broadcaster.Statistics;
+        BroadcasterStatistics statistics = broadcaster.GetStatistics();
         string calculation = statistics.CalculationFramesSent == 0 ? string.Empty : $" and {Count(statistics.CalculationFramesSent, "calculation frame")}";
         return string.Create(
             CultureInfo.InvariantCulture,

@@ -10,15 +10,15 @@ namespace NeuronMocap.Tool.Terminal;
 /// </summary>
 /// <param name="streams">Where the program writes to.</param>
 /// <param name="work">The work in a few words.</param>
-/// <param name="patience">When the bar comes; a second unless given.</param>
-internal sealed class ProgressLine(StandardStreams streams, string work, TimeSpan? patience = null) : IProgress<double>, IDisposable
+/// <param name="delay">When the bar comes; a second unless given.</param>
+internal sealed class ProgressLine(StandardStreams streams, string work, TimeSpan? delay = null) : IProgress<double>, IDisposable
 {
     private const string ShowCursor = "\e[?25h";
     private const double Fall = 0.25;
     private const int WidestBar = 40;
     private const int WidestLine = 100;
 
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
+    private static readonly TimeSpan DefaultDelay = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(100);
 
     private readonly long _start = Stopwatch.GetTimestamp();
@@ -35,7 +35,7 @@ internal sealed class ProgressLine(StandardStreams streams, string work, TimeSpa
             _step = new Step(_step.Number + 1, Stopwatch.GetTimestamp());
 
         Volatile.Write(ref _value, value);
-        if (_showing is null && streams.IsErrorTerminal && Stopwatch.GetElapsedTime(_start) >= (patience ?? Patience))
+        if (_showing is null && streams.IsErrorTerminal && Stopwatch.GetElapsedTime(_start) >= (delay ?? DefaultDelay))
             _showing = Task.Factory.StartNew(Show, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
     }
 

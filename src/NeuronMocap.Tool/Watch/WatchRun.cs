@@ -14,34 +14,34 @@ namespace NeuronMocap.Tool.Watch;
 /// <summary>One run of the program: a reader, an output, and whatever ends first.</summary>
 internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
 {
-    private readonly TaskCompletionSource<ReaderStatistics> _enough = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly TaskCompletionSource<ReaderStatistics> _limitReached = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private readonly FailureMessage _failure = new();
     private long _frames;
 
-    public async Task<int> RunAsync(CancellationToken cancelled)
+    public async Task<int> RunAsync(CancellationToken cancellationToken)
     {
         try
         {
-            using RecordingPlayer? player = await OpenAsync(options.Play, cancelled);
+            using RecordingPlayer? player = await OpenAsync(options.Play, cancellationToken);
             using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder ?? RotationOrder.YXZ) : null;
-            return await RunAsync(demo?.Address ?? options.Server, player, cancelled);
+            return await RunAsync(demo?.Address ?? options.Server, player, cancellationToken);
         }
         catch (Exception exception) when (exception is BroadcasterException or ExportException or PlayException)
         {
             return await FailAsync(OptionNames.Translate(exception.Message));
         }
-        catch (OperationCanceledException) when (cancelled.IsCancellationRequested)
+        catch (OperationCanceledException) when (cancellationToken.IsCancellationRequested)
         {
             return CommandLine.Done;
         }
     }
 
     // A large file of bytes without times is read once when it is opened.
-    private async Task<RecordingPlayer?> OpenAsync(PlaySettings? play, CancellationToken cancelled) => play is null
+    private async Task<RecordingPlayer?> OpenAsync(PlaySettings? play, CancellationToken cancellationToken) => play is null
         ? null
-        : await Task.Run(() => play.Open(options.RotationOrder), CancellationToken.None).WaitAsync(cancelled);
+        : await Task.Run(() => play.Open(options.RotationOrder), CancellationToken.None).WaitAsync(cancellationToken);
 
-    private async Task<int> RunAsync(ServerAddress? server, RecordingPlayer? player, CancellationToken cancelled)
+    private async Task<int> RunAsync(ServerAddress? server, RecordingPlayer? player, CancellationToken cancellationToken)
     {
         NeuronReaderOptions readerOptions = options.ToReaderOptions(server);
         await using NeuronReader reader = player is null ? new NeuronReader(readerOptions) : new NeuronReader(player, readerOptions);
@@ -53,20 +53,20 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         WatchOutput output = CreateOutput(reader, player, takes);
         Connect(reader, output);
 
-        using var duration = new CancellationTokenSource(options.Duration ?? Timeout.InfiniteTimeSpan);
-        using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancelled, duration.Token);
+        using var durationSource = new CancellationTokenSource(options.Duration ?? Timeout.InfiniteTimeSpan);
+        using var stopSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken, durationSource.Token);
         reader.Start();
-        Task showing = output.RunAsync(stop.Token);
-        await Task.WhenAny(showing, reader.Completion, _enough.Task, NothingToDoAsync(export, takes));
-        bool asked = !duration.IsCancellationRequested && !reader.Completion.IsCompleted;
+        Task showing = output.RunAsync(stopSource.Token);
+        await Task.WhenAny(showing, reader.Completion, _limitReached.Task, NothingToDoAsync(export, takes));
+        bool asked = !durationSource.IsCancellationRequested && !reader.Completion.IsCompleted;
         ConnectionStatus status = reader.Status;
 
         await reader.DisposeAsync();
-        await stop.CancelAsync();
+        await stopSource.CancelAsync();
         await showing;
 
         // At the last frame that was asked for, the receive thread took the figures; what came before it stopped does not count.
-        ReaderStatistics statistics = _enough.Task.IsCompleted ? await _enough.Task : reader.GetStatistics();
+        ReaderStatistics statistics = _limitReached.Task.IsCompleted ? await _limitReached.Task : reader.GetStatistics();
         output.Finish(statistics);
         bool isExported = export.TryFinish(streams);
         bool isRecorded = await takes.FinishAsync(streams);
@@ -118,7 +118,7 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         reader.StatusChanged += output.OnStatus;
         reader.MotionReceived += frame =>
         {
-            if (_enough.Task.IsCompleted)
+            if (_limitReached.Task.IsCompleted)
                 return;
 
             output.OnMotion(frame);
@@ -126,7 +126,7 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         };
         reader.CalculationReceived += frame =>
         {
-            if (_enough.Task.IsCompleted)
+            if (_limitReached.Task.IsCompleted)
                 return;
 
             output.OnCalculation(frame);
@@ -134,7 +134,7 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         };
         reader.StudioCalculationReceived += frame =>
         {
-            if (_enough.Task.IsCompleted)
+            if (_limitReached.Task.IsCompleted)
                 return;
 
             output.OnStudioCalculation(frame);
@@ -146,6 +146,6 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
     private void Count(NeuronReader reader)
     {
         if (++_frames == options.Frames)
-            _enough.TrySetResult(reader.GetStatistics());
+            _limitReached.TrySetResult(reader.GetStatistics());
     }
 }

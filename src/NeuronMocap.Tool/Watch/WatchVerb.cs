@@ -78,7 +78,7 @@ internal sealed class WatchVerb : Verb
 
     public override (string Title, IReadOnlyList<string> Lines) Notes => Keys;
 
-    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancelled)
+    public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
         bool overwrite = result.GetValue(_overwrite);
         Source source = result.GetValue(_source) ?? Source.Demo;
@@ -98,7 +98,7 @@ internal sealed class WatchVerb : Verb
         };
         return options.FindFault() is { } fault
             ? await RefuseAsync(streams, fault)
-            : await new WatchRun(options, streams).RunAsync(cancelled);
+            : await new WatchRun(options, streams).RunAsync(cancellationToken);
     }
 
     private void Reject(CommandResult result)

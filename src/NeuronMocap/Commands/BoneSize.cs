@@ -1,3 +1,5 @@
+using NeuronMocap.Protocol;
+
 namespace NeuronMocap.Commands;
 
 /// <summary>Name and length of one bone, as the command <see cref="DataCommandId.BoneSize"/> tells them (protocol.md section 2.4).</summary>

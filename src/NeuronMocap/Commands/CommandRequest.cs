@@ -31,7 +31,7 @@ internal abstract class CommandRequest(CommandChannelId? id, int? avatar)
 
     public abstract bool Fail(Exception exception);
 
-    public abstract bool Cancel(CancellationToken token);
+    public abstract bool Cancel(CancellationToken cancellationToken);
 }
 
 internal sealed class CommandRequest<T>(CommandChannelId? id, int? avatar, ReplyParser<T> parse) : CommandRequest(id, avatar)
@@ -47,5 +47,5 @@ internal sealed class CommandRequest<T>(CommandChannelId? id, int? avatar, Reply
 
     public override bool Fail(Exception exception) => _completion.TrySetException(exception);
 
-    public override bool Cancel(CancellationToken token) => _completion.TrySetCanceled(token);
+    public override bool Cancel(CancellationToken cancellationToken) => _completion.TrySetCanceled(cancellationToken);
 }

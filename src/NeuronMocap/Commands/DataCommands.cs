@@ -163,16 +163,16 @@ public sealed class DataCommands
         _waiters.FailAll();
     }
 
-    private async Task<DataCommandReply> RequestInTurnAsync(Turns turns, DataCommandId id, int avatarIndex, CancellationToken cancellation)
+    private async Task<DataCommandReply> RequestInTurnAsync(Turns turns, DataCommandId id, int avatarIndex, CancellationToken cancellationToken)
     {
-        await turns.Free.WaitAsync(cancellation).ConfigureAwait(false);
+        await turns.Free.WaitAsync(cancellationToken).ConfigureAwait(false);
         try
         {
             if (turns.HasLateReply)
-                await RequestAsync(DataCommandId.AvatarCount, avatarIndex: 0, cancellation).ConfigureAwait(false);
+                await RequestAsync(DataCommandId.AvatarCount, avatarIndex: 0, cancellationToken).ConfigureAwait(false);
 
             turns.HasLateReply = true;
-            DataCommandReply reply = await RequestAsync(id, avatarIndex, cancellation).ConfigureAwait(false);
+            DataCommandReply reply = await RequestAsync(id, avatarIndex, cancellationToken).ConfigureAwait(false);
             turns.HasLateReply = false;
             return reply;
         }
@@ -182,9 +182,9 @@ public sealed class DataCommands
         }
     }
 
-    private async Task<DataCommandReply> RequestAsync(DataCommandId id, int avatarIndex, CancellationToken cancellation)
+    private async Task<DataCommandReply> RequestAsync(DataCommandId id, int avatarIndex, CancellationToken cancellationToken)
     {
-        cancellation.ThrowIfCancellationRequested();
+        cancellationToken.ThrowIfCancellationRequested();
         ReplyWaiters.Waiter waiter = _waiters.Add(reply => reply.Id == id && (reply.AvatarIndex ?? avatarIndex) == avatarIndex);
         try
         {
@@ -195,12 +195,12 @@ public sealed class DataCommands
                     "The command could not be sent: it needs a reader that is connected over TCP. Start the reader first, and wait for its connection.");
             }
 
-            using var giveUp = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
-            giveUp.CancelAfter(Timeout);
-            using (giveUp.Token.Register(() => waiter.Reply.TrySetCanceled(giveUp.Token)))
+            using var timeoutSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
+            timeoutSource.CancelAfter(Timeout);
+            using (timeoutSource.Token.Register(() => waiter.Reply.TrySetCanceled(timeoutSource.Token)))
                 return await waiter.Reply.Task.ConfigureAwait(false);
         }
-        catch (OperationCanceledException) when (!cancellation.IsCancellationRequested)
+        catch (OperationCanceledException) when (!cancellationToken.IsCancellationRequested)
         {
             throw new NeuronCommandException(
                 CommandFailure.TimedOut,

@@ -194,11 +194,11 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
         }
     }
 
-    private void Cancel(CommandRequest request, CancellationToken token)
+    private void Cancel(CommandRequest request, CancellationToken cancellationToken)
     {
         lock (_lock)
         {
-            if (request.Cancel(token) && !_queue.Remove(request) && _current == request)
+            if (request.Cancel(cancellationToken) && !_queue.Remove(request) && _current == request)
                 _connection?.Close();
         }
     }

@@ -18,7 +18,7 @@ internal sealed class ServerInquiry(NeuronCommandOptions options) : IDisposable
 
     // Each of these asks again where the server gave no answer; on a retry, after any failure.
     public Task<RotationOrder> GetRotationOrderAsync(bool isRetry) =>
-        GetAsync(answers => answers.Orders, avatarIndex: 0, (_, stop) => _client.GetRotationOrderAsync(stop), isRetry);
+        GetAsync(answers => answers.Orders, avatarIndex: 0, (_, cancellationToken) => _client.GetRotationOrderAsync(cancellationToken), isRetry);
 
     public Task<BvhSkeletonMap> GetSkeletonAsync(int avatarIndex, bool isRetry) =>
         GetAsync(answers => answers.Skeletons, avatarIndex, AskSkeletonAsync, isRetry);
@@ -42,9 +42,9 @@ internal sealed class ServerInquiry(NeuronCommandOptions options) : IDisposable
     // Returns at once.
     public void Dispose() => _ = _client.DisposeAsync().AsTask();
 
-    private async Task<BvhSkeletonMap> AskSkeletonAsync(int avatarIndex, CancellationToken stop)
+    private async Task<BvhSkeletonMap> AskSkeletonAsync(int avatarIndex, CancellationToken cancellationToken)
     {
-        BvhDocument header = await _client.GetBvhHeaderAsync(avatarIndex, stop).ConfigureAwait(false);
+        BvhDocument header = await _client.GetBvhHeaderAsync(avatarIndex, cancellationToken).ConfigureAwait(false);
         return BvhSkeletonMap.TryCreate(header, out BvhSkeletonMap? map, out string? reason)
             ? map
             : throw new NeuronCommandException(CommandFailure.InvalidReply, $"The BVH header of avatar {avatarIndex} has another skeleton: {reason}");
@@ -58,10 +58,10 @@ internal sealed class ServerInquiry(NeuronCommandOptions options) : IDisposable
             Answers answers = _answers;
             try
             {
-                SharedAnswer<T> answer = choose(answers).GetOrAdd(avatarIndex, avatar => new SharedAnswer<T>(() => ask(avatar, answers.Stop)));
+                SharedAnswer<T> answer = choose(answers).GetOrAdd(avatarIndex, avatar => new SharedAnswer<T>(() => ask(avatar, answers.CancellationToken)));
                 return await answer.GetAsync(isRetry).ConfigureAwait(false);
             }
-            catch (OperationCanceledException) when (answers.Stop.IsCancellationRequested)
+            catch (OperationCanceledException) when (answers.CancellationToken.IsCancellationRequested)
             {
                 // Of a connection that ended meanwhile.
             }
@@ -69,9 +69,9 @@ internal sealed class ServerInquiry(NeuronCommandOptions options) : IDisposable
     }
 
     // What was answered during one connection of the reader.
-    private sealed class Answers(CancellationTokenSource stop)
+    private sealed class Answers(CancellationTokenSource stopSource)
     {
-        public CancellationToken Stop => stop.Token;
+        public CancellationToken CancellationToken => stopSource.Token;
 
         public ConcurrentDictionary<int, SharedAnswer<RotationOrder>> Orders { get; } = new();
 
@@ -79,6 +79,6 @@ internal sealed class ServerInquiry(NeuronCommandOptions options) : IDisposable
 
         public ConcurrentDictionary<int, SharedAnswer<BoneDimensions>> Dimensions { get; } = new();
 
-        public void Cancel() => stop.Cancel();
+        public void Cancel() => stopSource.Cancel();
     }
 }

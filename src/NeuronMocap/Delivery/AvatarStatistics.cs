@@ -47,7 +47,7 @@ public readonly record struct AvatarStatistics
     public int FrequencyReduction { get; init; }
 
     /// <summary>Frames per second, as a running mean over about the last 64 frames; 0 until there are two. It stays as it was when frames cease: see <see cref="LastTimestamp"/>.</summary>
-    public double Rate { get; init; }
+    public double FrameRate { get; init; }
 
     /// <summary>Standard deviation of the time between frames, over about the last 64.</summary>
     public TimeSpan Jitter { get; init; }

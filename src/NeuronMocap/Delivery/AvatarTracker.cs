@@ -61,7 +61,7 @@ internal sealed class AvatarTracker(
         OutOfOrder = _index.OutOfOrder,
         Restarts = _index.Restarts,
         FrequencyReduction = _index.Step,
-        Rate = Volatile.Read(ref _interval) is > 0 and var interval ? 1 / interval : 0,
+        FrameRate = Volatile.Read(ref _interval) is > 0 and var interval ? 1 / interval : 0,
         Jitter = TimeSpan.FromSeconds(Math.Sqrt(Math.Max(0, Volatile.Read(ref _variance)))),
         LastTimestamp = Volatile.Read(ref _lastTimestamp),
     };

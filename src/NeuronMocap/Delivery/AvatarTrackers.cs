@@ -13,7 +13,7 @@ internal sealed class AvatarTrackers(IDurationRecorder? intervals)
 
     // So many every sender gets, whatever others make up; there are no more senders at a time than UdpSenders keeps.
     public const int TrackersOfSender = 16;
-    private const int MostTrackers = 2 * MaxTrackers;
+    private const int TrackerLimit = 2 * MaxTrackers;
 
     // Longer than a suit that sends is ever silent: whoever sends now cannot be pushed out by any flood.
     public static readonly long StaleAfter = 5 * Stopwatch.Frequency;
@@ -62,7 +62,7 @@ internal sealed class AvatarTrackers(IDurationRecorder? intervals)
             Forget(stale);
             Volatile.Write(ref _published[place], tracker);
         }
-        else if (_published.Length < MaxTrackers || (ofSender < TrackersOfSender && _published.Length < MostTrackers))
+        else if (_published.Length < MaxTrackers || (ofSender < TrackersOfSender && _published.Length < TrackerLimit))
         {
             tracker = new AvatarTracker(packet.Kind, packet.Origin, avatar, intervals);
             _published = [.. _published, tracker];

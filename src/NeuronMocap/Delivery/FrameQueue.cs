@@ -75,7 +75,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     public long Delivered => _ring.Released;
 
     // The only kind of frame that is put in; None for all.
-    internal PacketKind Only { get; init; }
+    internal PacketKind OnlyKind { get; init; }
 
     // Called on the receive thread after each frame, and when adding is completed. Set before the queue gets its first frame.
     internal Action? Changed { get; set; }
@@ -173,7 +173,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
 
     void IPacketConsumer.OnPacket(in ReceivedPacket packet)
     {
-        if (_isComplete || (Only != PacketKind.None && packet.Kind != Only))
+        if (_isComplete || (OnlyKind != PacketKind.None && packet.Kind != OnlyKind))
             return;
 
         if (!_ring.TryEnqueue(packet) && !(_backPressure?.Invoke() == true && TryEnqueueLater(packet)))

@@ -4,95 +4,95 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Diagnostics;
 
 // What another port had.
-internal sealed record Probe(StreamPlace Place, ConnectionReason Reason, StreamSample Sample, string Sender = "");
+internal sealed record PortProbe(StreamEndpoint Endpoint, ConnectionReason Reason, StreamSample Sample, string Sender = "");
 
 // Found: the port with the stream that the reader wants, else with another one. HostAnswers: whether any of the host's ports did. AdvancedBvh: the
 // port with a stream that is not read.
-internal readonly record struct Search(Probe? Found, bool HostAnswers, Probe? AdvancedBvh);
+internal readonly record struct PortScanResult(PortProbe? Found, bool HostAnswers, PortProbe? AdvancedBvh);
 
 // Where the stream might be instead: the usual data ports of the host, and of this computer for UDP. All at once, and only those.
 internal static class AlternativePortScan
 {
-    public static async Task<Search> FindAsync(DiagnosisContext task, IPAddress? host, bool isUdp)
+    public static async Task<PortScanResult> FindAsync(DiagnosisContext context, IPAddress? host, bool isUdp)
     {
-        if (!task.Options.SearchOtherPorts)
+        if (!context.Options.SearchOtherPorts)
             return default;
 
-        using var share = CancellationTokenSource.CreateLinkedTokenSource(task.Stop);
-        share.CancelAfter(task.Share(task.Pace.Elsewhere));
-        using var limit = CancellationTokenSource.CreateLinkedTokenSource(share.Token);
-        int[] tcpPorts = host is null ? [] : [.. PortsBeside(task, task.Options.UsualTcpPorts, skipped: !isUdp)];
-        int[] udpPorts = [.. PortsBeside(task, task.Options.UsualUdpPorts, skipped: isUdp)];
-        Task<Probe[]> tcp = Task.WhenAll(tcpPorts.Select(port => TryTcpAsync(task, host!, port, limit)));
-        Task<Probe[]> udp = Task.WhenAll(udpPorts.Select(port => TryUdpAsync(task, port, limit)));
-        Probe[] probes = [.. await tcp.ConfigureAwait(false), .. await udp.ConfigureAwait(false)];
-        task.Stop.ThrowIfCancellationRequested();
+        using var shareSource = CancellationTokenSource.CreateLinkedTokenSource(context.CancellationToken);
+        shareSource.CancelAfter(context.Share(context.Budget.OtherPorts));
+        using var limitSource = CancellationTokenSource.CreateLinkedTokenSource(shareSource.Token);
+        int[] tcpPorts = host is null ? [] : [.. PortsBeside(context, context.Options.UsualTcpPorts, skipped: !isUdp)];
+        int[] udpPorts = [.. PortsBeside(context, context.Options.UsualUdpPorts, skipped: isUdp)];
+        Task<PortProbe[]> tcp = Task.WhenAll(tcpPorts.Select(port => TryTcpAsync(context, host!, port, limitSource)));
+        Task<PortProbe[]> udp = Task.WhenAll(udpPorts.Select(port => TryUdpAsync(context, port, limitSource)));
+        PortProbe[] probes = [.. await tcp.ConfigureAwait(false), .. await udp.ConfigureAwait(false)];
+        context.CancellationToken.ThrowIfCancellationRequested();
 
-        Probe[] same = [.. probes.Where(probe => probe.Place.Transport == TransportKind.Udp == isUdp)];
-        Probe[] other = [.. probes.Except(same)];
-        Tell(task, same, "other ports");
-        Tell(task, other, isUdp ? "TCP" : "UDP");
-        Probe[] ordered = [.. same, .. other];
-        return new Search(
-            ordered.FirstOrDefault(probe => probe.Sample.Has(task.Expected)) ?? ordered.FirstOrDefault(static probe => probe.Sample.Avatars.Any()),
+        PortProbe[] same = [.. probes.Where(probe => probe.Endpoint.Transport == TransportKind.Udp == isUdp)];
+        PortProbe[] other = [.. probes.Except(same)];
+        Report(context, same, "other ports");
+        Report(context, other, isUdp ? "TCP" : "UDP");
+        PortProbe[] ordered = [.. same, .. other];
+        return new PortScanResult(
+            ordered.FirstOrDefault(probe => probe.Sample.Has(context.Expected)) ?? ordered.FirstOrDefault(static probe => probe.Sample.Avatars.Any()),
             probes.Any(static probe =>
-                probe.Place.Transport == TransportKind.Tcp && probe.Reason is ConnectionReason.None or ConnectionReason.Refused),
+                probe.Endpoint.Transport == TransportKind.Tcp && probe.Reason is ConnectionReason.None or ConnectionReason.Refused),
             ordered.FirstOrDefault(static probe => probe.Sample.Guess().Format == ForeignFormat.AdvancedBvh));
     }
 
     // The port of the reader first, which may carry the stream over the other transport; it is left out where it was looked at already.
-    private static IEnumerable<int> PortsBeside(DiagnosisContext task, int[] usual, bool skipped)
+    private static IEnumerable<int> PortsBeside(DiagnosisContext context, int[] usual, bool skipped)
     {
-        int own = task.Link.Port;
+        int own = context.Link.Port;
         IEnumerable<int> others = usual.Where(port => port != own);
         return skipped || own == 0 ? others : others.Prepend(own);
     }
 
-    private static async Task<Probe> TryTcpAsync(DiagnosisContext task, IPAddress host, int port, CancellationTokenSource limit)
+    private static async Task<PortProbe> TryTcpAsync(DiagnosisContext context, IPAddress host, int port, CancellationTokenSource limitSource)
     {
-        var sample = new StreamSample(task.Expected);
-        var place = new StreamPlace(TransportKind.Tcp, task.Link.Host, port);
-        using var link = new TcpLink(task.Link with { Host = host.ToString(), Port = port, ConnectTimeout = task.Options.Timeout });
-        LinkEnd end = await link.OpenAsync(limit.Token).ConfigureAwait(false);
-        if (end.Reason == ConnectionReason.None && !limit.IsCancellationRequested)
+        var sample = new StreamSample(context.Expected);
+        var endpoint = new StreamEndpoint(TransportKind.Tcp, context.Link.Host, port);
+        using var link = new TcpLink(context.Link with { Host = host.ToString(), Port = port, ConnectTimeout = context.Options.Timeout });
+        LinkEnd end = await link.OpenAsync(limitSource.Token).ConfigureAwait(false);
+        if (end.Reason == ConnectionReason.None && !limitSource.IsCancellationRequested)
         {
             Task receiving = link.ReceiveAsync(sample, listener: null);
-            await WaitForFrameAsync(task, sample, receiving, limit).ConfigureAwait(false);
+            await WaitForFrameAsync(context, sample, receiving, limitSource).ConfigureAwait(false);
             link.Close();
             await receiving.ConfigureAwait(false);
         }
 
-        return new Probe(place, end.Reason, sample);
+        return new PortProbe(endpoint, end.Reason, sample);
     }
 
-    private static async Task<Probe> TryUdpAsync(DiagnosisContext task, int port, CancellationTokenSource limit)
+    private static async Task<PortProbe> TryUdpAsync(DiagnosisContext context, int port, CancellationTokenSource limitSource)
     {
-        var sample = new StreamSample(task.Expected);
-        var place = new StreamPlace(TransportKind.Udp, task.Link.Host, port);
+        var sample = new StreamSample(context.Expected);
+        var endpoint = new StreamEndpoint(TransportKind.Udp, context.Link.Host, port);
 
         // A shared port would take the datagrams away from the program that uses it.
-        using var listener = new UdpListener(task.Link with { Port = port, SharePort = false }, new SenderFilter([]), sample);
+        using var listener = new UdpListener(context.Link with { Port = port, SharePort = false }, new SenderFilter([]), sample);
         ConnectionReason reason = listener.Open();
         if (reason == ConnectionReason.None)
         {
             Task receiving = listener.ReceiveAsync();
-            await WaitForFrameAsync(task, sample, receiving, limit).ConfigureAwait(false);
+            await WaitForFrameAsync(context, sample, receiving, limitSource).ConfigureAwait(false);
             listener.Dispose();
             await receiving.ConfigureAwait(false);
         }
 
-        return new Probe(place, reason, sample, listener.Senders.FirstOrDefault() ?? string.Empty);
+        return new PortProbe(endpoint, reason, sample, listener.Senders.FirstOrDefault() ?? string.Empty);
     }
 
     // The first port that has what is wanted cuts the wait for the others short.
-    private static async Task WaitForFrameAsync(DiagnosisContext task, StreamSample sample, Task receiving, CancellationTokenSource limit)
+    private static async Task WaitForFrameAsync(DiagnosisContext context, StreamSample sample, Task receiving, CancellationTokenSource limitSource)
     {
-        await Task.WhenAny(sample.WantedFrame, receiving, Task.Delay(Timeout.Infinite, limit.Token)).ConfigureAwait(false);
+        await Task.WhenAny(sample.WantedFrame, receiving, Task.Delay(Timeout.Infinite, limitSource.Token)).ConfigureAwait(false);
         if (sample.WantedFrame.IsCompleted)
-            limit.CancelAfter(task.Pace.Grace);
+            limitSource.CancelAfter(context.Budget.Grace);
     }
 
-    private static void Tell(DiagnosisContext task, Probe[] probes, string name)
+    private static void Report(DiagnosisContext context, PortProbe[] probes, string name)
     {
         if (probes.Length == 0)
             return;
@@ -109,20 +109,20 @@ internal static class AlternativePortScan
 
         string detail = string.Join("; ", found);
         if (probes.Any(static probe => probe.Sample.Avatars.Any()))
-            task.Log.Warning(name, detail);
+            context.Log.Warning(name, detail);
         else
-            task.Log.Ok(name, detail);
+            context.Log.Ok(name, detail);
     }
 
-    private static string Join(Probe[] probes, Func<Probe, bool> which) =>
-        string.Join(", ", probes.Where(which).Select(static probe => probe.Place.Port));
+    private static string Join(PortProbe[] probes, Func<PortProbe, bool> which) =>
+        string.Join(", ", probes.Where(which).Select(static probe => probe.Endpoint.Port));
 
-    private static string Describe(Probe probe)
+    private static string Describe(PortProbe probe)
     {
         string sender = probe.Sender.Length > 0 ? $" (from {probe.Sender})" : string.Empty;
         AvatarSample[] avatars = [.. probe.Sample.Avatars];
         return avatars.Length > 0
-            ? $"{probe.Place.Port} has {StreamPhrases.KindsOf(probe.Sample)}{sender}"
-            : $"{probe.Place.Port} has {probe.Sample.Guess().Text}{sender}";
+            ? $"{probe.Endpoint.Port} has {StreamPhrases.KindsOf(probe.Sample)}{sender}"
+            : $"{probe.Endpoint.Port} has {probe.Sample.Guess().Text}{sender}";
     }
 }

@@ -8,7 +8,7 @@ namespace NeuronMocap.Diagnostics;
 internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
 {
     // With fewer frames neither a rate nor a standstill means anything.
-    private const int FewestFrames = 5;
+    private const int MinFrames = 5;
 
     private const int FramesToBegin = 10;
 
@@ -41,10 +41,10 @@ internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
     public long Frames { get; private set; }
 
     // Without the first frames, which the server may have kept for a new client, and which wait while this end gets ready.
-    public double Rate => Frames switch
+    public double FrameRate => Frames switch
     {
         >= 3 * FramesToBegin => PerSecond(Frames - FramesToBegin, _begun),
-        >= FewestFrames => PerSecond(Frames - 1, _first),
+        >= MinFrames => PerSecond(Frames - 1, _first),
         _ => 0,
     };
 
@@ -56,7 +56,7 @@ internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
     // As a reader counts them.
     public long Lost => _tracker.Lost - _tracker.Unsettled;
 
-    public bool IsMotionless => Frames >= FewestFrames && (_sameValues == Frames - 1 || _sameIndex == Frames - 1);
+    public bool IsMotionless => Frames >= MinFrames && (_sameValues == Frames - 1 || _sameIndex == Frames - 1);
 
     public void OnFrame(in ReceivedPacket packet)
     {
@@ -93,7 +93,7 @@ internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
         HasReference = HasReference,
         Frames = Frames,
         Lost = Lost,
-        Rate = Rate,
+        FrameRate = FrameRate,
         LongestGap = LongestGap,
     };
 

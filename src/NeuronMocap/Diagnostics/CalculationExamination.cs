@@ -8,19 +8,20 @@ internal static class CalculationExamination
     // However long the first one took: an answer of a server on the network comes sooner.
     private static readonly TimeSpan Least = TimeSpan.FromSeconds(1);
 
-    public static async Task<Conclusion> AddAsync(DiagnosisContext task, LinkOptions link, Conclusion first, Func<DiagnosisContext, Task<Conclusion>> examine)
+    public static async Task<Conclusion> AddAsync(
+        DiagnosisContext context, LinkOptions link, Conclusion first, Func<DiagnosisContext, Task<Conclusion>> examine)
     {
-        DiagnosisOptions how = task.Options.Copy();
-        how.Expected = task.Expected == PacketKind.StudioCalculation ? PacketKind.StudioCalculation : PacketKind.Calculation;
+        DiagnosisOptions how = context.Options.Copy();
+        how.Expected = context.Expected == PacketKind.StudioCalculation ? PacketKind.StudioCalculation : PacketKind.Calculation;
         how.SearchOtherPorts = false;
-        how.Timeout = task.Options.Timeout - task.Elapsed > Least ? task.Options.Timeout - task.Elapsed : Least;
-        Conclusion second = await examine(new DiagnosisContext(link, how, task.Log.With("calculation "), task.Stop)).ConfigureAwait(false);
+        how.Timeout = context.Options.Timeout - context.Elapsed > Least ? context.Options.Timeout - context.Elapsed : Least;
+        Conclusion second = await examine(new DiagnosisContext(link, how, context.Log.With("calculation "), context.CancellationToken)).ConfigureAwait(false);
         ExplainedVerdict found = second.Verdicts[0];
         var joint = first with { CalculationSample = second.Sample };
 
         // Axis Studio's have a packet of their own, and are calculation data as well.
         if (!found.IsFault || found.Verdict == DiagnosisVerdict.StudioCalculationOnly)
-            return joint with { Verdicts = [.. first.Verdicts.Select((verdict, index) => index == 0 ? Tell(verdict, link.Port) : verdict)] };
+            return joint with { Verdicts = [.. first.Verdicts.Select((verdict, index) => index == 0 ? AddCalculationPort(verdict, link.Port) : verdict)] };
 
         var missing = new ExplainedVerdict(
             DiagnosisVerdict.CalculationUnavailable,
@@ -30,5 +31,5 @@ internal static class CalculationExamination
         return joint with { Verdicts = isAllElse ? [missing with { Text = $"{first.Verdicts[0].Text} {missing.Text}" }] : [.. first.Verdicts, missing] };
     }
 
-    private static ExplainedVerdict Tell(ExplainedVerdict verdict, int port) => verdict with { Text = $"{verdict.Text} Calculation port {port}: frames arrive." };
+    private static ExplainedVerdict AddCalculationPort(ExplainedVerdict verdict, int port) => verdict with { Text = $"{verdict.Text} Calculation port {port}: frames arrive." };
 }

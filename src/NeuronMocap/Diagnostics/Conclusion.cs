@@ -1,14 +1,14 @@
 namespace NeuronMocap.Diagnostics;
 
 // Where frames come from.
-internal readonly record struct StreamPlace(TransportKind Transport, string Host, int Port)
+internal readonly record struct StreamEndpoint(TransportKind Transport, string Host, int Port)
 {
     public override string ToString() =>
         Transport == TransportKind.Udp ? $"UDP port {Port} of this computer" : $"TCP port {Port} of {Host}";
 }
 
 // What an examination came to. Place: where frames of the wanted kind can be received now, if anywhere.
-internal sealed record Conclusion(IReadOnlyList<ExplainedVerdict> Verdicts, StreamSample? Sample = null, StreamPlace? Place = null)
+internal sealed record Conclusion(IReadOnlyList<ExplainedVerdict> Verdicts, StreamSample? Sample = null, StreamEndpoint? Endpoint = null)
 {
     // What came over a port of its own.
     public StreamSample? CalculationSample { get; init; }

@@ -31,7 +31,7 @@ public sealed record DiagnosedAvatar
     public long Lost { get; init; }
 
     /// <summary>Frames per second; 0 when too few arrived to tell.</summary>
-    public double Rate { get; init; }
+    public double FrameRate { get; init; }
 
     /// <summary>Longest time between two frames.</summary>
     public TimeSpan LongestGap { get; init; }

@@ -4,7 +4,7 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Diagnostics;
 
 // The shares of the whole time that the stages may take. What one leaves over, the later ones do not get.
-internal sealed record DiagnosisPace
+internal sealed record DiagnosisBudget
 {
     public double Name { get; init; } = 0.25;
 
@@ -16,7 +16,7 @@ internal sealed record DiagnosisPace
 
     public double Asking { get; init; } = 0.06;
 
-    public double Elsewhere { get; init; } = 0.13;
+    public double OtherPorts { get; init; } = 0.13;
 
     // No share, but what the other ports still get of theirs when one has the stream.
     public TimeSpan Grace { get; init; } = TimeSpan.FromMilliseconds(200);
@@ -31,13 +31,13 @@ internal sealed class DiagnosisContext(LinkOptions link, DiagnosisOptions option
 
     public DiagnosisOptions Options => options;
 
-    public DiagnosisPace Pace => options.Pace;
+    public DiagnosisBudget Budget => options.Budget;
 
     public PacketKind Expected => options.Expected;
 
     public StepLog Log => log;
 
-    public CancellationToken Stop => cancellationToken;
+    public CancellationToken CancellationToken => cancellationToken;
 
     public TimeSpan Elapsed => _watch.Elapsed;
 
@@ -51,9 +51,9 @@ internal sealed class DiagnosisContext(LinkOptions link, DiagnosisOptions option
     // Until one of the tasks ends or the time is over; throws when the caller has stopped the diagnosis.
     public async Task WaitAsync(TimeSpan time, params Task[] tasks)
     {
-        using var limit = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
-        await Task.WhenAny([.. tasks, Task.Delay(time, limit.Token)]).ConfigureAwait(false);
-        limit.Cancel();
+        using var limitSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
+        await Task.WhenAny([.. tasks, Task.Delay(time, limitSource.Token)]).ConfigureAwait(false);
+        limitSource.Cancel();
         cancellationToken.ThrowIfCancellationRequested();
     }
 }

@@ -29,7 +29,7 @@ public sealed class DiagnosisOptions
 
     internal int[] UsualUdpPorts { get; set; } = [7001, 7002, 7003, 7004, 7012];
 
-    internal DiagnosisPace Pace { get; set; } = new();
+    internal DiagnosisBudget Budget { get; set; } = new();
 
     internal DiagnosisOptions Copy() => (DiagnosisOptions)MemberwiseClone();
 

@@ -11,7 +11,7 @@ internal static class ForeignBytes
     private const string TooManyAdvice =
         "No Perception Neuron server sends so many; check the port. If it is right, raise MaxValues.";
 
-    public static Conclusion Judge(StepLog log, StreamSample sample, StreamPlace place)
+    public static Conclusion Judge(StepLog log, StreamSample sample, StreamEndpoint endpoint)
     {
         FormatGuess guess = sample.Guess();
         string quoted = guess.Format is ForeignFormat.OtherProgram or ForeignFormat.Text or ForeignFormat.AmbiguousName or ForeignFormat.MissingAvatar or ForeignFormat.Unknown && sample.Quote() is { } quote
@@ -21,7 +21,7 @@ internal static class ForeignBytes
         {
             ForeignFormat.UnknownVersion => (DiagnosisVerdict.UnknownVersion, guess.Advice),
             ForeignFormat.TooManyValues => (DiagnosisVerdict.TooManyValues, TooManyAdvice),
-            ForeignFormat.Incomplete => (DiagnosisVerdict.IncompletePackets, IncompleteAdvice(place)),
+            ForeignFormat.Incomplete => (DiagnosisVerdict.IncompletePackets, IncompleteAdvice(endpoint)),
             ForeignFormat.Text => (DiagnosisVerdict.MalformedText, $"{ServerSettings.Skeleton} Or change to binary. {ServerSettings.Binary}"),
             ForeignFormat.AmbiguousName or ForeignFormat.MissingAvatar => (DiagnosisVerdict.MalformedText, guess.Advice),
             ForeignFormat.AdvancedBvh => (DiagnosisVerdict.AdvancedBvh, guess.Advice),
@@ -30,7 +30,7 @@ internal static class ForeignBytes
             _ => (DiagnosisVerdict.UnknownFormat, $"{OtherProgramAdvice} {ServerSettings.Binary}"),
         };
         log.Failed(StepOf(guess.Format), $"{guess.Text}{quoted}");
-        return new Conclusion([new ExplainedVerdict(verdict, $"Data arrives on {place}, but it is {guess.Text}{quoted}.", advice)], sample);
+        return new Conclusion([new ExplainedVerdict(verdict, $"Data arrives on {endpoint}, but it is {guess.Text}{quoted}.", advice)], sample);
     }
 
     private static string StepOf(ForeignFormat format) => format switch
@@ -40,7 +40,7 @@ internal static class ForeignBytes
         _ => "token",
     };
 
-    private static string IncompleteAdvice(StreamPlace place) => place.Transport == TransportKind.Udp
+    private static string IncompleteAdvice(StreamEndpoint endpoint) => endpoint.Transport == TransportKind.Udp
         ? "A frame is larger than a network packet, and a firewall or router drops the second part: choose TCP here and on the server, or clear "
             + "Displacement in the server's output format, which makes frames small enough."
         : "The connection ends in the middle of a frame: look for what cuts it off, a relay, a VPN or a firewall.";

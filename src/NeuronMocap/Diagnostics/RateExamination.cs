@@ -11,7 +11,7 @@ internal static class RateExamination
     public static void Judge(StepLog log, AvatarSample[] avatars, bool isUdp, List<ExplainedVerdict> verdicts)
     {
         int before = verdicts.Count;
-        AvatarSample slowest = avatars.OrderBy(static avatar => avatar.Rate).First();
+        AvatarSample slowest = avatars.OrderBy(static avatar => avatar.FrameRate).First();
         JudgeLoss(avatars, isUdp, verdicts);
         if (avatars.FirstOrDefault(static avatar => avatar.IsMotionless) is { } still)
         {
@@ -21,7 +21,7 @@ internal static class RateExamination
                 "If nobody stands still on purpose, the take is paused or at its end, or the suit is no longer connected: see the server's window."));
         }
 
-        if (slowest.Rate < LowestRate)
+        if (slowest.FrameRate < LowestRate)
             verdicts.Add(LowRate(slowest));
 
         string detail = Describe(avatars, slowest);
@@ -50,15 +50,15 @@ internal static class RateExamination
 
     private static ExplainedVerdict LowRate(AvatarSample avatar)
     {
-        if (avatar.Rate <= 0)
+        if (avatar.FrameRate <= 0)
             return new ExplainedVerdict(DiagnosisVerdict.LowRate, $"Only {avatar.Frames} frames arrived while the diagnosis looked.", ServerSettings.FullRate);
 
         string reason = avatar.Step > 1
             ? $"the server sends one frame in {avatar.Step}"
-            : Fraction(avatar.Rate) is { } fraction ? $"the server seems to send {fraction}" : "a suit measures 60, 96 or 120 times a second";
+            : Fraction(avatar.FrameRate) is { } fraction ? $"the server seems to send {fraction}" : "a suit measures 60, 96 or 120 times a second";
         return new ExplainedVerdict(
             DiagnosisVerdict.LowRate,
-            StreamPhrases.Invariant($"{avatar.Rate:0.0} frames per second are few: {reason}."),
+            StreamPhrases.Invariant($"{avatar.FrameRate:0.0} frames per second are few: {reason}."),
             ServerSettings.FullRate);
     }
 
@@ -79,11 +79,11 @@ internal static class RateExamination
 
     private static string Describe(AvatarSample[] avatars, AvatarSample slowest)
     {
-        if (slowest.Rate <= 0)
+        if (slowest.FrameRate <= 0)
             return $"{slowest.Frames} frames, too few to tell";
 
         long lost = avatars.Sum(static avatar => avatar.Lost);
         double pause = avatars.Max(static avatar => avatar.LongestGap.TotalMilliseconds);
-        return StreamPhrases.Invariant($"{slowest.Rate:0.0} Hz, {(lost > 0 ? $"{lost} frames lost" : "none lost")}, longest pause {pause:0} ms");
+        return StreamPhrases.Invariant($"{slowest.FrameRate:0.0} Hz, {(lost > 0 ? $"{lost} frames lost" : "none lost")}, longest pause {pause:0} ms");
     }
 }

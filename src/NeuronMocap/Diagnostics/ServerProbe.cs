@@ -16,21 +16,21 @@ internal static class ServerProbe
     private static readonly byte[] WebRequest = Encoding.ASCII.GetBytes("HEAD / HTTP/1.0\r\n\r\n");
 
     // What it answered, where it answered.
-    public static async Task<StreamSample?> AskAsync(DiagnosisContext task, IPAddress address)
+    public static async Task<StreamSample?> AskAsync(DiagnosisContext context, IPAddress address)
     {
-        var server = new IPEndPoint(address, task.Link.Port);
-        TimeSpan time = task.Share(task.Pace.Asking);
+        var server = new IPEndPoint(address, context.Link.Port);
+        TimeSpan time = context.Share(context.Budget.Asking);
         byte[][] answers = await Task.WhenAll(
-            ExchangeAsync(server, RotationCommand, time, task.Stop),
-            ExchangeAsync(server, WebRequest, time, task.Stop)).ConfigureAwait(false);
-        task.Stop.ThrowIfCancellationRequested();
+            ExchangeAsync(server, RotationCommand, time, context.CancellationToken),
+            ExchangeAsync(server, WebRequest, time, context.CancellationToken)).ConfigureAwait(false);
+        context.CancellationToken.ThrowIfCancellationRequested();
 
         // A web server answers both, the command with an error page.
         byte[]? answer = answers.LastOrDefault(static bytes => bytes.Length > 0);
         if (answer is null)
             return null;
 
-        var sample = new StreamSample(task.Expected);
+        var sample = new StreamSample(context.Expected);
         sample.OnSkipped(answer, SkipReason.NoTokens);
         return sample;
     }
@@ -39,10 +39,10 @@ internal static class ServerProbe
     {
         byte[] answer = new byte[256];
         int length = 0;
-        using var limit = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
-        limit.CancelAfter(time);
+        using var limitSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
+        limitSource.CancelAfter(time);
         using var socket = new Socket(server.AddressFamily, SocketType.Stream, ProtocolType.Tcp);
-        using CancellationTokenRegistration closing = limit.Token.Register(socket.Dispose);
+        using CancellationTokenRegistration closing = limitSource.Token.Register(socket.Dispose);
         try
         {
             await socket.ConnectAsync(server).ConfigureAwait(false);

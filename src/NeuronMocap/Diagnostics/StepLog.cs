@@ -7,7 +7,7 @@ internal sealed class StepLog(IProgress<DiagnosisStep>? progress)
 {
     private readonly List<DiagnosisStep> _steps = [];
     private readonly Stopwatch _watch = Stopwatch.StartNew();
-    private TimeSpan _told;
+    private TimeSpan _lastStep;
 
     public IReadOnlyList<DiagnosisStep> Steps => _steps;
 
@@ -23,8 +23,8 @@ internal sealed class StepLog(IProgress<DiagnosisStep>? progress)
     private void Add(string name, StepOutcome outcome, string detail)
     {
         TimeSpan now = _watch.Elapsed;
-        var step = new DiagnosisStep(name, outcome, detail, now - _told);
-        _told = now;
+        var step = new DiagnosisStep(name, outcome, detail, now - _lastStep);
+        _lastStep = now;
         _steps.Add(step);
         progress?.Report(step);
     }

@@ -16,6 +16,9 @@ public sealed record StreamDiagnosis
     /// <summary>Whether the frames that were asked for arrive where the reader would look for them.</summary>
     public bool IsReceiving => Verdict < DiagnosisVerdict.HostNotFound;
 
+    /// <summary>The verdict in a few words of English, such as "Nothing listens on this port".</summary>
+    public string Title => DiagnosisTitles.Of(Verdict);
+
     /// <summary>One paragraph of English for the operator: what is the case, why, and which setting to change.</summary>
     public string Summary { get; init; } = string.Empty;
 

@@ -6,75 +6,75 @@ internal static class StreamExamination
     // So many bytes between the frames are no accident of joining in the middle of one.
     private const long FewForeignBytes = 4096;
 
-    private const string AllIsWell = "All is well.";
+    private const string NoProblems = "All is well.";
 
-    private const string OrderIsNotSaid = "Not in the stream is the rotation order: it must be the same in the program and on the server (default YXZ).";
+    private const string OrderUnknown = "Not in the stream is the rotation order: it must be the same in the program and on the server (default YXZ).";
 
-    private const string OrderIsSaid = "The stream says its rotation order, which the reader follows.";
+    private const string OrderKnown = "The stream says its rotation order, which the reader follows.";
 
-    public static Conclusion Judge(DiagnosisContext task, StreamSample sample, StreamPlace place)
+    public static Conclusion Judge(DiagnosisContext context, StreamSample sample, StreamEndpoint endpoint)
     {
-        if (sample.Has(task.Expected))
-            return JudgeFrames(task, sample, place);
+        if (sample.Has(context.Expected))
+            return JudgeFrames(context, sample, endpoint);
         if (sample.Avatars.Any())
-            return JudgeOtherKind(task, sample, place);
+            return JudgeOtherKind(context, sample, endpoint);
         if (sample.Packets > 0)
-            return JudgeEmpty(task.Log, sample, place);
+            return JudgeEmpty(context.Log, sample, endpoint);
 
-        return ForeignBytes.Judge(task.Log, sample, place);
+        return ForeignBytes.Judge(context.Log, sample, endpoint);
     }
 
-    private static Conclusion JudgeFrames(DiagnosisContext task, StreamSample sample, StreamPlace place)
+    private static Conclusion JudgeFrames(DiagnosisContext context, StreamSample sample, StreamEndpoint endpoint)
     {
         var verdicts = new List<ExplainedVerdict>();
-        AvatarSample[] avatars = [.. sample.Avatars.Where(avatar => avatar.Kind == task.Expected)];
-        task.Log.Ok("token", DescribeTokens(sample));
-        JudgeVersion(task.Log, avatars[0], verdicts);
-        JudgeFormat(task.Log, sample, avatars, verdicts);
-        RateExamination.Judge(task.Log, avatars, place.Transport == TransportKind.Udp, verdicts);
+        AvatarSample[] avatars = [.. sample.Avatars.Where(avatar => avatar.Kind == context.Expected)];
+        context.Log.Ok("token", DescribeTokens(sample));
+        JudgeVersion(context.Log, avatars[0], verdicts);
+        JudgeFormat(context.Log, sample, avatars, verdicts);
+        RateExamination.Judge(context.Log, avatars, endpoint.Transport == TransportKind.Udp, verdicts);
 
-        string summary = $"Frames arrive on {place}: {StreamPhrases.Describe(avatars)}.";
+        string summary = $"Frames arrive on {endpoint}: {StreamPhrases.Describe(avatars)}.";
         if (verdicts.Count == 0)
         {
-            return new Conclusion([new ExplainedVerdict(DiagnosisVerdict.Receiving, $"{summary} {AllIsWell} {(avatars[0].Version == DataVersion.Studio ? OrderIsSaid : OrderIsNotSaid)}")], sample, place);
+            return new Conclusion([new ExplainedVerdict(DiagnosisVerdict.Receiving, $"{summary} {NoProblems} {(avatars[0].Version == DataVersion.Studio ? OrderKnown : OrderUnknown)}")], sample, endpoint);
         }
 
         verdicts.Sort(static (left, right) => right.Verdict.CompareTo(left.Verdict));
         verdicts[0] = verdicts[0] with { Text = $"{summary} {verdicts[0].Text}" };
-        return new Conclusion(verdicts, sample, place);
+        return new Conclusion(verdicts, sample, endpoint);
     }
 
-    private static Conclusion JudgeOtherKind(DiagnosisContext task, StreamSample sample, StreamPlace place)
+    private static Conclusion JudgeOtherKind(DiagnosisContext context, StreamSample sample, StreamEndpoint endpoint)
     {
-        task.Log.Failed("token", $"{DescribeTokens(sample)} only");
+        context.Log.Failed("token", $"{DescribeTokens(sample)} only");
         DiagnosisVerdict verdict = (sample.Has(PacketKind.Motion), sample.Has(PacketKind.Calculation)) switch
         {
             (true, _) => DiagnosisVerdict.MotionOnly,
             (_, true) => DiagnosisVerdict.CalculationOnly,
             _ => DiagnosisVerdict.StudioCalculationOnly,
         };
-        string text = $"Frames arrive on {place}, but they are {StreamPhrases.KindsOf(sample)}; no {StreamPhrases.NameOf(task.Expected)} among them.";
-        string advice = ServerSettings.Enable(task.Expected);
-        if (task.Expected == PacketKind.Motion)
-            advice += $" To receive these calculation data beside the motion, set CalculationPort to {place.Port}.";
+        string text = $"Frames arrive on {endpoint}, but they are {StreamPhrases.KindsOf(sample)}; no {StreamPhrases.NameOf(context.Expected)} among them.";
+        string advice = ServerSettings.Enable(context.Expected);
+        if (context.Expected == PacketKind.Motion)
+            advice += $" To receive these calculation data beside the motion, set CalculationPort to {endpoint.Port}.";
 
         return new Conclusion([new ExplainedVerdict(verdict, text, advice)], sample);
     }
 
-    private static Conclusion JudgeEmpty(StepLog log, StreamSample sample, StreamPlace place)
+    private static Conclusion JudgeEmpty(StepLog log, StreamSample sample, StreamEndpoint endpoint)
     {
         if (sample.Commands > 0)
         {
             log.Failed("token", "0xAAFF: commands, no data");
             return new Conclusion(
                 DiagnosisVerdict.CommandPort,
-                $"{Capital(place)} sends commands and no frames.",
+                $"{Capital(endpoint)} sends commands and no frames.",
                 ServerSettings.DataPort);
         }
 
         log.Failed("format", $"{sample.Packets} packets of no values");
         return new Conclusion(
-            DiagnosisVerdict.NoValues, $"Packets arrive on {place}, but none of them carries a pose.", ServerSettings.Play);
+            DiagnosisVerdict.NoValues, $"Packets arrive on {endpoint}, but none of them carries a pose.", ServerSettings.Play);
     }
 
     private static void JudgeVersion(StepLog log, AvatarSample avatar, List<ExplainedVerdict> verdicts)
@@ -164,9 +164,9 @@ internal static class StreamExamination
             : $"{string.Join(" and ", tokens.Where(token => sample.Has(token.Kind)).Select(static token => token.Token))}: {kinds}";
     }
 
-    private static string Capital(StreamPlace place)
+    private static string Capital(StreamEndpoint endpoint)
     {
-        string text = place.ToString();
+        string text = endpoint.ToString();
         return char.ToUpperInvariant(text[0]) + text[1..];
     }
 }

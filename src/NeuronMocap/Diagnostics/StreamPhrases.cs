@@ -5,12 +5,12 @@ namespace NeuronMocap.Diagnostics;
 // Says what a stream is.
 internal static class StreamPhrases
 {
-    private const int MostNames = 4;
+    private const int MaxNames = 4;
 
     public static string Describe(AvatarSample[] avatars)
     {
         AvatarSample first = avatars[0];
-        double rate = avatars.Min(static avatar => avatar.Rate);
+        double rate = avatars.Min(static avatar => avatar.FrameRate);
         string frequency = rate > 0 ? Invariant($", {rate:0.0} frames per second{(avatars.Length > 1 ? " of each" : string.Empty)}") : string.Empty;
         string version = first.Version == DataVersion.None ? "as text" : $"version {first.Version}";
         return $"{NameOf(first.Kind)}, {version}, {DescribeFormat(first)}; {DescribeAvatars(avatars)}{frequency}";
@@ -22,8 +22,8 @@ internal static class StreamPhrases
 
     public static string DescribeAvatars(AvatarSample[] avatars)
     {
-        string names = string.Join(", ", avatars.Take(MostNames).Select(NameOf));
-        string more = avatars.Length > MostNames ? $" and {avatars.Length - MostNames} more" : string.Empty;
+        string names = string.Join(", ", avatars.Take(MaxNames).Select(NameOf));
+        string more = avatars.Length > MaxNames ? $" and {avatars.Length - MaxNames} more" : string.Empty;
         return $"{avatars.Length} {(avatars.Length == 1 ? "avatar" : "avatars")}: {names}{more}";
     }
 

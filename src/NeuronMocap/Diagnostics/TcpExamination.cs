@@ -5,14 +5,14 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Diagnostics;
 
 // Walks the chain to a TCP server, from its name to its frames, and looks elsewhere where the chain breaks.
-internal sealed class TcpExamination(DiagnosisContext task)
+internal sealed class TcpExamination(DiagnosisContext context)
 {
     // More addresses than any computer has that is meant.
-    private const int MostAddresses = 4;
+    private const int MaxAddresses = 4;
 
-    private readonly LinkOptions _link = task.Link;
+    private readonly LinkOptions _link = context.Link;
 
-    private StreamPlace Place => new(TransportKind.Tcp, _link.Host, _link.Port);
+    private StreamEndpoint Place => new(TransportKind.Tcp, _link.Host, _link.Port);
 
     public async Task<Conclusion> RunAsync()
     {
@@ -22,14 +22,14 @@ internal sealed class TcpExamination(DiagnosisContext task)
 
         IPAddress[] routed = FindRoutes(addresses, out ConnectionReason reason);
         if (routed.Length == 0)
-            return TcpFaults.NoRoute(task, reason);
+            return TcpConclusions.NoRoute(context, reason);
 
         TcpLink[] links = [.. routed.Select(Open)];
         try
         {
             (TcpLink? link, IPAddress address, LinkEnd failure) = await ConnectAsync(links, routed).ConfigureAwait(false);
             if (link is null)
-                return await TcpFaults.NotConnectedAsync(task, failure, address).ConfigureAwait(false);
+                return await TcpConclusions.NotConnectedAsync(context, failure, address).ConfigureAwait(false);
 
             return await ListenAsync(link, address).ConfigureAwait(false);
         }
@@ -40,7 +40,7 @@ internal sealed class TcpExamination(DiagnosisContext task)
         }
 
         TcpLink Open(IPAddress address) =>
-            new(_link with { Host = address.ToString(), ConnectTimeout = task.Share(task.Pace.Connecting) });
+            new(_link with { Host = address.ToString(), ConnectTimeout = context.Share(context.Budget.Connecting) });
     }
 
     private async Task<(IPAddress[] Addresses, Conclusion? Unknown)> ResolveAsync()
@@ -49,29 +49,29 @@ internal sealed class TcpExamination(DiagnosisContext task)
         {
             string text = literal.ToString();
             if (literal.AddressFamily == AddressFamily.InterNetwork && !text.Equals(_link.Host, StringComparison.Ordinal))
-                task.Log.Warning("name", $"{_link.Host} is read as the address {text}");
+                context.Log.Warning("name", $"{_link.Host} is read as the address {text}");
             else
-                task.Log.Ok("name", $"{text} is an address; there is no name to look up");
+                context.Log.Ok("name", $"{text} is an address; there is no name to look up");
             return ([literal], null);
         }
 
         try
         {
-            LinkOptions limited = _link with { ConnectTimeout = task.Share(task.Pace.Name) };
-            IPAddress[] addresses = await HostResolver.ResolveAsync(limited, task.Stop).ConfigureAwait(false);
+            LinkOptions limited = _link with { ConnectTimeout = context.Share(context.Budget.Name) };
+            IPAddress[] addresses = await HostResolver.ResolveAsync(limited, context.CancellationToken).ConfigureAwait(false);
             if (addresses.Length > 0)
             {
-                task.Log.Ok("name", $"{_link.Host} has the address {string.Join(", ", addresses.Take(MostAddresses).Select(Written))}");
-                return ([.. addresses.Take(MostAddresses)], null);
+                context.Log.Ok("name", $"{_link.Host} has the address {string.Join(", ", addresses.Take(MaxAddresses).Select(Written))}");
+                return ([.. addresses.Take(MaxAddresses)], null);
             }
         }
         catch (Exception exception) when (exception is SocketException or ArgumentException or TimeoutException)
         {
-            task.Stop.ThrowIfCancellationRequested();
-            return ([], TcpFaults.UnknownHost(task, exception));
+            context.CancellationToken.ThrowIfCancellationRequested();
+            return ([], TcpConclusions.UnknownHost(context, exception));
         }
 
-        return ([], TcpFaults.UnknownHost(task, exception: null));
+        return ([], TcpConclusions.UnknownHost(context, exception: null));
     }
 
     private IPAddress[] FindRoutes(IPAddress[] addresses, out ConnectionReason reason)
@@ -95,7 +95,7 @@ internal sealed class TcpExamination(DiagnosisContext task)
         }
 
         if (routed.Count > 0)
-            task.Log.Ok("route", string.Join("; ", details));
+            context.Log.Ok("route", string.Join("; ", details));
 
         return [.. routed];
     }
@@ -103,12 +103,12 @@ internal sealed class TcpExamination(DiagnosisContext task)
     // All addresses at once, and the first in their order that connects: one that does not answer shall not use up the time of the next.
     private async Task<(TcpLink? Link, IPAddress Address, LinkEnd Failure)> ConnectAsync(TcpLink[] links, IPAddress[] addresses)
     {
-        Task<LinkEnd>[] opening = [.. links.Select(link => link.OpenAsync(task.Stop))];
+        Task<LinkEnd>[] opening = [.. links.Select(link => link.OpenAsync(context.CancellationToken))];
         var ends = new List<LinkEnd>();
         while (ends.Count < links.Length && (ends.Count == 0 || ends[^1].Reason != ConnectionReason.None))
             ends.Add(await opening[ends.Count].ConfigureAwait(false));
 
-        task.Stop.ThrowIfCancellationRequested();
+        context.CancellationToken.ThrowIfCancellationRequested();
         if (ends[^1].Reason != ConnectionReason.None)
         {
             int telling = Math.Max(0, ends.FindIndex(static end => end.Reason == ConnectionReason.Refused));
@@ -124,14 +124,14 @@ internal sealed class TcpExamination(DiagnosisContext task)
 
         if (connected > 0)
         {
-            task.Log.Warning(
+            context.Log.Warning(
                 "port",
                 $"TCP port {_link.Port} of {Written(addresses[connected])} is open, but {Written(addresses[0])}, which a reader tries first, "
                 + $"{(ends[0].Reason == ConnectionReason.Refused ? "refuses" : "does not answer")}: give the address instead of the name");
         }
         else
         {
-            task.Log.Ok("port", $"TCP port {_link.Port} of {Written(addresses[connected])} is open");
+            context.Log.Ok("port", $"TCP port {_link.Port} of {Written(addresses[connected])} is open");
         }
 
         return (links[connected], addresses[connected], LinkEnd.None);
@@ -139,12 +139,12 @@ internal sealed class TcpExamination(DiagnosisContext task)
 
     private async Task<Conclusion> ListenAsync(TcpLink link, IPAddress address)
     {
-        var sample = new StreamSample(task.Expected);
+        var sample = new StreamSample(context.Expected);
         Task<LinkEnd> receiving = link.ReceiveAsync(sample, listener: null);
-        TimeSpan silence = task.Share(task.Pace.Silence);
-        await task.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
+        TimeSpan silence = context.Share(context.Budget.Silence);
+        await context.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
         if (sample.Started.IsCompleted)
-            await task.WaitAsync(task.Share(task.Pace.Measuring), receiving).ConfigureAwait(false);
+            await context.WaitAsync(context.Share(context.Budget.Measuring), receiving).ConfigureAwait(false);
 
         bool closedByServer = receiving.IsCompleted;
         link.Close();
@@ -152,12 +152,12 @@ internal sealed class TcpExamination(DiagnosisContext task)
         if (sample.Bytes == 0)
         {
             return closedByServer
-                ? await TcpFaults.ClosedAsync(task, address).ConfigureAwait(false)
-                : await TcpFaults.SilentAsync(task, address, silence).ConfigureAwait(false);
+                ? await TcpConclusions.ClosedAsync(context, address).ConfigureAwait(false)
+                : await TcpConclusions.SilentAsync(context, address, silence).ConfigureAwait(false);
         }
 
-        task.Log.Ok("first bytes", $"{sample.FirstBytes}{(closedByServer ? "; then the server closed the connection" : string.Empty)}");
-        return await TcpFaults.AddElsewhereAsync(task, StreamExamination.Judge(task, sample, Place), address, isUdp: false).ConfigureAwait(false);
+        context.Log.Ok("first bytes", $"{sample.FirstBytes}{(closedByServer ? "; then the server closed the connection" : string.Empty)}");
+        return await TcpConclusions.AddOtherPortsAsync(context, StreamExamination.Judge(context, sample, Place), address, isUdp: false).ConfigureAwait(false);
     }
 
     private static string Written(IPAddress address) =>

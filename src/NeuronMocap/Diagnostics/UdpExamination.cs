@@ -4,57 +4,57 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Diagnostics;
 
 // Walks the chain from this computer's UDP port to the frames, and looks elsewhere where nothing arrives.
-internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddress> allowedSenders)
+internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPAddress> allowedSenders)
 {
-    private readonly LinkOptions _link = task.Link;
+    private readonly LinkOptions _link = context.Link;
 
     public async Task<Conclusion> RunAsync()
     {
         IReadOnlyList<string> addresses = LocalNetwork.ReachableAddresses();
-        task.Log.Ok("route", addresses.Count > 0
+        context.Log.Ok("route", addresses.Count > 0
             ? $"other computers send to {string.Join(" or ", addresses)}, programs on this one to 127.0.0.1"
             : "this computer has no network: only programs on it can send here, to 127.0.0.1");
 
-        var sample = new StreamSample(task.Expected);
+        var sample = new StreamSample(context.Expected);
         var filter = new SenderFilter(allowedSenders);
         using var listener = new UdpListener(_link, filter, sample);
         ConnectionReason reason = listener.Open();
         if (reason != ConnectionReason.None)
             return NotBound(reason);
 
-        task.Log.Ok("port", $"UDP port {listener.Port} is free and open");
-        ReceiveBufferStep.Add(task.Log, listener.ReceiveBufferSize);
+        context.Log.Ok("port", $"UDP port {listener.Port} is free and open");
+        ReceiveBufferStep.Add(context.Log, listener.ReceiveBufferSize);
         Task receiving = listener.ReceiveAsync();
-        TimeSpan silence = task.Share(task.Pace.Silence);
-        await task.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
+        TimeSpan silence = context.Share(context.Budget.Silence);
+        await context.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
         if (sample.Started.IsCompleted)
-            await task.WaitAsync(task.Share(task.Pace.Measuring), receiving).ConfigureAwait(false);
+            await context.WaitAsync(context.Share(context.Budget.Measuring), receiving).ConfigureAwait(false);
 
-        var place = new StreamPlace(TransportKind.Udp, _link.Host, listener.Port);
+        var endpoint = new StreamEndpoint(TransportKind.Udp, _link.Host, listener.Port);
         listener.Dispose();
         await receiving.ConfigureAwait(false);
         if (sample.Bytes == 0 && filter.RefusedDatagrams > 0)
-            return NotAllowed(filter, place);
+            return NotAllowed(filter, endpoint);
 
         return sample.Bytes == 0
             ? await SilentAsync(listener, silence, addresses).ConfigureAwait(false)
-            : await JudgeAsync(listener, sample, place).ConfigureAwait(false);
+            : await JudgeAsync(listener, sample, endpoint).ConfigureAwait(false);
     }
 
-    private Task<Conclusion> JudgeAsync(UdpListener listener, StreamSample sample, StreamPlace place)
+    private Task<Conclusion> JudgeAsync(UdpListener listener, StreamSample sample, StreamEndpoint endpoint)
     {
         string senders = string.Join(", ", listener.Senders);
-        task.Log.Ok("first bytes", $"{sample.FirstBytes}, from {senders}, datagrams of up to {listener.LargestDatagram} bytes");
-        return TcpFaults.AddElsewhereAsync(task, StreamExamination.Judge(task, sample, place), address: null, isUdp: true);
+        context.Log.Ok("first bytes", $"{sample.FirstBytes}, from {senders}, datagrams of up to {listener.LargestDatagram} bytes");
+        return TcpConclusions.AddOtherPortsAsync(context, StreamExamination.Judge(context, sample, endpoint), address: null, isUdp: true);
     }
 
-    private Conclusion NotAllowed(SenderFilter filter, StreamPlace place)
+    private Conclusion NotAllowed(SenderFilter filter, StreamEndpoint endpoint)
     {
         string senders = string.Join(", ", filter.RefusedSenders);
-        task.Log.Failed("first bytes", StreamPhrases.Invariant($"none that may be looked at: {filter.RefusedDatagrams} datagrams from {senders}"));
+        context.Log.Failed("first bytes", StreamPhrases.Invariant($"none that may be looked at: {filter.RefusedDatagrams} datagrams from {senders}"));
         return new Conclusion(
             DiagnosisVerdict.SenderNotAllowed,
-            $"Datagrams arrive on {place}, but only from {senders}, which AllowedSenders does not list.",
+            $"Datagrams arrive on {endpoint}, but only from {senders}, which AllowedSenders does not list.",
             "If that is the computer that runs Axis Neuron, give AllowedSenders its address, or leave it out to let everyone send.");
     }
 
@@ -84,17 +84,17 @@ internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddr
                 $"UDP port {_link.Port} of this computer cannot be opened ({reason}).",
                 (string?)null),
         };
-        task.Log.Failed("port", $"UDP port {_link.Port}: {detail}");
+        context.Log.Failed("port", $"UDP port {_link.Port}: {detail}");
         return new Conclusion(verdict, text, advice);
     }
 
     private async Task<Conclusion> SilentAsync(UdpListener listener, TimeSpan silence, IReadOnlyList<string> addresses)
     {
-        task.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
+        context.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
         IPAddress? host = await ResolveHostAsync().ConfigureAwait(false);
-        Search search = await AlternativePortScan.FindAsync(task, host, isUdp: true).ConfigureAwait(false);
-        if (search.Found is { } found && found.Sample.Has(task.Expected))
-            return Instead(found);
+        PortScanResult search = await AlternativePortScan.FindAsync(context, host, isUdp: true).ConfigureAwait(false);
+        if (search.Found is { } found && found.Sample.Has(context.Expected))
+            return FoundElsewhereOnUdp(found);
 
         string port = $"{listener.Port}";
         string destination = $"{(addresses.Count > 0 ? addresses[0] : "127.0.0.1")}:{port}";
@@ -102,22 +102,22 @@ internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddr
             DiagnosisVerdict.Silent,
             $"Nothing arrives on UDP port {port} of this computer. The server sends to another address or port, over TCP, or nothing "
             + "at all; or a firewall keeps it out, this computer's or one that drops datagrams of more than one network packet.",
-            $"{ServerSettings.BroadcastUdp(task.Expected, destination)} A server on this computer sends to 127.0.0.1:{port}. Allow this program in this computer's "
+            $"{ServerSettings.BroadcastUdp(context.Expected, destination)} A server on this computer sends to 127.0.0.1:{port}. Allow this program in this computer's "
             + $"firewall. {ServerSettings.Play}");
     }
 
-    private static Conclusion Instead(Probe found)
+    private static Conclusion FoundElsewhereOnUdp(PortProbe found)
     {
-        ExplainedVerdict verdict = found.Place.Transport == TransportKind.Udp
+        ExplainedVerdict verdict = found.Endpoint.Transport == TransportKind.Udp
             ? new ExplainedVerdict(
                 DiagnosisVerdict.OtherPort,
-                $"Frames arrive on {found.Place}, from {found.Sender}, and not on the port that was asked for.",
-                $"Use port {found.Place.Port} here, or change the client's or destination's port in the server's broadcasting settings.")
+                $"Frames arrive on {found.Endpoint}, from {found.Sender}, and not on the port that was asked for.",
+                $"Use port {found.Endpoint.Port} here, or change the client's or destination's port in the server's broadcasting settings.")
             : new ExplainedVerdict(
                 DiagnosisVerdict.OfferedOverTcp,
-                $"No datagram arrives, but {found.Place} has the stream: the server is set to TCP.",
-                $"Receive over TCP from {found.Place.Host}, port {found.Place.Port}; or choose UDP on the server.");
-        return new Conclusion([verdict], Place: found.Place);
+                $"No datagram arrives, but {found.Endpoint} has the stream: the server is set to TCP.",
+                $"Receive over TCP from {found.Endpoint.Host}, port {found.Endpoint.Port}; or choose UDP on the server.");
+        return new Conclusion([verdict], Endpoint: found.Endpoint);
     }
 
     // A name that cannot be looked up is no fault here: over UDP nobody needs it.
@@ -125,13 +125,13 @@ internal sealed class UdpExamination(DiagnosisContext task, IReadOnlyList<IPAddr
     {
         try
         {
-            LinkOptions limited = _link with { ConnectTimeout = task.Share(task.Pace.Asking) };
-            IPAddress[] addresses = await HostResolver.ResolveAsync(limited, task.Stop).ConfigureAwait(false);
+            LinkOptions limited = _link with { ConnectTimeout = context.Share(context.Budget.Asking) };
+            IPAddress[] addresses = await HostResolver.ResolveAsync(limited, context.CancellationToken).ConfigureAwait(false);
             return addresses.Length > 0 ? addresses[0] : null;
         }
         catch (Exception exception) when (exception is System.Net.Sockets.SocketException or ArgumentException or TimeoutException)
         {
-            task.Stop.ThrowIfCancellationRequested();
+            context.CancellationToken.ThrowIfCancellationRequested();
             return null;
         }
     }

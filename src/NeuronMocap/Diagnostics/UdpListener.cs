@@ -10,7 +10,7 @@ namespace NeuronMocap.Diagnostics;
 internal sealed class UdpListener(LinkOptions options, SenderFilter filter, StreamSample sample) : IDisposable
 {
     private const int MaxDatagram = 65_536;
-    private const int MostSenders = 16;
+    private const int MaxSenders = 16;
 
     private readonly HashSet<IPEndPoint> _senders = [];
     private Socket? _socket;
@@ -53,7 +53,7 @@ internal sealed class UdpListener(LinkOptions options, SenderFilter filter, Stre
                 SocketReceiveFromResult result =
                     await _socket.ReceiveFromAsync(new ArraySegment<byte>(buffer), SocketFlags.None, anyone).ConfigureAwait(false);
                 LargestDatagram = Math.Max(LargestDatagram, result.ReceivedBytes);
-                if (_senders.Count < MostSenders)
+                if (_senders.Count < MaxSenders)
                     _senders.Add((IPEndPoint)result.RemoteEndPoint);
 
                 senders.Push(result.RemoteEndPoint.Serialize(), new ArraySegment<byte>(buffer, 0, result.ReceivedBytes), Stopwatch.GetTimestamp());

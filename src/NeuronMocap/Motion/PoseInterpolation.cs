@@ -10,7 +10,7 @@ namespace NeuronMocap.Motion;
 public static class PoseInterpolation
 {
     // Beyond 50 degrees from one frame to the next there is no smooth motion to be guessed.
-    private const float LeastCosine = 0.9f;
+    private const float MinCosine = 0.9f;
 
     /// <summary>Between two frames: positions on a straight line, rotations at a constant speed.</summary>
     /// <param name="from">The pose at part 0.</param>
@@ -56,9 +56,9 @@ public static class PoseInterpolation
             Quaternion first = QuaternionMath.InHemisphereOf(second, before[i].Rotation);
             Quaternion third = QuaternionMath.InHemisphereOf(second, frames.Third[i].Rotation);
             Quaternion fourth = QuaternionMath.InHemisphereOf(third, after[i].Rotation);
-            bool smooth = Quaternion.Dot(first, second) > LeastCosine
-                && Quaternion.Dot(second, third) > LeastCosine
-                && Quaternion.Dot(third, fourth) > LeastCosine;
+            bool smooth = Quaternion.Dot(first, second) > MinCosine
+                && Quaternion.Dot(second, third) > MinCosine
+                && Quaternion.Dot(third, fourth) > MinCosine;
             pose[i] = new BoneTransform(
                 (before[i].Position * weights.First)
                     + (frames.Second[i].Position * weights.Second)

@@ -6,7 +6,7 @@ namespace NeuronMocap.Motion;
 internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
 {
     // Frames closer than this are one: their difference says nothing about a speed.
-    private const double LeastInterval = 5e-5;
+    private const double MinInterval = 5e-5;
 
     // Without so many frames in a row the motion between is not known, and is not made up.
     private const double GapIntervals = 6;
@@ -27,8 +27,8 @@ internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
         while (place > 0 && _slots[place - 1].Time > slot.Time)
             place--;
 
-        bool isDouble = (place > 0 && slot.Time - _slots[place - 1].Time < LeastInterval)
-            || (place < _count && _slots[place].Time - slot.Time < LeastInterval);
+        bool isDouble = (place > 0 && slot.Time - _slots[place - 1].Time < MinInterval)
+            || (place < _count && _slots[place].Time - slot.Time < MinInterval);
         if (isDouble)
         {
             slot.IsDone = true;

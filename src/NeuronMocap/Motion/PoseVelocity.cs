@@ -19,7 +19,7 @@ public static class PoseVelocity
         ReadOnlySpan<BoneTransform> earlier, ReadOnlySpan<BoneTransform> later, double elapsed, Span<BoneVelocity> velocities)
     {
         Check(earlier, later, velocities);
-        float rate = Rate(elapsed);
+        float rate = PerSecond(elapsed);
         for (int i = 0; i < later.Length; i++)
         {
             velocities[i] = new BoneVelocity(
@@ -52,8 +52,8 @@ public static class PoseVelocity
         // The nearer neighbour tells more about this moment: each difference is weighted by the length of the other.
         double both = Math.Max(elapsedBefore, 0) + Math.Max(elapsedAfter, 0);
         float weightBefore = both > 0 ? (float)(Math.Max(elapsedAfter, 0) / both) : 0;
-        float first = elapsedAfter > 0 ? Rate(elapsedBefore) * weightBefore : Rate(elapsedBefore);
-        float second = elapsedBefore > 0 ? Rate(elapsedAfter) * (1 - weightBefore) : Rate(elapsedAfter);
+        float first = elapsedAfter > 0 ? PerSecond(elapsedBefore) * weightBefore : PerSecond(elapsedBefore);
+        float second = elapsedBefore > 0 ? PerSecond(elapsedAfter) * (1 - weightBefore) : PerSecond(elapsedAfter);
         for (int i = 0; i < now.Length; i++)
         {
             velocities[i] = new BoneVelocity(
@@ -63,7 +63,7 @@ public static class PoseVelocity
         }
     }
 
-    private static float Rate(double elapsed) => elapsed > 0 ? (float)(1 / elapsed) : 0;
+    private static float PerSecond(double elapsed) => elapsed > 0 ? (float)(1 / elapsed) : 0;
 
     private static void Check(ReadOnlySpan<BoneTransform> neighbour, ReadOnlySpan<BoneTransform> pose, Span<BoneVelocity> velocities)
     {

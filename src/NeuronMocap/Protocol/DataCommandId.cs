@@ -1,4 +1,4 @@
-namespace NeuronMocap.Commands;
+namespace NeuronMocap.Protocol;
 
 /// <summary>
 /// What a command on the data connection is about: the "CmdId" of the vendor's b11 and b12 libraries (protocol.md sections 2.4 and 7).

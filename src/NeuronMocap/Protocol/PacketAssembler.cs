@@ -38,7 +38,7 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
 
     // Whether a piece begins with a line of text of its own while the tail is an unfinished one. A tail of digits alone may be the start of the
     // piece's first number.
-    public bool StartsAnew(ReadOnlySpan<byte> piece) => _scanner.IsInsideLine && TextLine.BeginsTelling(piece);
+    public bool StartsAnew(ReadOnlySpan<byte> piece) => _scanner.IsInsideLine && TextLine.BeginsLine(piece);
 
     // Gives up the unfinished tail: what follows it is known to be missing.
     public void Abandon()

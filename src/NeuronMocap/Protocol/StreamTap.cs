@@ -51,12 +51,12 @@ internal sealed class StreamTap
 
         if (_receiveLock is null)
         {
-            Tell(listeners, number, sender, bytes, timestamp);
+            Notify(listeners, number, sender, bytes, timestamp);
             return;
         }
 
         lock (_receiveLock)
-            Tell(listeners, number, sender, bytes, timestamp);
+            Notify(listeners, number, sender, bytes, timestamp);
     }
 
     public void Open(bool isDatagrams, EndPoint? local, EndPoint? remote, long timestamp)
@@ -113,7 +113,7 @@ internal sealed class StreamTap
         }
     }
 
-    private void Tell(IStreamListener[] listeners, int number, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
+    private void Notify(IStreamListener[] listeners, int number, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
     {
         if (_open is not { } open)
             return;

@@ -11,7 +11,7 @@ namespace NeuronMocap;
 public readonly record struct Timecode(int Hours, int Minutes, int Seconds, int Frames)
 {
     // No frame rate has more in a second.
-    private const uint MostFrames = 1000;
+    private const uint MaxFrames = 1000;
 
     /// <summary>The timecode as people write it: 10:11:12:07.</summary>
     /// <returns>Four numbers of at least two digits.</returns>
@@ -22,7 +22,7 @@ public readonly record struct Timecode(int Hours, int Minutes, int Seconds, int 
     internal static Timecode? Read(uint time, uint frames)
     {
         (uint hours, uint minutes, uint seconds) = (time >> 16, (time >> 8) & 0xFF, time & 0xFF);
-        return (time | frames) != 0 && hours < 24 && minutes < 60 && seconds < 60 && frames < MostFrames
+        return (time | frames) != 0 && hours < 24 && minutes < 60 && seconds < 60 && frames < MaxFrames
             ? new Timecode((int)hours, (int)minutes, (int)seconds, (int)frames)
             : null;
     }

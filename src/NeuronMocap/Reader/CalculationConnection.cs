@@ -7,19 +7,19 @@ namespace NeuronMocap.Reader;
 // The second connection of a reader, to the port of calculation data. It connects, ends and reconnects by itself.
 internal sealed class CalculationConnection
 {
-    private readonly StatusBoard _status;
+    private readonly StatusPublisher _status;
     private readonly LinkActivity _activity;
     private readonly ConnectionSupervisor _supervisor;
-    private readonly CalculationIntake _intake;
+    private readonly CalculationPortReceiver _receiver;
 
     public CalculationConnection(
         NeuronReaderOptions options, FrameFormat format, ReceivePipeline pipeline, SenderFilter? udpSenders, Func<Link> createLink, Action<ConnectionStatus> changed)
     {
         var recognizer = new StreamRecognizer(format);
-        _status = new StatusBoard(changed);
+        _status = new StatusPublisher(changed);
         _activity = new LinkActivity(_status, options.SilenceTimeout, udpSenders, recognizer.Describe);
         _supervisor = new ConnectionSupervisor(createLink, options.Reconnect, _status, _activity, new Random().NextDouble);
-        _intake = new CalculationIntake(pipeline, recognizer, _activity, pipeline.Tap.AddCalculation());
+        _receiver = new CalculationPortReceiver(pipeline, recognizer, _activity, pipeline.Tap.AddCalculation());
     }
 
     public ConnectionStatus Status => _status.Current;
@@ -30,7 +30,7 @@ internal sealed class CalculationConnection
         ConnectionStatus last;
         try
         {
-            last = await _supervisor.RunAsync(new CalculationOnlyReceiver(_intake), _intake, cancellationToken).ConfigureAwait(false);
+            last = await _supervisor.RunAsync(new CalculationOnlyReceiver(_receiver), _receiver, cancellationToken).ConfigureAwait(false);
         }
         catch (Exception exception)
         {

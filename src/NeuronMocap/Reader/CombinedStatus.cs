@@ -6,13 +6,13 @@ namespace NeuronMocap.Reader;
 // there is no other. Statuses come in the order of each connection, on any thread.
 internal sealed class CombinedStatus(Action<ConnectionStatus> changed, int calculationPort)
 {
-    private readonly StatusBoard _told = new(changed);
+    private readonly StatusPublisher _combined = new(changed);
     private ConnectionStatus _first = new(ConnectionState.Created, ConnectionReason.None, "Not started.");
     private ConnectionStatus _calculation = new(ConnectionState.Created, ConnectionReason.None, "Not started.");
 
-    public ConnectionStatus Current => _told.Current;
+    public ConnectionStatus Current => _combined.Current;
 
-    public void OnFirst(ConnectionStatus status) => _told.TrySet(
+    public void OnFirst(ConnectionStatus status) => _combined.TrySet(
         _ => true,
         _ =>
         {
@@ -20,7 +20,7 @@ internal sealed class CombinedStatus(Action<ConnectionStatus> changed, int calcu
             return Join();
         });
 
-    public void OnCalculation(ConnectionStatus status) => _told.TrySet(
+    public void OnCalculation(ConnectionStatus status) => _combined.TrySet(
         told =>
         {
             // The reader stops, and its first connection tells that.

@@ -11,7 +11,7 @@ namespace NeuronMocap.Reader;
 internal sealed class ReaderRecordings
 {
     private readonly object _lock = new();
-    private readonly TimeSpan _patience;
+    private readonly TimeSpan _stopTimeout;
     private volatile IFileOutput[] _all = [];
     private RecordingMetadata _metadata;
     private bool _ended;
@@ -19,7 +19,7 @@ internal sealed class ReaderRecordings
     public ReaderRecordings(NeuronReaderOptions options, string name, object? receiveLock = null)
     {
         Tap = new StreamTap(receiveLock);
-        _patience = options.StopTimeout / 2;
+        _stopTimeout = options.StopTimeout / 2;
         _metadata = new RecordingMetadata()
             .With(RecordingMetadata.ProgramKey, DescribeProgram())
             .With(RecordingMetadata.ServerKey, options.Transport == TransportKind.Udp ? $"UDP port {options.Port}" : options.Link.Target)
@@ -106,7 +106,7 @@ internal sealed class ReaderRecordings
             output.Stop();
 
         if (all.Length > 0)
-            await Task.WhenAny(Task.WhenAll(all.Select(static output => output.Ended)), Task.Delay(_patience)).ConfigureAwait(false);
+            await Task.WhenAny(Task.WhenAll(all.Select(static output => output.Ended)), Task.Delay(_stopTimeout)).ConfigureAwait(false);
     }
 
     private void Learn(string key, string value)

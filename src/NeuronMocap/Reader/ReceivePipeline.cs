@@ -17,7 +17,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     private readonly FrameFormat _format;
     private readonly StreamRecognizer _recognizer;
     private readonly LinkActivity _activity;
-    private readonly StatusBoard _status;
+    private readonly StatusPublisher _status;
     private readonly SenderFilter _senders;
     private readonly ReaderMetrics _metrics;
     private readonly ReaderRecordings _recordings;
@@ -34,7 +34,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         FrameFormat format,
         StreamRecognizer recognizer,
         LinkActivity activity,
-        StatusBoard status,
+        StatusPublisher status,
         SenderFilter senders,
         ReaderMetrics metrics,
         DataCommands.TrySend trySend,
@@ -233,7 +233,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     }
 
     private FrameQueue CreateQueue(int capacity, string name, PacketKind only, Func<bool>? backPressure) =>
-        new(capacity, _format, Close, name, _metrics.HandOver(name), backPressure) { Only = only };
+        new(capacity, _format, Close, name, _metrics.HandOver(name), backPressure) { OnlyKind = only };
 
     private FrameQueue Open(FrameQueue queue)
     {

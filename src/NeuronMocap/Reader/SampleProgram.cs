@@ -5,7 +5,7 @@ namespace NeuronMocap.Reader;
 // The program that receives a stream, for people to copy.
 internal static class SampleProgram
 {
-    public static string For(NeuronReaderOptions options, StreamPlace place, PacketKind wanted)
+    public static string For(NeuronReaderOptions options, StreamEndpoint endpoint, PacketKind wanted)
     {
         string method = wanted switch
         {
@@ -14,33 +14,33 @@ internal static class SampleProgram
             _ => nameof(NeuronReader.ReadStudioCalculationAsync),
         };
         return $"""
-            await using var reader = new NeuronReader({ArgumentsOf(options, place)});
+            await using var reader = new NeuronReader({ArgumentsOf(options, endpoint)});
             await foreach (var frame in reader.{method}())
                 Console.WriteLine(frame.AvatarName);
             """;
     }
 
-    private static string ArgumentsOf(NeuronReaderOptions options, StreamPlace place)
+    private static string ArgumentsOf(NeuronReaderOptions options, StreamEndpoint endpoint)
     {
         var parts = new List<string>();
-        if (place.Transport == TransportKind.Udp)
+        if (endpoint.Transport == TransportKind.Udp)
             parts.Add("Transport = TransportKind.Udp");
         else
-            parts.Add($"Host = \"{place.Host}\"");
+            parts.Add($"Host = \"{endpoint.Host}\"");
 
-        parts.Add($"Port = {place.Port}");
+        parts.Add($"Port = {endpoint.Port}");
         int essential = parts.Count;
         if (options.CalculationLink is { } calculation)
             parts.Add($"CalculationPort = {calculation.Port}");
         if (options.LocalAddress is { } address)
             parts.Add($"LocalAddress = IPAddress.Parse(\"{address}\")");
-        if (options.SharePort && place.Transport == TransportKind.Udp)
+        if (options.SharePort && endpoint.Transport == TransportKind.Udp)
             parts.Add("SharePort = true");
         if (options.RotationOrder is { } order)
             parts.Add($"RotationOrder = RotationOrder.{order}");
 
-        return place.Transport == TransportKind.Tcp && parts.Count == essential
-            ? $"\"{place.Host}\", {place.Port}"
+        return endpoint.Transport == TransportKind.Tcp && parts.Count == essential
+            ? $"\"{endpoint.Host}\", {endpoint.Port}"
             : $"new NeuronReaderOptions {{ {string.Join(", ", parts)} }}";
     }
 }

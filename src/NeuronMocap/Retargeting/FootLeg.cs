@@ -11,7 +11,7 @@ internal sealed class FootLeg
     // From here on, as a part of its length, a leg is stretched ever less: one that becomes straight at once throws its knee.
     private const float NearlyStraight = 0.96f;
 
-    private const int MostAttempts = 8;
+    private const int MaxAttempts = 8;
     private const float Exact = 1e-4f;
 
     private readonly TargetRig _rig;
@@ -60,7 +60,7 @@ internal sealed class FootLeg
     public static FootLeg? TryCreate(TargetRig rig, HumanoidBone upperLeg, HumanoidBone lowerLeg, HumanoidBone foot)
     {
         (int thigh, int shin, int end) = (rig.GetNode(upperLeg), rig.GetNode(lowerLeg), rig.GetNode(foot));
-        bool isLeg = HangsFrom(rig, thigh, rig.HipsNode) && HangsFrom(rig, shin, thigh) && HangsFrom(rig, end, shin);
+        bool isLeg = IsDescendantOf(rig, thigh, rig.HipsNode) && IsDescendantOf(rig, shin, thigh) && IsDescendantOf(rig, end, shin);
         return isLeg ? new FootLeg(rig, thigh, shin, end) : null;
     }
 
@@ -101,7 +101,7 @@ internal sealed class FootLeg
     {
         // Once, but for sheared rigs, whose bones change their lengths as they turn.
         Vector3 aim = target;
-        for (int attempt = 0; attempt < (_rig.IsSheared ? MostAttempts : 1); attempt++)
+        for (int attempt = 0; attempt < (_rig.IsSheared ? MaxAttempts : 1); attempt++)
         {
             ReadOnlySpan<Vector3> at = pose.WorldPositions;
             Quaternion upper = pose.WorldRotations[_thigh];
@@ -134,7 +134,7 @@ internal sealed class FootLeg
         return Quaternion.CreateFromAxisAngle(Vector3.Normalize(axis), angle) * Rotation;
     }
 
-    private static bool HangsFrom(TargetRig rig, int node, int ancestor)
+    private static bool IsDescendantOf(TargetRig rig, int node, int ancestor)
     {
         if (ancestor < 0)
             return false;

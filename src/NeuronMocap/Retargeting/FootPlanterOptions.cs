@@ -36,7 +36,7 @@ public sealed class FootPlanterOptions
     public float? GroundHeight
     {
         get => _groundHeight;
-        set => _groundHeight = value is not { } height || Numbers.IsFinite(height)
+        set => _groundHeight = value is not { } height || FiniteValues.IsFinite(height)
             ? value
             : throw new ArgumentOutOfRangeException(nameof(value), value, "The height is a number of metres, or null.");
     }

@@ -17,7 +17,7 @@ public sealed class RetargetOptions
     public float HeightOffset
     {
         get => _heightOffset;
-        set => _heightOffset = Numbers.IsFinite(value)
+        set => _heightOffset = FiniteValues.IsFinite(value)
             ? value
             : throw new ArgumentOutOfRangeException(nameof(value), value, "The offset is a number of metres.");
     }
@@ -30,7 +30,7 @@ public sealed class RetargetOptions
     public float? Scale
     {
         get => _scale;
-        set => _scale = value is not { } scale || (Numbers.IsFinite(scale) && scale >= 0)
+        set => _scale = value is not { } scale || (FiniteValues.IsFinite(scale) && scale >= 0)
             ? value
             : throw new ArgumentOutOfRangeException(nameof(value), value, "The scale is a number, 0 or more, or null.");
     }

@@ -86,7 +86,7 @@ public sealed class RetargetedPose
         Vector3 way = position - _worldPositions[Rig.HipsNode];
         for (int node = Rig.HipsNode; node < _worldPositions.Length; node++)
         {
-            if (!Rig.HangsFromHips(node))
+            if (!Rig.IsBelowHips(node))
                 continue;
 
             _worldPositions[node] += way;

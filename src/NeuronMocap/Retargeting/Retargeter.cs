@@ -106,7 +106,7 @@ public sealed class Retargeter
         {
             BoneTransform local = bone == 0 ? hips : localPose[bone];
             float length = local.Rotation.Length();
-            if (!(length > 1e-3f) || !Numbers.IsFinite(length) || !Numbers.IsFinite(local.Position))
+            if (!(length > 1e-3f) || !FiniteValues.IsFinite(length) || !FiniteValues.IsFinite(local.Position))
                 return false;
 
             Quaternion turn = UnityAxes.ToUnityRotation(local.Rotation) * (1 / length);

@@ -36,8 +36,8 @@ internal sealed class RigMappingCheck
         return _issues;
     }
 
-    private static bool IsSound(in RigNode node) => Numbers.IsFinite(node.Position) && Numbers.IsFinite(node.Rotation)
-        && Numbers.IsFinite(node.Scale) && node.Rotation.LengthSquared() > 1e-6f && node.Scale.X * node.Scale.Y * node.Scale.Z != 0;
+    private static bool IsSound(in RigNode node) => FiniteValues.IsFinite(node.Position) && FiniteValues.IsFinite(node.Rotation)
+        && FiniteValues.IsFinite(node.Scale) && node.Rotation.LengthSquared() > 1e-6f && node.Scale.X * node.Scale.Y * node.Scale.Z != 0;
 
     private void CheckTransforms()
     {
@@ -83,7 +83,7 @@ internal sealed class RigMappingCheck
             Add(RigFault.DuplicateMapping, RigSeverity.Error, bone,
                 $"{_nodes[node].Name} is mapped to {HumanoidBones.GetName((HumanoidBone)first)} and to {name}. Map it to one of them.");
         }
-        else if (AncestorOf(bone) is { } ancestor && !HangsFrom(node, _nodeOf[(int)ancestor]))
+        else if (AncestorOf(bone) is { } ancestor && !IsDescendantOf(node, _nodeOf[(int)ancestor]))
         {
             IsUsable = false;
             Add(RigFault.InvalidHierarchy, RigSeverity.Error, bone,
@@ -109,7 +109,7 @@ internal sealed class RigMappingCheck
         return ancestor;
     }
 
-    private bool HangsFrom(int node, int ancestor)
+    private bool IsDescendantOf(int node, int ancestor)
     {
         while (node > ancestor)
             node = _nodes[node].Parent;

@@ -12,7 +12,7 @@ internal sealed class SoleHeightFilter
 
     public float Update(float lowest, double elapsed)
     {
-        if (Numbers.IsFinite(lowest))
+        if (FiniteValues.IsFinite(lowest))
             _height = float.IsNaN(_height) ? lowest : Math.Min(lowest, _height + (float)(elapsed * MaxRise));
 
         return float.IsNaN(_height) ? 0 : _height;

@@ -79,7 +79,7 @@ internal sealed class TPoseBuilder
         if (!(ankle > 0.05f * leg && ankle < 0.25f * leg))
             ankle = 0.1f * leg;
         float now = LowestAnkle();
-        if (Numbers.IsFinite(now))
+        if (FiniteValues.IsFinite(now))
             _pose.SetHipsWorldPosition(_pose.WorldPositions[_rig.HipsNode] + (Vector3.UnitY * (ankle - now)));
     }
 

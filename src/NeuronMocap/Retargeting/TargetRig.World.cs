@@ -12,7 +12,7 @@ public sealed partial class TargetRig
     private readonly Vector3[] _scales;
     private readonly Vector3[] _offsets;
     private readonly int[] _subtreeEnds;
-    private readonly bool[] _hangsFromHips;
+    private readonly bool[] _isBelowHips;
     private readonly Matrix4x4 _hipsParentBack;
 
     /// <summary>Whether scales that differ from axis to axis turn with the bones below them, so that the character is sheared.</summary>
@@ -26,7 +26,7 @@ public sealed partial class TargetRig
     internal int SubtreeEnd(int node) => _subtreeEnds[node];
 
     // Also true of the hips.
-    internal bool HangsFromHips(int node) => _hangsFromHips[node];
+    internal bool IsBelowHips(int node) => _isBelowHips[node];
 
     internal Vector3 HandednessAt(int node) => _handedness[node];
 
@@ -80,7 +80,7 @@ public sealed partial class TargetRig
             _offsets[node] = above * _nodes[node].Position;
             _scales[node] = above * _nodes[node].Scale;
             sheared |= !IsUniform(above);
-            _hangsFromHips[node] = node == HipsNode || (parent != None && _hangsFromHips[parent]);
+            _isBelowHips[node] = node == HipsNode || (parent != None && _isBelowHips[parent]);
             _subtreeEnds[node] = node + 1;
             for (int ancestor = parent; ancestor != None; ancestor = _nodes[ancestor].Parent)
                 _subtreeEnds[ancestor] = node + 1;

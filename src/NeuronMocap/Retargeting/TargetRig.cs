@@ -31,7 +31,7 @@ public sealed partial class TargetRig
         _offsets = new Vector3[nodes.Length];
         _scales = new Vector3[nodes.Length];
         _subtreeEnds = new int[nodes.Length];
-        _hangsFromHips = new bool[nodes.Length];
+        _isBelowHips = new bool[nodes.Length];
         IsSheared = MeasureScales();
 
         _restRotations = new Quaternion[nodes.Length];
@@ -177,7 +177,7 @@ public sealed partial class TargetRig
             RigNode node = copy[i];
             if (node.Parent < None || node.Parent >= i)
                 throw new ArgumentException($"Node {i}, {node.Name}, stands before its parent.", nameof(nodes));
-            if (!Numbers.IsFinite(node.Position) || !Numbers.IsFinite(node.Rotation) || !Numbers.IsFinite(node.Scale))
+            if (!FiniteValues.IsFinite(node.Position) || !FiniteValues.IsFinite(node.Rotation) || !FiniteValues.IsFinite(node.Scale))
                 throw new ArgumentException($"Node {i}, {node.Name}, has a value that is no number.", nameof(nodes));
             if (node.Rotation.LengthSquared() < 1e-6f)
                 throw new ArgumentException($"Node {i}, {node.Name}, has a rotation of length zero.", nameof(nodes));

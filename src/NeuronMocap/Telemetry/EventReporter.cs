@@ -27,20 +27,20 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
     private readonly object _lock = new();
     private readonly StatusLevels _levels = new();
     private readonly Dictionary<(ReaderEventId Id, string? Subject), ThrottledCount> _counts = [];
-    private readonly TaskCompletionSource<bool> _over = new();
+    private readonly TaskCompletionSource<bool> _endedCompletion = new();
     private readonly HashSet<IFileOutput> _outputs = [];
-    private long _droppedTold;
+    private long _droppedReported;
     private volatile Exception? _failure;
     private volatile bool _ended;
 
     // For a report that another thread is just making: half of what a stop may take, so that the last status is still told within it.
-    public TimeSpan Patience { get; init; } = TimeSpan.FromSeconds(1);
+    public TimeSpan EndTimeout { get; init; } = TimeSpan.FromSeconds(1);
 
     // Whether the calling thread is making a report, so that a handler calls.
     public bool IsReporting => Monitor.IsEntered(_lock);
 
     // Completes after the end, when no report runs any more, and lets those who wait go on without a thread of the pool.
-    public Task Over => _over.Task;
+    public Task Ended => _endedCompletion.Task;
 
     // One thread at a time, in the order of the changes.
     public void OnStatus(ConnectionStatus status) =>
@@ -73,12 +73,12 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
         _ended = true;
         return TryEnd(now, TimeSpan.Zero)
             ? Task.CompletedTask
-            : DedicatedThread.RunAsync("NeuronMocap last report", () => TryEnd(now, Patience), TaskCreationOptions.None);
+            : DedicatedThread.RunAsync("NeuronMocap last report", () => TryEnd(now, EndTimeout), TaskCreationOptions.None);
     }
 
-    private bool TryEnd(long now, TimeSpan patience)
+    private bool TryEnd(long now, TimeSpan timeout)
     {
-        if (!Monitor.TryEnter(_lock, patience))
+        if (!Monitor.TryEnter(_lock, timeout))
             return false;
 
         try
@@ -99,7 +99,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
 
         // Still entered where a handler's Dispose came to the end on the handler's thread.
         if (_ended && !IsReporting)
-            _over.TrySetResult(true);
+            _endedCompletion.TrySetResult(true);
     }
 
     private void Report(long now, bool force)
@@ -112,7 +112,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
             unsettled = force ? 0 : Math.Max(unsettled, figures.UnsettledLoss);
 
             ReportLoss(statistics, unsettled, now, force);
-            if (statistics.Dropped > _droppedTold)
+            if (statistics.Dropped > _droppedReported)
                 ReportDropped(now, force);
 
             ReportSkipped(now, force);
@@ -145,7 +145,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
             if (Take(ReaderEventId.FramesDropped, consumer.Name, consumer.Dropped, now, force) is not { Count: > 0 } dropped)
                 continue;
 
-            _droppedTold += dropped.Count;
+            _droppedReported += dropped.Count;
             report(dropped with
             {
                 Message = Text($"The queue '{consumer.Name}' was full and dropped {Number(dropped.Count, "frame")}; {dropped.Total} in all. ")

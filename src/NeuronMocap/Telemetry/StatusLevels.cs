@@ -10,7 +10,7 @@ internal sealed class StatusLevels
 {
     private static readonly long Period = 10 * Stopwatch.Frequency;
 
-    private readonly Dictionary<(ConnectionState State, ConnectionReason Reason), (long Time, int Reception)> _told = [];
+    private readonly Dictionary<(ConnectionState State, ConnectionReason Reason), (long Time, int Reception)> _lastByStatus = [];
     private int _receptions;
     private ConnectionState _lastLine = ConnectionState.Created;
     private StreamFormat _lastFormat;
@@ -42,13 +42,13 @@ internal sealed class StatusLevels
     private bool IsNew(in ConnectionStatus status)
     {
         // Silence is not told once more while it lasts, and cannot come more often than its timeout allows: no period for it.
-        if (_told.TryGetValue((status.State, status.Reason), out (long Time, int Reception) last)
+        if (_lastByStatus.TryGetValue((status.State, status.Reason), out (long Time, int Reception) last)
             && (last.Reception == _receptions || (status.State != ConnectionState.Silent && status.Timestamp - last.Time < Period)))
         {
             return false;
         }
 
-        _told[(status.State, status.Reason)] = (status.Timestamp, _receptions);
+        _lastByStatus[(status.State, status.Reason)] = (status.Timestamp, _receptions);
         return true;
     }
 }

@@ -7,14 +7,14 @@ namespace NeuronMocap.Transport;
 internal sealed class ConnectionSupervisor(
     Func<Link> createLink,
     ReconnectPolicy policy,
-    StatusBoard status,
+    StatusPublisher status,
     LinkActivity activity,
     Func<double> jitter)
 {
-    private volatile Link? _standing;
+    private volatile Link? _connectedLink;
 
     // To the server, when a connection stands. Any thread.
-    public bool TrySend(ReadOnlySpan<byte> bytes) => _standing?.TrySend(bytes) ?? false;
+    public bool TrySend(ReadOnlySpan<byte> bytes) => _connectedLink?.TrySend(bytes) ?? false;
 
     // Completes with the status to end with, when stopped or, with reconnecting off, after the first link.
     public async Task<ConnectionStatus> RunAsync(IPacketReceiver receiver, ILinkListener listener, CancellationToken cancellationToken)
@@ -59,7 +59,7 @@ internal sealed class ConnectionSupervisor(
         }
         finally
         {
-            _standing = null;
+            _connectedLink = null;
             listener.Tap?.Close(reason.ToString(), Stopwatch.GetTimestamp());
             listener.OnLinkClosed();
             link?.Dispose();
@@ -73,7 +73,7 @@ internal sealed class ConnectionSupervisor(
         if (end.Reason != ConnectionReason.None)
             return (end, false);
 
-        _standing = link;
+        _connectedLink = link;
         activity.Begin(link.Target);
         listener.OnLinkOpened();
         listener.Tap?.Open(link.IsDatagrams, link.LocalEndPoint, link.RemoteEndPoint, Stopwatch.GetTimestamp());

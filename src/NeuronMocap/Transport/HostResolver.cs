@@ -12,9 +12,9 @@ internal static class HostResolver
             return [address];
 
         Task<IPAddress[]> resolving = options.Resolve(options.Host);
-        using var limit = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
-        Task first = await Task.WhenAny(resolving, CancellableDelay.WaitAsync(options.ConnectTimeout, limit.Token)).ConfigureAwait(false);
-        limit.Cancel();
+        using var limitSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
+        Task first = await Task.WhenAny(resolving, CancellableDelay.WaitAsync(options.ConnectTimeout, limitSource.Token)).ConfigureAwait(false);
+        limitSource.Cancel();
         if (first == resolving)
             return await resolving.ConfigureAwait(false);
 

@@ -6,14 +6,14 @@ namespace NeuronMocap.Transport;
 // Knows what the running link has brought, and turns it into the states Receiving and Silent. The receive loop writes, a timer reads; every
 // field stands alone and a check that sees an older value only comes to its conclusion one period later. Held: of a playback, whether it is paused.
 internal sealed class LinkActivity(
-    StatusBoard status, TimeSpan silence, SenderFilter? udpSenders, Func<StreamDescription>? describe = null, Func<bool>? isHeld = null)
+    StatusPublisher status, TimeSpan silence, SenderFilter? udpSenders, Func<StreamDescription>? describe = null, Func<bool>? isHeld = null)
 {
     // A server that changes its format with every frame does not change the status with every frame.
     private static readonly long DescriptionPeriod = Stopwatch.Frequency;
 
     // So many refused datagrams in one period of silence are a stream. Fewer are strays, such as those of a port scan, and no reason to tell
     // anybody to let their sender in.
-    private const int FewestRefused = 3;
+    private const int MinRefused = 3;
 
     // The first bytes since the last packet that belong to none, and why.
     private readonly byte[] _skipped = new byte[64];
@@ -98,10 +98,10 @@ internal sealed class LinkActivity(
 
         _description = stream.Text;
         string message = MessageOf(stream);
-        bool isTold = status.TrySet(
+        bool isSet = status.TrySet(
             current => current.State == ConnectionState.Receiving && (current.Format != stream.Format || !string.Equals(current.Message, message, StringComparison.Ordinal)),
             current => current with { Format = stream.Format, Reason = stream.Reason, Message = message, Timestamp = timestamp });
-        if (isTold)
+        if (isSet)
             Volatile.Write(ref _described, timestamp);
     }
 
@@ -148,12 +148,12 @@ internal sealed class LinkActivity(
         long quietSince = Volatile.Read(ref _quietSince);
         if (_periodStart < quietSince)
             BeginPeriod(quietSince);
-        if (!IsOver(quietSince, now))
+        if (!HasEnded(quietSince, now))
             return;
 
-        if (IsOver(_periodStart, now))
+        if (HasEnded(_periodStart, now))
         {
-            _isRefusing = udpSenders?.RefusedDatagrams - _refusedBefore >= FewestRefused;
+            _isRefusing = udpSenders?.RefusedDatagrams - _refusedBefore >= MinRefused;
             BeginPeriod(now);
         }
 
@@ -168,7 +168,7 @@ internal sealed class LinkActivity(
             current => current with { State = ConnectionState.Silent, Reason = reason, Message = message, Timestamp = now });
     }
 
-    private bool IsOver(long start, long now) => (now - start) / (double)Stopwatch.Frequency >= silence.TotalSeconds;
+    private bool HasEnded(long start, long now) => (now - start) / (double)Stopwatch.Frequency >= silence.TotalSeconds;
 
     private void BeginPeriod(long start)
     {

@@ -7,8 +7,8 @@ internal static class NumericText
     private const int NameIndex = 1;
 
     // Words of a name, and numbers behind it that are no version or address.
-    private const int MostNames = 4;
-    private const int FewestNumbers = 4;
+    private const int MaxNames = 4;
+    private const int MinNumbers = 4;
 
     public static bool IsAt(ReadOnlySpan<byte> bytes)
     {
@@ -67,11 +67,11 @@ internal static class NumericText
 
             if (IsNumber(word))
                 numbers++;
-            else if (numbers > 0 || ++names > MostNames)
+            else if (numbers > 0 || ++names > MaxNames)
                 return false;
         }
 
-        return names > 0 && numbers >= FewestNumbers;
+        return names > 0 && numbers >= MinNumbers;
     }
 
     // A public emulator sends stray zero bytes between the lines, and "||" ends each avatar's values.

@@ -8,16 +8,16 @@ internal sealed class SenderProbe(PacketScanner packets)
     private readonly StreamScanner _scanner = new(packets);
 
     // Null where it holds none.
-    public SenderStart? Find(ReadOnlySpan<byte> datagram)
+    public SenderIdentity? Find(ReadOnlySpan<byte> datagram)
     {
         _scanner.Begin();
         while (datagram.Length > 0)
         {
             StreamScan scan = _scanner.Scan(datagram);
             if (scan.Part == StreamPart.Packet)
-                return SenderStart.Read(scan.Kind, datagram);
+                return SenderIdentity.Read(scan.Kind, datagram);
             if (scan.Part == StreamPart.Line)
-                return SenderStart.Read(scan.Kind, _scanner.Image);
+                return SenderIdentity.Read(scan.Kind, _scanner.Image);
             if (scan.Part == StreamPart.NeedMoreData)
                 return FindUnfinished(datagram);
 
@@ -27,11 +27,11 @@ internal sealed class SenderProbe(PacketScanner packets)
         return null;
     }
 
-    private SenderStart? FindUnfinished(ReadOnlySpan<byte> rest)
+    private SenderIdentity? FindUnfinished(ReadOnlySpan<byte> rest)
     {
         if (_scanner.IsInsideLine)
-            return default(SenderStart);
+            return default(SenderIdentity);
 
-        return rest.Length >= ProtocolConstants.HeaderSize ? SenderStart.Read(PacketTokens.KindOf(rest), rest) : null;
+        return rest.Length >= ProtocolConstants.HeaderSize ? SenderIdentity.Read(PacketTokens.KindOf(rest), rest) : null;
     }
 }

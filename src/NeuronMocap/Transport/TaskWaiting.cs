@@ -13,8 +13,8 @@ internal static class TaskWaiting
 
     public static async ValueTask WaitAsync(Task task, TimeSpan timeout)
     {
-        using var over = new CancellationTokenSource();
-        await Task.WhenAny(task, Task.Delay(timeout, over.Token)).ConfigureAwait(false);
-        over.Cancel();
+        using var delaySource = new CancellationTokenSource();
+        await Task.WhenAny(task, Task.Delay(timeout, delaySource.Token)).ConfigureAwait(false);
+        delaySource.Cancel();
     }
 }

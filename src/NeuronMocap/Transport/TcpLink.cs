@@ -125,8 +125,8 @@ internal sealed class TcpLink(LinkOptions options) : Link
 
         Socket? socket = null;
         var remote = new IPEndPoint(address, options.Port);
-        using var timeout = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
-        timeout.CancelAfter(options.ConnectTimeout);
+        using var timeoutSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
+        timeoutSource.CancelAfter(options.ConnectTimeout);
         try
         {
             socket = new Socket(address.AddressFamily, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
@@ -134,7 +134,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
             if (!Adopt(socket))
                 return LinkEnd.Requested;
 
-            using (timeout.Token.Register(socket.Dispose))
+            using (timeoutSource.Token.Register(socket.Dispose))
             {
                 if (options.LocalAddress is { } local)
                     socket.Bind(new IPEndPoint(local, 0));
@@ -154,7 +154,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
         {
             socket?.Dispose();
-            return timeout.IsCancellationRequested
+            return timeoutSource.IsCancellationRequested
                 ? Failed(SocketError.TimedOut, exception)
                 : Failed((exception as SocketException)?.SocketErrorCode ?? SocketError.SocketError, exception);
         }

@@ -13,7 +13,7 @@ internal sealed class UdpPendingTimer : IDisposable
     private readonly Timer _timer;
     private int _isArmed;
     private bool _hasFailed;
-    private bool _isOver;
+    private bool _hasEnded;
 
     public UdpPendingTimer(UdpSenders senders, ReceiveGate gate)
     {
@@ -29,10 +29,10 @@ internal sealed class UdpPendingTimer : IDisposable
     {
         lock (_lock)
         {
-            if (_isOver)
+            if (_hasEnded)
                 return;
 
-            _isOver = true;
+            _hasEnded = true;
             _timer.Dispose();
         }
 
@@ -52,7 +52,7 @@ internal sealed class UdpPendingTimer : IDisposable
         // Whoever awaits the gate goes on in Leave or Fail, on this thread, and disposes of this.
         lock (_lock)
         {
-            if (_isOver)
+            if (_hasEnded)
                 return;
 
             Volatile.Write(ref _isArmed, 0);

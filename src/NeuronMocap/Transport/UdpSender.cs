@@ -10,7 +10,7 @@ internal sealed class UdpSender
     private long _longestPause;
 
     // The receive loop uses its address object again for the next datagram.
-    public UdpSender(SocketAddress address, int number, SenderStart start, long turn, long clock)
+    public UdpSender(SocketAddress address, int number, SenderIdentity identity, long turn, long clock)
     {
         Address = new SocketAddress(address.Family, address.Size);
         AddressBytes = new byte[address.Size];
@@ -18,7 +18,7 @@ internal sealed class UdpSender
             Address[i] = AddressBytes[i] = address[i];
 
         Host = HostKey.Of(Address);
-        (Number, Start, Began, Turn, Heard) = (number, start, turn, turn, clock);
+        (Number, Identity, Began, Turn, Heard) = (number, identity, turn, turn, clock);
     }
 
     public SocketAddress Address { get; }
@@ -30,7 +30,7 @@ internal sealed class UdpSender
     // What recordings call it; no two have the same.
     public int Number { get; }
 
-    public SenderStart Start { get; }
+    public SenderIdentity Identity { get; }
 
     // Turns of its first and of its newest datagram, and when the newest came.
     public long Began { get; }

@@ -15,7 +15,7 @@ internal sealed class UdpSenders : IPacketReceiver
     private const int PieceSize = 1024;
 
     // Of datagrams that wait: what 100 avatars send in half a second.
-    private const int MostHeldBytes = 4 * 1024 * 1024;
+    private const int MaxHeldBytes = 4 * 1024 * 1024;
 
     private static readonly long KeptAfterFrame = 5 * Stopwatch.Frequency;
 
@@ -31,7 +31,7 @@ internal sealed class UdpSenders : IPacketReceiver
     private readonly Dictionary<SocketAddress, UdpSender> _senders = new(SenderComparer.Instance);
 
     // Who waits for a server, in the order of arrival.
-    private readonly List<UdpSender> _newcomers = [];
+    private readonly List<UdpSender> _unassigned = [];
     private UdpSender? _stray;
     private UdpSender? _current;
     private long _heldBytes;
@@ -54,10 +54,10 @@ internal sealed class UdpSenders : IPacketReceiver
     }
 
     // Those with a place.
-    public int Count => _senders.Count - _newcomers.Count;
+    public int Count => _senders.Count - _unassigned.Count;
 
     // Whether datagrams wait: then Settle is to be called from time to time, as nothing else may arrive.
-    public bool IsWaiting => _newcomers.Count > 0;
+    public bool IsWaiting => _unassigned.Count > 0;
 
     // Called in the receive loop when datagrams begin to wait.
     public Action? Waits { get; set; }
@@ -83,7 +83,7 @@ internal sealed class UdpSenders : IPacketReceiver
         long turn = _servers.NextTurn();
         if (!_senders.TryGetValue(address, out UdpSender? sender) || sender.IsRetired)
         {
-            Meet(address, datagram, timestamp, turn);
+            AddSender(address, datagram, timestamp, turn);
             return;
         }
 
@@ -97,7 +97,7 @@ internal sealed class UdpSenders : IPacketReceiver
         }
 
         // What waits came before this.
-        if (_newcomers.Count > 0)
+        if (_unassigned.Count > 0)
             SettleAlone(clock, isLast: false, sender, before);
 
         Deliver(sender, datagram, timestamp);
@@ -120,12 +120,12 @@ internal sealed class UdpSenders : IPacketReceiver
     private void SettleAlone(long clock, bool isLast, UdpSender? speaker = null, long before = 0)
     {
         _clock = clock;
-        isLast |= _heldBytes > MostHeldBytes;
-        for (int i = 0; i < _newcomers.Count;)
+        isLast |= _heldBytes > MaxHeldBytes;
+        for (int i = 0; i < _unassigned.Count;)
         {
-            UdpSender sender = _newcomers[i];
-            bool isTold = isLast || clock > sender.Due || (speaker is not null && before < sender.Began && speaker.Host == sender.Host);
-            if (isTold && _servers.TryPlace(sender, IsCalculation(sender), clock, isLast, out UdpSender? replaced))
+            UdpSender sender = _unassigned[i];
+            bool isDue = isLast || clock > sender.Due || (speaker is not null && before < sender.Began && speaker.Host == sender.Host);
+            if (isDue && _servers.TryPlace(sender, IsCalculation(sender), clock, isLast, out UdpSender? replaced))
                 Release(sender, replaced, speaker);
             else
                 i++;
@@ -154,7 +154,7 @@ internal sealed class UdpSenders : IPacketReceiver
     void IPacketReceiver.OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason) => _receiver.OnSkipped(bytes, reason);
 
     // On a calculation port nothing else counts.
-    private bool IsCalculation(UdpSender sender) => _isCalculationPort || sender.Start.IsCalculation;
+    private bool IsCalculation(UdpSender sender) => _isCalculationPort || sender.Identity.IsCalculation;
 
     private void Deliver(UdpSender sender, ArraySegment<byte> datagram, long timestamp)
     {
@@ -170,7 +170,7 @@ internal sealed class UdpSenders : IPacketReceiver
     }
 
     // Somebody unknown.
-    private void Meet(SocketAddress address, ArraySegment<byte> datagram, long timestamp, long turn)
+    private void AddSender(SocketAddress address, ArraySegment<byte> datagram, long timestamp, long turn)
     {
         if (!_filter.Allows(address))
         {
@@ -178,7 +178,7 @@ internal sealed class UdpSenders : IPacketReceiver
             return;
         }
 
-        SenderStart? start = _probe.Find(datagram);
+        SenderIdentity? start = _probe.Find(datagram);
         bool isCrowded = start is not null && Count >= Limit && FindDispensable() is null && !_servers.Knows(HostKey.Of(address));
         if (start is not { } found || isCrowded)
         {
@@ -190,13 +190,13 @@ internal sealed class UdpSenders : IPacketReceiver
         Forget(address);
         var sender = new UdpSender(address, _servers.NextNumber(), found, turn, _clock);
         _tap?.OnBytes(sender.Number, sender.AddressBytes, datagram, timestamp);
-        if (_newcomers.Count == Limit)
-            GiveUp(_newcomers.Aggregate(static (oldest, other) => other.Turn < oldest.Turn ? other : oldest));
+        if (_unassigned.Count == Limit)
+            GiveUp(_unassigned.Aggregate(static (oldest, other) => other.Turn < oldest.Turn ? other : oldest));
 
         _senders.Add(sender.Address, sender);
-        _newcomers.Add(sender);
+        _unassigned.Add(sender);
         Hold(sender, datagram, timestamp);
-        if (_newcomers.Count > 0)
+        if (_unassigned.Count > 0)
             Waits?.Invoke();
     }
 
@@ -209,7 +209,7 @@ internal sealed class UdpSenders : IPacketReceiver
 
     private void Release(UdpSender sender, UdpSender? replaced, UdpSender? speaker)
     {
-        _newcomers.Remove(sender);
+        _unassigned.Remove(sender);
         (byte[] Datagram, long Timestamp)[] held = TakeHeld(sender);
         replaced?.Assembler!.Abandon();
         if (Count > Limit && !TryMakeRoom(sender, speaker))
@@ -278,7 +278,7 @@ internal sealed class UdpSenders : IPacketReceiver
 
     private void GiveUp(UdpSender newcomer)
     {
-        _newcomers.Remove(newcomer);
+        _unassigned.Remove(newcomer);
         _senders.Remove(newcomer.Address);
         foreach ((byte[] datagram, long timestamp) in TakeHeld(newcomer))
             Skip(datagram, timestamp, isCrowded: true);

@@ -99,7 +99,7 @@ internal sealed class UdpServers
 
     // Of several servers of a computer, the one with the same avatar, and rather one that lacks what comes than one that never sent it.
     private static int RankOf(UdpServer server, UdpSender? holder, UdpSender sender) =>
-        (server.Any!.Start.IsOfSameAvatar(sender.Start) ? 2 : 0) + (holder is null ? 0 : 1);
+        (server.Any!.Identity.IsOfSameAvatar(sender.Identity) ? 2 : 0) + (holder is null ? 0 : 1);
 
     // One that spoke since the other came lives beside it. Where nothing more will come to tell, some datagrams without a word of it have to do.
     private static bool IsGone(UdpSender holder, UdpSender sender, long clock, bool isLast) => holder.Turn < sender.Began

@@ -48,7 +48,7 @@ internal static class Broadcast
 
     private static async Task<Figures> FloodAsync(int count, int frames)
     {
-        using Broadcaster server = CreateServer(BroadcasterOptions.MaxRate, frames);
+        using Broadcaster server = CreateServer(BroadcasterOptions.MaxFrameRate, frames);
         server.Start();
         using Peer sinks = await StartSinksAsync(server.LocalEndPoint!.Port, count, withIdler: false);
         (long received, double elapsed) = await ReadResultAsync(sinks);
@@ -59,7 +59,7 @@ internal static class Broadcast
     {
         Sources = [new StillSource()],
         Port = 0,
-        Rate = rate,
+        FrameRate = rate,
         MaxFrames = frames,
         MaxClients = 1000,
         WaitForClient = true,

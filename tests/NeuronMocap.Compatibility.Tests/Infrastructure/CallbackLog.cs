@@ -37,7 +37,7 @@ internal sealed class CallbackLog : IDisposable
     public static readonly IntPtr StatusObject = 13;
     public static readonly IntPtr CommandObject = 14;
 
-    private static readonly TimeSpan UsualPatience = VendorSocket.Patience;
+    private static readonly TimeSpan UsualPatience = VendorSocket.CloseTimeout;
 
     private readonly object _lock = new();
     private readonly List<LoggedFrame> _frames = [];
@@ -50,7 +50,7 @@ internal sealed class CallbackLog : IDisposable
     /// <param name="isPatient">Whether closing waits for a callback that runs until it ends, and not as short as usual.</param>
     public CallbackLog(bool isPatient = false)
     {
-        VendorSocket.Patience = isPatient ? Limits.Unexpected : UsualPatience;
+        VendorSocket.CloseTimeout = isPatient ? Limits.Unexpected : UsualPatience;
         NeuronDataReader.BRRegisterFrameDataCallback(FrameObject, OnFrameData);
         NeuronDataReader.BRRegisterCalculationDataCallback(CalculationObject, OnCalculationData);
         NeuronDataReader.BRRegisterSocketStatusCallback(StatusObject, OnStatusChanged);
@@ -85,7 +85,7 @@ internal sealed class CallbackLog : IDisposable
 
     public void Dispose()
     {
-        VendorSocket.Patience = UsualPatience;
+        VendorSocket.CloseTimeout = UsualPatience;
         foreach (IntPtr socket in _sockets)
             NeuronDataReader.BRCloseSocket(socket);
 

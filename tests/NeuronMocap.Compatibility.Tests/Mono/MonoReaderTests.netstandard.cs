@@ -52,7 +52,7 @@ public sealed class MonoReaderTests(ITestOutputHelper output)
         await program.CompileProgramAsync("Stopping");
         BroadcasterOptions options = Options(frames: null);
         options.Port = 0;
-        options.Rate = 200;
+        options.FrameRate = 200;
         using var sending = new Broadcaster(options);
         sending.Start();
         using var silent = new TestServer();
@@ -79,7 +79,7 @@ public sealed class MonoReaderTests(ITestOutputHelper output)
     {
         Sources = [new TestSource(0, frames)],
         Port = null,
-        Rate = BroadcasterOptions.MaxRate,
+        FrameRate = BroadcasterOptions.MaxFrameRate,
     };
 
     // Where the program listens, it tells over a connection.
@@ -90,7 +90,7 @@ public sealed class MonoReaderTests(ITestOutputHelper output)
         Assert.Equal(port.Length, await connection.Socket.ReceiveAsync(port, TestContext.Current.CancellationToken).AsTask().Soon());
         BroadcasterOptions options = Options(Frames);
         options.UdpDestinations = [new IPEndPoint(IPAddress.Loopback, BitConverter.ToInt32(port))];
-        options.Rate = 500;
+        options.FrameRate = 500;
         var broadcaster = new Broadcaster(options);
         broadcaster.Start();
         return broadcaster;

@@ -35,7 +35,7 @@ public sealed class MonoRecordingTests : IDisposable
                         while (file.Read())
                             sum = Add(sum, file.Frame);
 
-                        Show("read", file.Statistics, sum);
+                        Show("read", file.GetStatistics(), sum);
                     }
 
                     foreach (double speed in new[] { RecordingPlayer.MaxSpeed, 100 })

@@ -58,7 +58,7 @@ public sealed class MonoTests
                 Calculation = TestSource.WriteCalculation,
                 DataVersion = version,
                 Port = 0,
-                Rate = BroadcasterOptions.MaxRate,
+                FrameRate = BroadcasterOptions.MaxFrameRate,
                 Fragment = 1000,
             };
             using var server = new Broadcaster(options);

@@ -103,7 +103,7 @@ public sealed class ScriptTests
         int port = FreePort.Udp();
         BroadcasterOptions options = Options(displacement: true, reference: false, fragment: 1024, avatars: 1);
         options.Port = null;
-        options.Rate = 1000;
+        options.FrameRate = 1000;
         options.UdpDestinations = [new IPEndPoint(IPAddress.Loopback, port)];
         try
         {
@@ -196,7 +196,7 @@ public sealed class ScriptTests
     {
         BroadcasterOptions options = Options(displacement: true, reference: false, fragment: null, avatars: 1);
         options.Sources = [new Server.SyntheticSource()];
-        options.Rate = 60;
+        options.FrameRate = 60;
         options.MaxFrames = null;
         using var server = new Broadcaster(options);
         server.Start();
@@ -224,7 +224,7 @@ public sealed class ScriptTests
     {
         BroadcasterOptions options = Options(displacement: true, reference: false, fragment: null, avatars: 1);
         options.Sources = [new Server.SyntheticSource()];
-        options.Rate = 240;
+        options.FrameRate = 240;
         options.RotationOrder = RotationOrder.XYZ;
         using var server = new Broadcaster(options);
         using var commands = new CommandServer(server, new CommandServerOptions { Port = 0 });
@@ -262,7 +262,7 @@ public sealed class ScriptTests
     {
         int port = FreePort.Udp();
         BroadcasterOptions options = Options(displacement: false, reference: false, fragment: null, avatars: 3);
-        options.Rate = 240;
+        options.FrameRate = 240;
         options.Sources = [.. Enumerable.Range(0, 3).Select(static avatar => new TestSource(avatar))];
         options.Port = udp ? null : 0;
         options.UdpDestinations = udp ? [new IPEndPoint(IPAddress.Loopback, port)] : [];
@@ -288,7 +288,7 @@ public sealed class ScriptTests
     {
         Sources = [.. Enumerable.Range(0, avatars).Select(static avatar => new TestSource(avatar, Frames))],
         Port = 0,
-        Rate = BroadcasterOptions.MaxRate,
+        FrameRate = BroadcasterOptions.MaxFrameRate,
         IncludeDisplacement = displacement,
         IncludeReference = reference,
         Fragment = fragment,

@@ -14,7 +14,7 @@ internal sealed class DumpTarget
     public void Run(FuzzInput input)
     {
         var file = new MemoryStream(input.Segment.Array!, input.Segment.Offset, input.Segment.Count, writable: false);
-        using ArrivalSource source = RawDumpSource.Open("dump", file, new PlaybackOptions());
+        using RecordedEventSource source = RawDumpSource.Open("dump", file, new PlaybackOptions());
         input.Digest.Add(source.Duration.Ticks);
         WrongResultException.ThrowUnless(Play(source, input).SequenceEqual(input.Bytes), "What is played is not the dump.");
 
@@ -24,12 +24,12 @@ internal sealed class DumpTarget
             rest.Length > 0 && input.Bytes.EndsWith(rest) && (!isStart || rest.Length == input.Bytes.Length), "The jump missed.");
     }
 
-    private ReadOnlySpan<byte> Play(ArrivalSource source, FuzzInput input)
+    private ReadOnlySpan<byte> Play(RecordedEventSource source, FuzzInput input)
     {
         int length = 0;
         TimeSpan last = TimeSpan.Zero;
-        Arrival arrival;
-        while ((arrival = source.Read()).Kind != ArrivalKind.End)
+        RecordedEvent arrival;
+        while ((arrival = source.Read()).Kind != RecordedEventKind.End)
         {
             WrongResultException.ThrowUnless(arrival.Time >= last && arrival.Time <= source.Duration, "A time is out of order.");
             WrongResultException.ThrowUnless(arrival.Bytes.Count <= _played.Length - length, "More is played than there is.");

@@ -35,7 +35,7 @@ internal sealed class PlaybackTarget
             input.Digest.Add(reader.Frame.AvatarName);
         }
 
-        input.Digest.Add(reader.Statistics.BytesSkipped);
+        input.Digest.Add(reader.GetStatistics().BytesSkipped);
         foreach (SkipReason reason in Enum.GetValues<SkipReason>())
             input.Digest.Add(reader.GetSkipped(reason));
     }
@@ -48,11 +48,11 @@ internal sealed class PlaybackTarget
             TimeSpan to = source.Duration * (input.Random.Below(1001) / 1000.0);
             source.Seek(to);
             TimeSpan last = TimeSpan.Zero;
-            Arrival arrival;
-            while ((arrival = source.Read()).Kind != ArrivalKind.End)
+            RecordedEvent arrival;
+            while ((arrival = source.Read()).Kind != RecordedEventKind.End)
             {
                 WrongResultException.ThrowUnless(arrival.Time >= last && arrival.Time <= source.Duration, "A time is out of order after a jump.");
-                WrongResultException.ThrowUnless(arrival.Kind != ArrivalKind.Bytes || arrival.Time >= to, "The jump missed.");
+                WrongResultException.ThrowUnless(arrival.Kind != RecordedEventKind.Bytes || arrival.Time >= to, "The jump missed.");
                 last = arrival.Time;
                 input.Digest.Add((long)arrival.Kind);
             }

@@ -71,7 +71,7 @@ internal sealed class FileToolTarget(FileTask task)
         settings = settings with { From = from, To = to is null || to > (from ?? 0) ? to : null };
         return task == FileTask.Plot ? settings : settings with
         {
-            Rate = random.Choose(Rates),
+            FrameRate = random.Choose(Rates),
             RotationOrder = random.Below(4) == 0 ? random.Choose(Enum.GetValues<RotationOrder>()) : null,
         };
     }

@@ -18,7 +18,7 @@ public sealed class DataCommandTests
         {
             Sources = [new TestSource(0), new TestSource(1)],
             Port = 0,
-            Rate = 100,
+            FrameRate = 100,
             DataVersion = DataVersion.Old,
             Fragment = 100,
         };
@@ -124,7 +124,7 @@ public sealed class DataCommandTests
     [Fact]
     public async Task Callbacks_may_ask()
     {
-        using var server = new Broadcaster(new BroadcasterOptions { Sources = [new TestSource()], Port = 0, Rate = 100 });
+        using var server = new Broadcaster(new BroadcasterOptions { Sources = [new TestSource()], Port = 0, FrameRate = 100 });
         server.Start();
         await using NativeProgram program = NativeProgram.Start("b12");
         await program.CallAsync("register");

@@ -29,7 +29,7 @@ public sealed class JavaTests : IDisposable
             AvatarNames = ["陈"],
             Calculation = TestSource.WriteCalculation,
             Port = 0,
-            Rate = 200,
+            FrameRate = 200,
             QueueCapacity = 10_000,
             WaitForClient = true,
         };

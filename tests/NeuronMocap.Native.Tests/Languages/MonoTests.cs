@@ -32,7 +32,7 @@ public sealed class MonoTests : IDisposable
             AvatarNames = ["陈"],
             Calculation = TestSource.WriteCalculation,
             Port = 0,
-            Rate = 500,
+            FrameRate = 500,
             QueueCapacity = 10_000,
             WaitForClient = true,
         };

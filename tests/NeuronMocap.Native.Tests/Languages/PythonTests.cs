@@ -59,7 +59,7 @@ public sealed class PythonTests
     [Fact]
     public async Task An_interrupt_while_frames_come_is_Pythons_KeyboardInterrupt()
     {
-        using var server = new Broadcaster(new BroadcasterOptions { Sources = [new TestSource()], Port = 0, Rate = 200 });
+        using var server = new Broadcaster(new BroadcasterOptions { Sources = [new TestSource()], Port = 0, FrameRate = 200 });
         server.Start();
         await using NativeProgram program = Start("wait", $"{server.LocalEndPoint!.Port}");
         await program.ReadAsync("frame");

@@ -79,7 +79,7 @@ public sealed class CalculationExportTests
         var source = new BvhSource(BvhDocument.Parse(NeuronTake.Write(3)));
         using var writer = new CalculationFileWriter(new MemoryStream(), CalculationFrame.BodyValueCount);
         Assert.Throws<OperationCanceledException>(
-            () => CalculationExport.Write(source, writer, cancellation: new CancellationToken(canceled: true)));
+            () => CalculationExport.Write(source, writer, cancellationToken: new CancellationToken(canceled: true)));
         Assert.Equal(0, writer.FrameCount);
     }
 

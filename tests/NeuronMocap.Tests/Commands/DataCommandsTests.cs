@@ -1,5 +1,6 @@
 using System.Net.Sockets;
 using NeuronMocap.Commands;
+using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Commands;

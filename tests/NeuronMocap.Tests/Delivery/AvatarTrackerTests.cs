@@ -54,13 +54,13 @@ public sealed class AvatarTrackerTests
         for (int i = 0; i < 1000; i++)
             _tracker.OnFrame(default, (uint)i, i * tick);
 
-        Assert.Equal(100, _tracker.Snapshot.Rate, tolerance: 0.01);
+        Assert.Equal(100, _tracker.Snapshot.FrameRate, tolerance: 0.01);
         Assert.Equal(0, _tracker.Snapshot.Jitter.TotalMilliseconds, tolerance: 0.01);
 
         for (int i = 0; i < 1000; i++)
             _tracker.OnFrame(default, (uint)(1000 + i), (1000 * tick) + (i * tick) + (i % 2 == 0 ? tick / 5 : 0));
 
-        Assert.Equal(100, _tracker.Snapshot.Rate, tolerance: 2);
+        Assert.Equal(100, _tracker.Snapshot.FrameRate, tolerance: 2);
         Assert.Equal(2, _tracker.Snapshot.Jitter.TotalMilliseconds, tolerance: 0.2);
     }
 

@@ -30,7 +30,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     public async Task A_name_server_that_never_answers_costs_its_share_of_the_time_only()
     {
         var link = new LinkOptions("studio", 7001) { Resolve = static _ => new TaskCompletionSource<IPAddress[]>().Task };
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, Diagnosing.With(new DiagnosisPace { Name = 0.002 }));
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, Diagnosing.With(new DiagnosisBudget { Name = 0.002 }));
         diagnosis.AssertFault(DiagnosisVerdict.HostNotFound, "name", "no name server answers");
     }
 
@@ -70,7 +70,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     public void What_the_system_says_of_the_route_decides(ConnectionReason reason, DiagnosisVerdict expected, string said)
     {
         var task = new DiagnosisContext(new LinkOptions("127.255.255.255", 7001), new DiagnosisOptions(), new StepLog(progress: null), CancellationToken.None);
-        ExplainedVerdict verdict = Assert.Single(TcpFaults.NoRoute(task, reason).Verdicts);
+        ExplainedVerdict verdict = Assert.Single(TcpConclusions.NoRoute(task, reason).Verdicts);
         Assert.Equal(expected, verdict.Verdict);
         Assert.Contains(said, verdict.Text, StringComparison.Ordinal);
     }
@@ -98,7 +98,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     public async Task A_host_that_answers_on_another_port_is_not_switched_off()
     {
         using var hole = new BlackHole();
-        DiagnosisOptions how = Diagnosing.With(Diagnosing.Silent with { Connecting = 0.003, Elsewhere = 0.015 });
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Silent with { Connecting = 0.003, OtherPorts = 0.015 });
         how.UsualTcpPorts = [_refusing.Number];
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = hole.Port }, how);
         diagnosis.AssertFault(DiagnosisVerdict.NoAnswer, "port", "answers on other ports");
@@ -139,7 +139,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     {
         using ScriptedServer server = ScriptedServer.Streaming();
         using var silent = new ScriptedServer(static (_, stop) => Task.Delay(Timeout.Infinite, stop));
-        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Elsewhere = 0.05, Grace = TimeSpan.FromMinutes(20) });
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { OtherPorts = 0.05, Grace = TimeSpan.FromMinutes(20) });
         how.UsualTcpPorts = [server.Port, silent.Port];
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
         diagnosis.AssertFault(DiagnosisVerdict.OtherPort, "port", $"Use port {server.Port} here");
@@ -168,7 +168,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     public async Task Calculation_data_on_another_port_show_that_the_server_runs()
     {
         using ScriptedServer server = ScriptedServer.Streaming(PacketKind.Calculation);
-        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Elsewhere = 0.05 });
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { OtherPorts = 0.05 });
         how.UsualTcpPorts = [server.Port];
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = _refusing.Number }, how);
 
@@ -201,7 +201,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         {
             Resolve = unknownName ? static _ => new TaskCompletionSource<IPAddress[]>().Task : static _ => Task.FromResult<IPAddress[]>([IPAddress.Loopback]),
         };
-        DiagnosisOptions how = Diagnosing.With(new DiagnosisPace());
+        DiagnosisOptions how = Diagnosing.With(new DiagnosisBudget());
         how.Timeout = TimeSpan.FromSeconds(1);
         how.UsualTcpPorts = [hole.Port, server.Port];
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, how);

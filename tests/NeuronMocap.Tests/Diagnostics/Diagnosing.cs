@@ -6,20 +6,20 @@ namespace NeuronMocap.Tests.Diagnostics;
 // Diagnoses with a pace that suits tests: long where an answer ends the wait, short where nothing is going to come.
 internal static class Diagnosing
 {
-    public static readonly DiagnosisPace Patient = new() { Silence = 0.5, Measuring = 0.003, Asking = 0.2, Elsewhere = 0.2 };
+    public static readonly DiagnosisBudget Patient = new() { Silence = 0.5, Measuring = 0.003, Asking = 0.2, OtherPorts = 0.2 };
 
-    public static readonly DiagnosisPace Silent = Patient with { Silence = 0.002, Asking = 0.002, Elsewhere = 0.002 };
+    public static readonly DiagnosisBudget Silent = Patient with { Silence = 0.002, Asking = 0.002, OtherPorts = 0.002 };
 
-    public static DiagnosisOptions With(DiagnosisPace pace) => new()
+    public static DiagnosisOptions With(DiagnosisBudget budget) => new()
     {
         Timeout = TimeSpan.FromSeconds(60),
         UsualTcpPorts = [],
         UsualUdpPorts = [],
-        Pace = pace,
+        Budget = budget,
     };
 
-    public static Task<StreamDiagnosis> RunAsync(int port, DiagnosisPace? pace = null) =>
-        RunAsync(new NeuronReaderOptions { Port = port }, With(pace ?? Patient));
+    public static Task<StreamDiagnosis> RunAsync(int port, DiagnosisBudget? budget = null) =>
+        RunAsync(new NeuronReaderOptions { Port = port }, With(budget ?? Patient));
 
     public static async Task<StreamDiagnosis> RunAsync(NeuronReaderOptions options, DiagnosisOptions how)
     {

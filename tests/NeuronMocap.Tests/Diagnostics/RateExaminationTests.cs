@@ -143,7 +143,7 @@ public sealed class RateExaminationTests
     private static Conclusion Judge(StreamSample sample, TransportKind transport)
     {
         var task = new DiagnosisContext(new LinkOptions("studio", 7001), new DiagnosisOptions(), new StepLog(progress: null), CancellationToken.None);
-        return StreamExamination.Judge(task, sample, new StreamPlace(transport, "studio", 7001));
+        return StreamExamination.Judge(task, sample, new StreamEndpoint(transport, "studio", 7001));
     }
 
     private static void Deliver(StreamSample sample, byte[] packet, double time) =>

@@ -10,7 +10,7 @@ public sealed class SampleProgramTests
     public void What_the_options_hold_beside_the_place_is_kept()
     {
         var options = new NeuronReaderOptions { LocalAddress = IPAddress.Loopback, SharePort = true, RotationOrder = RotationOrder.XYZ };
-        string code = SampleProgram.For(options, new StreamPlace(TransportKind.Udp, "studio", 7012), PacketKind.Calculation);
+        string code = SampleProgram.For(options, new StreamEndpoint(TransportKind.Udp, "studio", 7012), PacketKind.Calculation);
         Assert.Equal(
             """
             await using var reader = new NeuronReader(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = 7012, LocalAddress = IPAddress.Parse("127.0.0.1"), SharePort = true, RotationOrder = RotationOrder.XYZ });
@@ -23,7 +23,7 @@ public sealed class SampleProgramTests
     [Fact]
     public void A_plain_server_takes_the_short_form()
     {
-        string code = SampleProgram.For(new NeuronReaderOptions(), new StreamPlace(TransportKind.Tcp, "studio", 7003), PacketKind.Motion);
+        string code = SampleProgram.For(new NeuronReaderOptions(), new StreamEndpoint(TransportKind.Tcp, "studio", 7003), PacketKind.Motion);
         Assert.StartsWith("await using var reader = new NeuronReader(\"studio\", 7003);", code, StringComparison.Ordinal);
     }
 }

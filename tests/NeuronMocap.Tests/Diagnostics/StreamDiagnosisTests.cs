@@ -76,7 +76,7 @@ public sealed class StreamDiagnosisTests
     public async Task Calculation_data_alone_are_a_fault_where_motion_is_wanted_and_none_where_they_are()
     {
         using ScriptedServer server = ScriptedServer.Streaming(PacketKind.Calculation);
-        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Elsewhere = 0.002 });
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { OtherPorts = 0.002 });
         StreamDiagnosis motion = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = server.Port }, how);
         how.Expected = PacketKind.Calculation;
         StreamDiagnosis calculation = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = server.Port }, how);
@@ -123,7 +123,7 @@ public sealed class StreamDiagnosisTests
     public async Task Bytes_that_are_no_packets_are_named(string bytes, DiagnosisVerdict verdict, string step, string said)
     {
         using ScriptedServer server = ScriptedServer.Saying(Encoding.Latin1.GetBytes(bytes));
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
         diagnosis.AssertFault(verdict, step, said);
         Assert.Null(diagnosis.SampleCode);
     }
@@ -132,7 +132,7 @@ public sealed class StreamDiagnosisTests
     public async Task A_name_that_cannot_be_told_from_the_values_is_named()
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Line(i, lead: "0 Char 02 "));
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
         diagnosis.AssertFault(DiagnosisVerdict.MalformedText, "format", "Rename the avatar");
     }
 
@@ -145,7 +145,7 @@ public sealed class StreamDiagnosisTests
     {
         string line = string.Join(' ', Enumerable.Range(0, count).Select(static value => $"{value}.50")) + "||\r\n";
         using ScriptedServer server = ScriptedServer.Streaming(_ => Encoding.ASCII.GetBytes(line));
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
         diagnosis.AssertFault(DiagnosisVerdict.MalformedText, "format", "0 Char00");
         Assert.Contains("without the avatar's number and name", diagnosis.Summary, StringComparison.Ordinal);
     }
@@ -166,7 +166,7 @@ public sealed class StreamDiagnosisTests
     public async Task Axis_studios_calculation_data_are_no_motion()
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Studio(i));
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
         diagnosis.AssertFault(DiagnosisVerdict.StudioCalculationOnly, "token", "Axis Studio's calculation data; no motion (BVH) data among them");
 
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient);
@@ -186,7 +186,7 @@ public sealed class StreamDiagnosisTests
             packet[5] = 2;
             return packet;
         });
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
         diagnosis.AssertFault(DiagnosisVerdict.UnknownVersion, "version", "2.1.0.0");
     }
 
@@ -194,7 +194,7 @@ public sealed class StreamDiagnosisTests
     public async Task Counts_beyond_the_limit_are_told_with_the_option()
     {
         using ScriptedServer server = ScriptedServer.Streaming();
-        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Elsewhere = 0.002 });
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { OtherPorts = 0.002 });
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(new NeuronReaderOptions { Port = server.Port, MaxValues = 100 }, how);
         diagnosis.AssertFault(DiagnosisVerdict.TooManyValues, "format", "MaxValues");
     }
@@ -207,7 +207,7 @@ public sealed class StreamDiagnosisTests
             await client.SendAsync(TestPackets.Motion(1).AsMemory(0, 700));
             client.Close();
         });
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
         diagnosis.AssertFault(DiagnosisVerdict.IncompletePackets, "format", "in the middle of a frame");
     }
 
@@ -215,7 +215,7 @@ public sealed class StreamDiagnosisTests
     public async Task Packets_of_no_values_mean_that_nothing_is_played()
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Motion(i, count: 0));
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
         diagnosis.AssertFault(DiagnosisVerdict.NoValues, "format", "open a take and press play");
     }
 
@@ -239,7 +239,7 @@ public sealed class StreamDiagnosisTests
             client.Close();
             return Task.CompletedTask;
         });
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
         diagnosis.AssertFault(DiagnosisVerdict.ClosedImmediately, "first bytes", "forwarded port");
     }
 
@@ -275,7 +275,7 @@ public sealed class StreamDiagnosisTests
         byte[] command = new byte[64];
         new DataCommandHeader { CommandId = DataCommandId.AvatarCount }.Write(command);
         using ScriptedServer server = ScriptedServer.Saying(command);
-        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Elsewhere = 0.002 });
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
         diagnosis.AssertFault(DiagnosisVerdict.CommandPort, "token", "sends commands");
     }
 }

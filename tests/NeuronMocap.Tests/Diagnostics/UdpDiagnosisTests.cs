@@ -43,7 +43,7 @@ public sealed class UdpDiagnosisTests
     {
         using var sender = new DatagramSender();
         StreamDiagnosis diagnosis = await sender.SendUntilAsync(
-            RunAsync(Diagnosing.Patient with { Elsewhere = 0.002 }), _port, static i => Halves(TestPackets.Motion(i)).Take(1));
+            RunAsync(Diagnosing.Patient with { OtherPorts = 0.002 }), _port, static i => Halves(TestPackets.Motion(i)).Take(1));
         diagnosis.AssertFault(DiagnosisVerdict.IncompletePackets, "format", "choose TCP", "Displacement");
     }
 
@@ -177,6 +177,6 @@ public sealed class UdpDiagnosisTests
 
     private static byte[][] Halves(byte[] packet) => [packet[..1024], packet[1024..]];
 
-    private Task<StreamDiagnosis> RunAsync(DiagnosisPace pace) =>
-        Diagnosing.RunAsync(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port }, Diagnosing.With(pace));
+    private Task<StreamDiagnosis> RunAsync(DiagnosisBudget budget) =>
+        Diagnosing.RunAsync(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port }, Diagnosing.With(budget));
 }

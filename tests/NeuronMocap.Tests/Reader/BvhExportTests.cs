@@ -19,7 +19,7 @@ public sealed class BvhExportTests : BvhExportTest
         {
             Sources = [new BvhSource(take)],
             Port = 0,
-            Rate = BroadcasterOptions.MaxRate,
+            FrameRate = BroadcasterOptions.MaxFrameRate,
             WaitForClient = true,
         });
         broadcaster.Start();

@@ -234,7 +234,7 @@ public sealed class CalculationPortTests : IDisposable
             while (frames.Read())
                 Assert.Equal(0, frames.Frame.Sender);
 
-            ReaderStatistics read = frames.Statistics;
+            ReaderStatistics read = frames.GetStatistics();
             Assert.Equal((Frames, Frames, 0L, 0L, 0L), (read.MotionFrames, read.CalculationFrames, read.Lost, read.BytesSkipped, read.Reconnects));
         }
 
@@ -348,7 +348,7 @@ public sealed class CalculationPortTests : IDisposable
     private static BroadcasterOptions Options() => new()
     {
         Sources = [new SyntheticSource()],
-        Rate = 500,
+        FrameRate = 500,
         MaxFrames = Frames,
         Calculation = CalculationSynthesizer.Write,
     };

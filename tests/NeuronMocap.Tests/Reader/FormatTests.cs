@@ -70,7 +70,7 @@ public sealed class FormatTests
     {
         Sources = [.. Enumerable.Range(0, Avatars).Select(avatar => new SyntheticSource(60, avatar))],
         Port = 0,
-        Rate = 400,
+        FrameRate = 400,
         WaitForClient = true,
         QueueCapacity = 10_000,
         Format = format,

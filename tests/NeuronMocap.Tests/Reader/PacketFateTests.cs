@@ -92,7 +92,7 @@ public sealed class PacketFateTests
 
     private static ReceivePipeline Create()
     {
-        var status = new StatusBoard(static _ => { });
+        var status = new StatusPublisher(static _ => { });
         return new ReceivePipeline(
             SkeletonFormat.Default,
             new StreamRecognizer(SkeletonFormat.Default),

@@ -128,7 +128,7 @@ public sealed class ReconnectTests
     public async Task A_real_broadcast_that_is_restarted_is_found_again_each_time()
     {
         BroadcasterOptions options = Expect.Options();
-        options.Rate = 1000;
+        options.FrameRate = 1000;
         options.BindAddress = ServerAtOneAddress.Address;
         var broadcaster = new Broadcaster(options);
         broadcaster.Start();

@@ -25,7 +25,7 @@ public class TakeTests
         {
             Sources = [new BvhSource(take)],
             Port = 0,
-            Rate = BroadcasterOptions.MaxRate,
+            FrameRate = BroadcasterOptions.MaxFrameRate,
             WaitForClient = true,
             Fragment = fragment,
         });
@@ -52,7 +52,7 @@ public class TakeTests
         {
             Sources = [new BvhSource(take)],
             Port = 0,
-            Rate = BroadcasterOptions.MaxRate,
+            FrameRate = BroadcasterOptions.MaxFrameRate,
             IncludeDisplacement = true,
             IncludeReference = true,
         });
@@ -84,7 +84,7 @@ public class TakeTests
         {
             Sources = [source, source],
             Port = 0,
-            Rate = BroadcasterOptions.MaxRate,
+            FrameRate = BroadcasterOptions.MaxFrameRate,
             Calculation = CalculationSynthesizer.Write,
             MaxFrames = 200,
         });

@@ -102,10 +102,10 @@ public sealed class EventReporterTests
         reporter.Check(At(20));
         await reporter.EndAsync(At(20)).Soon();
         Assert.False(hanging.IsCompleted);
-        Assert.False(reporter.Over.IsCompleted);
+        Assert.False(reporter.Ended.IsCompleted);
         release.Set();
         await hanging.Soon();
-        await reporter.Over.Soon();
+        await reporter.Ended.Soon();
         Assert.Equal(1, told);
     }
 
@@ -126,7 +126,7 @@ public sealed class EventReporterTests
         Task end = reporter.EndAsync(At(1));
         Assert.False(end.IsCompleted);
         release.Set();
-        await Task.WhenAll(running, end, reporter.Over).Soon();
+        await Task.WhenAll(running, end, reporter.Ended).Soon();
         Assert.Equal([ReaderEventId.FramesLost, ReaderEventId.CallbackFailed], _events.Select(reported => reported.Id));
     }
 
@@ -161,7 +161,7 @@ public sealed class EventReporterTests
         _reporter.Check(At(0));
         _figures.Statistics = new ReaderStatistics { CallbackFailures = 2, Lost = 1 };
         await _reporter.EndAsync(At(1)).Soon();
-        await _reporter.Over.Soon();
+        await _reporter.Ended.Soon();
         Assert.Equal(ReaderEventId.FramesLost, Assert.Single(_events).Id);
     }
 

@@ -17,7 +17,7 @@ public sealed class ConnectionSupervisorTests
 
     private readonly CancellationTokenSource _stop = new();
     private readonly List<ConnectionStatus> _told = [];
-    private readonly StatusBoard _status;
+    private readonly StatusPublisher _status;
     private readonly LinkActivity _activity;
     private readonly ReceivePipeline _pipeline;
     private bool _isLogged = true;
@@ -25,7 +25,7 @@ public sealed class ConnectionSupervisorTests
 
     public ConnectionSupervisorTests()
     {
-        _status = new StatusBoard(Tell);
+        _status = new StatusPublisher(Tell);
         _activity = new LinkActivity(_status, TimeSpan.FromSeconds(3), udpSenders: null);
         _pipeline = new ReceivePipeline(SkeletonFormat.Default, new StreamRecognizer(SkeletonFormat.Default), _activity, _status, new SenderFilter([]), new ReaderMetrics("supervisor"), _ => false, new ReaderRecordings(new NeuronReaderOptions(), "supervisor"), _ => { });
     }

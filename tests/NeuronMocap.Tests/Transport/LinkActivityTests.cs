@@ -9,13 +9,13 @@ namespace NeuronMocap.Tests.Transport;
 public sealed class LinkActivityTests
 {
     private readonly List<ConnectionStatus> _told = [];
-    private readonly StatusBoard _status;
+    private readonly StatusPublisher _status;
     private readonly LinkActivity _activity;
     private readonly long _start;
 
     public LinkActivityTests()
     {
-        _status = new StatusBoard(_told.Add);
+        _status = new StatusPublisher(_told.Add);
         _activity = new LinkActivity(_status, TimeSpan.FromSeconds(3), udpSenders: null);
         _activity.Begin("host:7001");
         _status.Set(new ConnectionStatus(ConnectionState.Connected, ConnectionReason.None, "connected"));

@@ -8,8 +8,8 @@ public sealed class StatusBoardTests
     public void A_change_made_by_a_handler_is_told_after_the_one_it_handles()
     {
         List<string> told = [];
-        StatusBoard? board = null;
-        board = new StatusBoard(status =>
+        StatusPublisher? board = null;
+        board = new StatusPublisher(status =>
         {
             if (status.Message == "first")
                 board!.Set(Status("second"));
@@ -23,7 +23,7 @@ public sealed class StatusBoardTests
     [Fact]
     public void Stopped_is_final()
     {
-        var board = new StatusBoard(_ => { });
+        var board = new StatusPublisher(_ => { });
         board.Set(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "end"));
         Assert.False(board.TrySet(_ => true, _ => Status("more")));
         Assert.Equal("end", board.Current.Message);
@@ -32,7 +32,7 @@ public sealed class StatusBoardTests
     [Fact]
     public void A_change_that_is_not_allowed_is_not_told()
     {
-        var board = new StatusBoard(_ => Assert.Fail("told"));
+        var board = new StatusPublisher(_ => Assert.Fail("told"));
         Assert.False(board.TrySet(_ => false, _ => Status("never")));
         Assert.Equal(ConnectionState.Created, board.State);
     }
@@ -43,7 +43,7 @@ public sealed class StatusBoardTests
         int telling = 0;
         int told = 0;
         bool overlapped = false;
-        var board = new StatusBoard(_ =>
+        var board = new StatusPublisher(_ =>
         {
             overlapped |= Interlocked.Increment(ref telling) != 1;
             told++;

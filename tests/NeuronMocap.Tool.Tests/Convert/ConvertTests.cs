@@ -119,7 +119,7 @@ public sealed class ConvertTests : IDisposable
         Assert.Equal(Enumerable.Range(60, 30).Select(static index => (uint?)index), frames.Select(static frame => frame.Index));
         Assert.Equal(TimeSpan.Zero, frames[0].Time);
         Assert.Equal(29 / 60.0, frames[^1].Time.TotalSeconds, 1e-6);
-        Assert.Equal(0, reader.Statistics.BytesSkipped);
+        Assert.Equal(0, reader.GetStatistics().BytesSkipped);
     }
 
     [Fact]

@@ -58,7 +58,7 @@ public sealed class JsonLinesTests
     [Fact]
     public void A_skeleton_is_told_once_for_each_avatar_and_again_when_it_changes()
     {
-        var told = new ToldSkeletons();
+        var told = new SkeletonChanges();
         Assert.True(told.IsNew(Poses.Upright()));
         Assert.False(told.IsNew(Poses.Upright(index: 1)));
         Assert.True(told.IsNew(new MotionFrame(new MotionHeader(), new float[354])));

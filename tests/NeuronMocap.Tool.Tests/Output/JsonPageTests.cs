@@ -140,7 +140,7 @@ public sealed partial class JsonPageTests
         yield return Text(_lines.Step(new DiagnosisStep("port", StepOutcome.Ok, "open", TimeSpan.Zero)));
         var server = new ServerAddress("studio", 8013);
         yield return CommandJson.ZeroOut(server, 0);
-        yield return CommandJson.Report(new CommandAnswers(server, 0) { Order = RotationOrder.YXZ, Sizes = default(BoneDimensions), Header = "HIERARCHY" });
+        yield return CommandJson.Report(new CommandResults(server, 0) { Order = RotationOrder.YXZ, Sizes = default(BoneDimensions), Header = "HIERARCHY" });
     }
 
     private static string Text(ReadOnlySpan<byte> line) => Encoding.UTF8.GetString(line);

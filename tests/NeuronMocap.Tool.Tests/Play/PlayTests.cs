@@ -137,9 +137,9 @@ public sealed class PlayTests : IDisposable
         Assert.True(Press(player, '-') && Press(player, '-'));
         Assert.Equal(0.25, player.Speed);
         player.Seek(TimeSpan.FromMilliseconds(50));
-        Assert.True(PlaybackKeys.Obey(player, new ConsoleKeyInfo('\0', ConsoleKey.RightArrow, shift: false, alt: false, control: false)));
+        Assert.True(PlaybackKeys.TryHandle(player, new ConsoleKeyInfo('\0', ConsoleKey.RightArrow, shift: false, alt: false, control: false)));
         Assert.Equal(player.Duration, player.Position);
-        Assert.True(PlaybackKeys.Obey(player, new ConsoleKeyInfo('\0', ConsoleKey.LeftArrow, shift: false, alt: false, control: false)));
+        Assert.True(PlaybackKeys.TryHandle(player, new ConsoleKeyInfo('\0', ConsoleKey.LeftArrow, shift: false, alt: false, control: false)));
         Assert.Equal(TimeSpan.Zero, player.Position);
         Assert.True(Press(player, '.'));
         Assert.Equal("0:00.000 of 0:00.0, 0.25x, paused", PlaybackKeys.Describe(player));
@@ -152,5 +152,5 @@ public sealed class PlayTests : IDisposable
     }
 
     private static bool Press(RecordingPlayer player, char key) =>
-        PlaybackKeys.Obey(player, new ConsoleKeyInfo(key, ConsoleKey.None, shift: false, alt: false, control: false));
+        PlaybackKeys.TryHandle(player, new ConsoleKeyInfo(key, ConsoleKey.None, shift: false, alt: false, control: false));
 }

@@ -314,7 +314,7 @@ public sealed class SimulatorProcessTests
 
     // What a user of the program can change are options.
     private static void AssertNamesNoMember(string line) => Assert.All(
-        typeof(BroadcasterOptions).GetProperties().Where(property => property.Name is not ("Port" or "Format" or "Motion" or "Rate" or "Sources" or "Recording")),
+        typeof(BroadcasterOptions).GetProperties().Where(property => property.Name is not ("Port" or "Format" or "Motion" or "FrameRate" or "Sources" or "Recording")),
         property => Assert.DoesNotContain(property.Name, line, StringComparison.Ordinal));
 
     private static async Task<long> CountBytesAsync(string address)

@@ -130,14 +130,6 @@ public class DiagnosisTests
         Assert.True(source.IsOpen);
     }
 
-    [Fact]
-    public void Every_verdict_has_a_title()
-    {
-        Assert.All(Enum.GetValues<DiagnosisVerdict>(), static verdict => Assert.Equal(
-            verdict == DiagnosisVerdict.NetworkError,
-            DiagnosisTitles.Of(verdict).Equals("No connection", StringComparison.Ordinal)));
-    }
-
     // Clicks, waits as the editor does, and draws the answer.
     private static async Task AskAsync(EditorWorld world)
     {

@@ -73,7 +73,7 @@ public sealed class MocapSourceTests : SourceFixture
         foreach (MocapSource source in sources)
             WaitForPose(source);
 
-        Assert.Equal(1, server.Statistics.Accepted);
+        Assert.Equal(1, server.GetStatistics().Accepted);
         Assert.All(sources, source => Assert.Same(sources[0].Reader, source.Reader));
 
         foreach (MocapSource source in sources[1..])
@@ -81,10 +81,10 @@ public sealed class MocapSourceTests : SourceFixture
 
         Loop.RunFor(0.1f);
         Assert.Equal(SourceState.Receiving, sources[0].State);
-        Assert.Equal(1, server.Statistics.Clients);
+        Assert.Equal(1, server.GetStatistics().Clients);
         sources[0].enabled = false;
-        Loop.RunUntil(() => server.Statistics.Clients == 0);
-        Assert.Equal(1, server.Statistics.Accepted);
+        Loop.RunUntil(() => server.GetStatistics().Clients == 0);
+        Assert.Equal(1, server.GetStatistics().Accepted);
     }
 
     [Fact]
@@ -107,7 +107,7 @@ public sealed class MocapSourceTests : SourceFixture
         }
 
         Assert.Same(first, left[0]);
-        Assert.Equal(6, server.Statistics.Accepted);
+        Assert.Equal(6, server.GetStatistics().Accepted);
     }
 
     [Fact]
@@ -202,7 +202,7 @@ public sealed class MocapSourceTests : SourceFixture
         Assert.True(performer.HasPose);
 
         source.Port = second.LocalEndPoint!.Port;
-        Loop.RunUntil(() => second.Statistics.Accepted == 1 && first.Statistics.Clients == 0);
+        Loop.RunUntil(() => second.GetStatistics().Accepted == 1 && first.GetStatistics().Clients == 0);
         WaitForPose(source);
         Assert.NotSame(reader, source.Reader);
     }

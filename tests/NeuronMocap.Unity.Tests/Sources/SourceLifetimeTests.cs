@@ -57,7 +57,7 @@ public sealed class SourceLifetimeTests : SourceFixture
 
         Assert.True(first == null);
         WaitForPose(second!);
-        Assert.Equal(2, server.Statistics.Accepted);
+        Assert.Equal(2, server.GetStatistics().Accepted);
     }
 
     [Fact]
@@ -80,7 +80,7 @@ public sealed class SourceLifetimeTests : SourceFixture
             Assert.Equal(2, MocapSource.All.Count);
         }
 
-        Assert.Equal(1, server.Statistics.Accepted);
+        Assert.Equal(1, server.GetStatistics().Accepted);
     }
 
     [Theory]
@@ -97,7 +97,7 @@ public sealed class SourceLifetimeTests : SourceFixture
             Loop.EnterPlayMode(reloadDomain);
             MocapSource source = Assert.Single(MocapSource.All);
             WaitForPose(source);
-            Assert.Equal(i, server.Statistics.Accepted);
+            Assert.Equal(i, server.GetStatistics().Accepted);
             AssertQuick(Loop.ExitPlayMode);
             Assert.Empty(MocapSource.All);
             AssertStops();
@@ -128,8 +128,8 @@ public sealed class SourceLifetimeTests : SourceFixture
         WaitForPose(source);
         Loop.ReloadDomain();
         WaitForPose(source);
-        Assert.Equal(2, server.Statistics.Accepted);
-        Loop.RunUntil(() => server.Statistics.Clients == 1);
+        Assert.Equal(2, server.GetStatistics().Accepted);
+        Loop.RunUntil(() => server.GetStatistics().Clients == 1);
     }
 
     [Fact]
@@ -146,7 +146,7 @@ public sealed class SourceLifetimeTests : SourceFixture
         Assert.Equal(SourceState.Closed, source.State);
         source.Open();
         WaitForPose(source);
-        Assert.Equal(2, server.Statistics.Accepted);
+        Assert.Equal(2, server.GetStatistics().Accepted);
     }
 
     // Threads, sockets and files: a connection's end is that of all of them.

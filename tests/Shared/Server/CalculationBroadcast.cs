@@ -14,7 +14,7 @@ internal static class CalculationBroadcast
         {
             Sources = [source],
             Port = 0,
-            Rate = BroadcasterOptions.MaxRate,
+            FrameRate = BroadcasterOptions.MaxFrameRate,
             WaitForClient = true,
             Format = format,
             TextDecimals = 4,

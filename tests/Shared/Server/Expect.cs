@@ -13,7 +13,7 @@ internal static class Expect
     {
         Sources = [.. Enumerable.Range(0, avatars).Select(avatar => new TestSource(avatar, frames))],
         Port = 0,
-        Rate = BroadcasterOptions.MaxRate,
+        FrameRate = BroadcasterOptions.MaxFrameRate,
     };
 
     // The frames from first on, complete and in order: per avatar a motion packet and, if asked for, a calculation packet.

@@ -11,7 +11,7 @@ namespace NeuronMocap.Unity.EditorTools
     // A diagnosis that runs on the thread pool while the editor looks at it now and then. Members are for the main thread, which never waits.
     internal sealed class DiagnosisJob : IProgress<DiagnosisStep>, IDisposable
     {
-        private readonly CancellationTokenSource _stop = new CancellationTokenSource();
+        private readonly CancellationTokenSource _stopSource = new CancellationTokenSource();
         private readonly List<DiagnosisStep> _steps = new List<DiagnosisStep>();
         private readonly Task<StreamDiagnosis> _task;
 
@@ -45,7 +45,7 @@ namespace NeuronMocap.Unity.EditorTools
         public void Cancel()
         {
             if (IsRunning)
-                _stop.Cancel();
+                _stopSource.Cancel();
         }
 
         // The source of the token is not disposed of: the task may use it for a moment still.
@@ -61,7 +61,7 @@ namespace NeuronMocap.Unity.EditorTools
         {
             // However it ended.
             await Task.WhenAny(after).ConfigureAwait(false);
-            return await NeuronDiagnostics.DiagnoseAsync(options, how, this, _stop.Token).ConfigureAwait(false);
+            return await NeuronDiagnostics.DiagnoseAsync(options, how, this, _stopSource.Token).ConfigureAwait(false);
         }
 
         private static string Describe(NeuronReaderOptions options) => options.Transport == TransportKind.Udp

@@ -30,7 +30,7 @@ namespace NeuronMocap.Unity.EditorTools
         {
             ReportRow[] steps = job.GetSteps().Select(step => new ReportRow(step.Name, step.Detail, Of(step.Outcome))).ToArray();
             if (job.Result is { } result)
-                return new DiagnosisReport(Of(result), DiagnosisTitles.Of(result.Verdict), result.Summary, steps);
+                return new DiagnosisReport(Of(result), result.Title, result.Summary, steps);
             if (job.Failure is { } failure)
                 return new DiagnosisReport(Severity.Error, "The settings are not valid", failure, steps);
             if (job.IsCancelled)

@@ -19,7 +19,7 @@ namespace NeuronMocap.Unity.EditorTools
             if (figures is not { } some)
                 return;
 
-            Rate = performer.IsLive ? $"{Number(some.Rate, "0.0")} /s" : "-";
+            FrameRate = performer.IsLive ? $"{Number(some.FrameRate, "0.0")} /s" : "-";
             Lost = some.Frames + some.Lost > 0 ? Losses(some.Lost, some.Frames) : "-";
             Jitter = $"{Number(some.Jitter.TotalMilliseconds, "0.0")} ms";
         }
@@ -34,13 +34,13 @@ namespace NeuronMocap.Unity.EditorTools
 
         public Severity Severity { get; }
 
-        public string Rate { get; } = "-";
+        public string FrameRate { get; } = "-";
 
         public string Lost { get; } = "-";
 
         public string Jitter { get; } = "-";
 
-        public string Summary => $"{State}, {Rate}, lost {Lost}, jitter {Jitter}";
+        public string Summary => $"{State}, {FrameRate}, lost {Lost}, jitter {Jitter}";
 
         public static IReadOnlyList<PerformerRow> ListOf(MocapSource source)
         {

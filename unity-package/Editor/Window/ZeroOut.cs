@@ -11,7 +11,7 @@ namespace NeuronMocap.Unity.EditorTools
     // Asks the server, on the pool, to zero out avatars.
     internal sealed class ZeroOut : IDisposable
     {
-        private readonly CancellationTokenSource _stop = new CancellationTokenSource();
+        private readonly CancellationTokenSource _stopSource = new CancellationTokenSource();
         private readonly Task _task;
         private readonly string _whom;
 
@@ -19,7 +19,7 @@ namespace NeuronMocap.Unity.EditorTools
         public ZeroOut(string host, int commandPort, int? avatar)
         {
             _whom = avatar is { } index ? $"avatar {index}" : "all avatars";
-            _task = Task.Run(() => RunAsync(host, commandPort, avatar, _stop.Token));
+            _task = Task.Run(() => RunAsync(host, commandPort, avatar, _stopSource.Token));
         }
 
         public bool IsRunning => !_task.IsCompleted;
@@ -35,13 +35,13 @@ namespace NeuronMocap.Unity.EditorTools
         }
 
         // The task ends by itself; nobody waits for it.
-        public void Dispose() => _stop.Cancel();
+        public void Dispose() => _stopSource.Cancel();
 
-        private static async Task RunAsync(string host, int port, int? avatar, CancellationToken stop)
+        private static async Task RunAsync(string host, int port, int? avatar, CancellationToken cancellationToken)
         {
             var client = new NeuronCommandClient(host, port);
             await using ConfiguredAsyncDisposable closing = client.ConfigureAwait(false);
-            await (avatar is { } index ? client.ZeroOutAsync(index, stop) : client.ZeroOutAllAsync(stop)).ConfigureAwait(false);
+            await (avatar is { } index ? client.ZeroOutAsync(index, cancellationToken) : client.ZeroOutAllAsync(cancellationToken)).ConfigureAwait(false);
         }
     }
 }

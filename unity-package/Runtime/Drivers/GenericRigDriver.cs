@@ -112,7 +112,7 @@ namespace NeuronMocap.Unity
             foreach (BoneBinding given in _bindings)
             {
                 if (given.Transform != null && (uint)given.Bone < BoneHierarchy.BoneCount)
-                    Give(bones, given);
+                    Assign(bones, given);
             }
 
             var missing = new List<Bone>();
@@ -127,7 +127,7 @@ namespace NeuronMocap.Unity
         }
 
         // A transform is one bone only: the one that it is listed for.
-        private static void Give(Transform?[] bones, BoneBinding given)
+        private static void Assign(Transform?[] bones, BoneBinding given)
         {
             int found = Array.IndexOf(bones, given.Transform);
             if (found >= 0)

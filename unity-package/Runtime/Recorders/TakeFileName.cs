@@ -16,7 +16,7 @@ namespace NeuronMocap.Unity
         public const string DefaultPattern = "{source} {date} {time}";
 
         private const string TakeToken = "{take}";
-        private const int MostTakes = 9999;
+        private const int MaxTakes = 9999;
 
         // Of every system, not just of this one: takes are copied from one to another.
         private const string Forbidden = "<>:\"/\\|?*";
@@ -33,7 +33,7 @@ namespace NeuronMocap.Unity
         {
             string named = Expand(string.IsNullOrWhiteSpace(pattern) ? DefaultPattern : pattern, source, now);
             bool hasTake = named.Contains(TakeToken);
-            for (int take = 1; take <= MostTakes; take++)
+            for (int take = 1; take <= MaxTakes; take++)
             {
                 string number = take.ToString("000", CultureInfo.InvariantCulture);
                 string name = hasTake ? named.Replace(TakeToken, number) : take == 1 ? named : named + " " + number;
@@ -42,7 +42,7 @@ namespace NeuronMocap.Unity
                     return path;
             }
 
-            throw new IOException($"The folder \"{folder}\" has {MostTakes} takes of this name already. Choose another file name.");
+            throw new IOException($"The folder \"{folder}\" has {MaxTakes} takes of this name already. Choose another file name.");
         }
 
         private static string Expand(string pattern, string source, DateTime now) => pattern

@@ -26,7 +26,7 @@ namespace NeuronMocap.Unity
         private bool _isChanged;
 
         [NonSerialized]
-        private SourceState _told;
+        private SourceState _reported;
 
         /// <summary>The sources that are enabled now, in the order in which they were; a figure without a source of its own takes the first.</summary>
         public static IReadOnlyList<MocapSource> All => Enabled;
@@ -74,7 +74,7 @@ namespace NeuronMocap.Unity
             _status = default;
             if (Application.platform == RuntimePlatform.WebGLPlayer)
             {
-                Tell(SourceState.Failed, StatusText.Browser);
+                Report(SourceState.Failed, StatusText.Browser);
                 return;
             }
 
@@ -98,7 +98,7 @@ namespace NeuronMocap.Unity
 
             // Unless a handler has opened it again.
             if (_connection is null)
-                Tell(SourceState.Closed, StatusText.Closed);
+                Report(SourceState.Closed, StatusText.Closed);
         }
 
         private void Awake()
@@ -177,7 +177,7 @@ namespace NeuronMocap.Unity
         {
             if (connection.Reader is not { } reader)
             {
-                Tell(connection.Fault is null ? SourceState.Loading : SourceState.Failed, connection.Fault ?? StatusText.Loading);
+                Report(connection.Fault is null ? SourceState.Loading : SourceState.Failed, connection.Fault ?? StatusText.Loading);
                 return;
             }
 
@@ -186,7 +186,7 @@ namespace NeuronMocap.Unity
                 return;
 
             _status = status;
-            Tell(ToState(connection, status), StatusText.Of(connection, status));
+            Report(ToState(connection, status), StatusText.Of(connection, status));
         }
 
         private static SourceState ToState(SourceConnection connection, in ConnectionStatus status) => status.State switch
@@ -202,14 +202,14 @@ namespace NeuronMocap.Unity
             _ => SourceState.Connecting,
         };
 
-        private void Tell(SourceState state, string message)
+        private void Report(SourceState state, string message)
         {
             State = state;
             StatusMessage = message;
-            if (_told == state)
+            if (_reported == state)
                 return;
 
-            _told = state;
+            _reported = state;
             Handlers.Raise(StateChanged, state, this);
         }
 

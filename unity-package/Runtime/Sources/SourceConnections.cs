@@ -11,7 +11,7 @@ namespace NeuronMocap.Unity
     internal static partial class SourceConnections
     {
         // How long the end of a program, or of its domain, waits for threads that have been told to end.
-        private static readonly TimeSpan Patience = TimeSpan.FromMilliseconds(100);
+        private static readonly TimeSpan CloseTimeout = TimeSpan.FromMilliseconds(100);
 
         private static readonly Dictionary<SourceSettings, SourceConnection> Open = new Dictionary<SourceSettings, SourceConnection>();
         private static readonly List<Task> Closing = new List<Task>();
@@ -72,7 +72,7 @@ namespace NeuronMocap.Unity
             Open.Clear();
             try
             {
-                _ = Closed.Wait(Patience);
+                _ = Closed.Wait(CloseTimeout);
             }
             catch (AggregateException)
             {

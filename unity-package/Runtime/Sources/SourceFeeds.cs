@@ -29,7 +29,7 @@ namespace NeuronMocap.Unity
             {
                 Sources = new[] { settings.Loop ? new LoopedSource(take) : take },
                 AvatarNames = new[] { settings.Name },
-                Rate = take.FrameRate * settings.Speed,
+                FrameRate = take.FrameRate * settings.Speed,
                 WaitForClient = true,
             });
         }

@@ -169,7 +169,7 @@ internal static class AvatarTable
 
     // "30.0/2": every second frame.
     private static string DescribeRate(AvatarStatistics avatar) =>
-        Quantity.Fixed(avatar.Rate, 1) + (avatar.FrequencyReduction > 1 ? Quantity.Format($"/{avatar.FrequencyReduction}") : string.Empty);
+        Quantity.Fixed(avatar.FrameRate, 1) + (avatar.FrequencyReduction > 1 ? Quantity.Format($"/{avatar.FrequencyReduction}") : string.Empty);
 
     private static Text Alarm(long count) => new(Quantity.Count(count), count > 0 ? new Style(Palette.Warning) : Style.Plain);
 

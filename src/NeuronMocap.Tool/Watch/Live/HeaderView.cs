@@ -129,8 +129,8 @@ internal static class HeaderView
         if (pose.Header.Version == DataVersion.Studio)
             return $"{order} as the stream says";
 
-        bool mayBeTold = state.Options.CommandPort is not null || state.Options.Play is not null;
-        return mayBeTold ? $"rotation order {order}" : $"{order} assumed";
+        bool isOrderAvailable = state.Options.CommandPort is not null || state.Options.Play is not null;
+        return isOrderAvailable ? $"rotation order {order}" : $"{order} assumed";
     }
 
     private static string OnOff(bool on) => on ? "on" : "off";

@@ -30,8 +30,8 @@ internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, T
 
     public override void OnStudioCalculation(StudioCalculationFrame frame) => _state.Allocations.OnFrame();
 
-    public override Task RunAsync(CancellationToken stop) => Task.Factory.StartNew(
-        () => Run(stop), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+    public override Task RunAsync(CancellationToken cancellationToken) => Task.Factory.StartNew(
+        () => Run(cancellationToken), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 
     public override void Finish(ReaderStatistics statistics)
     {
@@ -39,7 +39,7 @@ internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, T
         output.Flush();
     }
 
-    private void Run(CancellationToken stop)
+    private void Run(CancellationToken cancellationToken)
     {
         if (OperatingSystem.IsWindows())
             Console.OutputEncoding = Encoding.UTF8;
@@ -50,20 +50,20 @@ internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, T
         using PosixSignalRegistration? resume = OperatingSystem.IsWindows()
             ? null
             : PosixSignalRegistration.Create(PosixSignal.SIGCONT, _ => screen.Invalidate());
-        while (!_quit && !stop.IsCancellationRequested)
+        while (!_quit && !cancellationToken.IsCancellationRequested)
         {
             while (keyboard.TryRead(out ConsoleKeyInfo key))
-                Obey(key);
+                HandleKey(key);
 
             _state.Update(reader, latest);
             screen.Show(Dashboard.Create(_state, Screen.Width, Screen.Height), Screen.Width, Screen.Height);
-            WaitHandle.WaitAny([stop.WaitHandle, keyboard.Pressed], Period);
+            WaitHandle.WaitAny([cancellationToken.WaitHandle, keyboard.Pressed], Period);
         }
     }
 
-    private void Obey(ConsoleKeyInfo key)
+    private void HandleKey(ConsoleKeyInfo key)
     {
-        if (player is not null && PlaybackKeys.Obey(player, key))
+        if (player is not null && PlaybackKeys.TryHandle(player, key))
             return;
 
         switch (key)

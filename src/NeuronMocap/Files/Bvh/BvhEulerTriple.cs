@@ -9,7 +9,7 @@ internal readonly record struct BvhEulerTriple(double First, double Second, doub
 {
     // The cosine of the second angle below which the first and the third turn about the same line. Their parts are the neighbour's to choose then; that
     // costs less than this in radians.
-    private const double Locked = 1e-7;
+    private const double GimbalLockCosine = 1e-7;
 
     private const double DegreesPerRadian = 180 / Math.PI;
 
@@ -23,11 +23,11 @@ internal readonly record struct BvhEulerTriple(double First, double Second, doub
         int sign = (j - i + 3) % 3 == 1 ? 1 : -1;
         double cosine = Math.Sqrt(Square(rotation.Entry(i, i)) + Square(rotation.Entry(i, j)));
         double second = Math.Atan2(sign * rotation.Entry(i, k), cosine) * DegreesPerRadian;
-        if (cosine < Locked)
+        if (cosine < GimbalLockCosine)
         {
             BvhRotation rest = rotation * BvhRotation.About(k, -near.Third);
             double sum = Math.Atan2(sign * rest.Entry(k, j), rest.Entry(j, j)) * DegreesPerRadian;
-            return new BvhEulerTriple(sum, second, near.Third).Wound(near);
+            return new BvhEulerTriple(sum, second, near.Third).Unwrap(near);
         }
 
         double first = Math.Atan2(-sign * rotation.Entry(j, k), rotation.Entry(k, k)) * DegreesPerRadian;
@@ -38,8 +38,8 @@ internal readonly record struct BvhEulerTriple(double First, double Second, doub
     /// <summary>Of the triples that describe the same rotation, with all axes different, the nearest to another.</summary>
     public BvhEulerTriple Nearest(BvhEulerTriple near)
     {
-        BvhEulerTriple one = Wound(near);
-        BvhEulerTriple other = new BvhEulerTriple(First + 180, 180 - Second, Third + 180).Wound(near);
+        BvhEulerTriple one = Unwrap(near);
+        BvhEulerTriple other = new BvhEulerTriple(First + 180, 180 - Second, Third + 180).Unwrap(near);
         return other.Distance(near) < one.Distance(near) ? other : one;
     }
 
@@ -48,10 +48,10 @@ internal readonly record struct BvhEulerTriple(double First, double Second, doub
 
     private static double Square(double value) => value * value;
 
-    private static double Wound(double angle, double near) => angle + (360 * Math.Round((near - angle) / 360));
+    private static double Unwrap(double angle, double near) => angle + (360 * Math.Round((near - angle) / 360));
 
-    private BvhEulerTriple Wound(BvhEulerTriple near) =>
-        new(Wound(First, near.First), Wound(Second, near.Second), Wound(Third, near.Third));
+    private BvhEulerTriple Unwrap(BvhEulerTriple near) =>
+        new(Unwrap(First, near.First), Unwrap(Second, near.Second), Unwrap(Third, near.Third));
 
     private double Distance(BvhEulerTriple other) =>
         Math.Abs(First - other.First) + Math.Abs(Second - other.Second) + Math.Abs(Third - other.Third);

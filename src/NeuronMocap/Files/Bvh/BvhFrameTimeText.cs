@@ -24,8 +24,8 @@ internal static class BvhFrameTimeText
 
     // With so many decimals the simplest fraction that they allow is meant: no other one of a likely rate is near. It has at most 15 in a long.
     private const int ManyDecimals = 9;
-    private const int MostDecimals = 15;
-    private const int FewestDecimalsWritten = 6;
+    private const int MaxDecimals = 15;
+    private const int MinDecimalsWritten = 6;
     private const int LongestText = 128;
 
     // Also what a measured rate is taken for that is near to one of them.
@@ -50,7 +50,7 @@ internal static class BvhFrameTimeText
             return false;
         }
 
-        time = Choose(declared, lastDigit) ?? TakeByItsWord(word, Math.Max(0, -lastDigit));
+        time = Choose(declared, lastDigit) ?? UseAsWritten(word, Math.Max(0, -lastDigit));
         return true;
     }
 
@@ -58,11 +58,11 @@ internal static class BvhFrameTimeText
     public static string Create(BvhFrameTime time)
     {
         decimal seconds = time.Numerator / (decimal)time.Denominator;
-        for (int decimals = FewestDecimalsWritten; ; decimals++)
+        for (int decimals = MinDecimalsWritten; ; decimals++)
         {
             string text = seconds.ToString("F" + decimals, CultureInfo.InvariantCulture);
             bool isSame = TryParse(Encoding.ASCII.GetBytes(text), out _, out BvhFrameTime read) && read == time;
-            if (isSame || decimals == MostDecimals)
+            if (isSame || decimals == MaxDecimals)
                 return text;
         }
     }
@@ -89,11 +89,11 @@ internal static class BvhFrameTimeText
         return nearest;
     }
 
-    private static BvhFrameTime TakeByItsWord(ReadOnlySpan<byte> word, int decimals)
+    private static BvhFrameTime UseAsWritten(ReadOnlySpan<byte> word, int decimals)
     {
         decimal seconds = decimal.Parse(Encoding.ASCII.GetString(word), NumberStyles.Float, CultureInfo.InvariantCulture);
         long denominator = 1;
-        for (int i = 0; i < Math.Min(decimals, MostDecimals); i++)
+        for (int i = 0; i < Math.Min(decimals, MaxDecimals); i++)
             denominator *= 10;
 
         decimal half = 0.5m / denominator;

@@ -111,7 +111,7 @@ internal ref struct BvhHierarchyReader
         _text.ReadWord();
         LeaveEndSite();
         if (isRoot != (_open is null))
-            TellKind(isRoot);
+            ReportKind(isRoot);
 
         _open = new BvhJoint(ReadName(), _joints.Count, _open) { FirstChannel = _channelCount };
         _joints.Add(_open);
@@ -122,7 +122,7 @@ internal ref struct BvhHierarchyReader
         ReadOpeningBrace();
     }
 
-    private readonly void TellKind(bool isRoot)
+    private readonly void ReportKind(bool isRoot)
     {
         if (isRoot)
             _repairs.Add(_place, $"There is a ROOT inside {Describe(_open!)}", $"it is read as a JOINT");

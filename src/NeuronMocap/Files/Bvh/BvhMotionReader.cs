@@ -19,7 +19,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
     private bool _isEnded;
     private bool _isFirstRow = true;
     private bool _isInLongLine;
-    private bool _isFrameTimeTold;
+    private bool _isFrameTimeReported;
 
     private BvhTextPosition _block;
     private long _blockRows;
@@ -89,7 +89,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         }
 
         EndBlock();
-        if (DeclaredFrameTime == 0 && !_isFrameTimeTold)
+        if (DeclaredFrameTime == 0 && !_isFrameTimeReported)
             repairs.Add(_start, $"There is no usable frame time", $"120 Hz is assumed");
 
         _isEnded = true;
@@ -164,16 +164,16 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         ReadOnlySpan<byte> word = text.PeekLineWord();
         if (!BvhFrameTimeText.TryParse(word, out double declared, out BvhFrameTime time))
         {
-            if (_isFrameTimeTold)
+            if (_isFrameTimeReported)
                 repairs.Add(text.Place, $"{word} is not a frame time", $"it is ignored");
             else
                 repairs.Add(text.Place, $"{word} is not a frame time", $"120 Hz is assumed unless another one follows");
 
-            _isFrameTimeTold = true;
+            _isFrameTimeReported = true;
         }
         else if (DeclaredFrameTime == 0)
         {
-            _isFrameTimeTold = true;
+            _isFrameTimeReported = true;
             DeclaredFrameTime = declared;
             FrameTime = time;
             format.FrameTimeText = System.Text.Encoding.ASCII.GetString(word);
@@ -201,7 +201,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         bool isWhole = count == channelCount && text.IsAtLineEnd();
         if (isWhole && !_rows.IsAnyOpen)
         {
-            TellNotFinite(notFinite);
+            ReportNotFinite(notFinite);
             return true;
         }
 
@@ -217,11 +217,11 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         if (!text.IsAtLineEnd() && count < channelCount)
         {
             _rows.LeaveOutLine();
-            TellNoNumber(ref text);
+            ReportNoNumber(ref text);
             return false;
         }
 
-        TellNotFinite(notFinite);
+        ReportNotFinite(notFinite);
         _isInLongLine = !text.IsAtLineEnd();
         if (_isInLongLine)
             _rows.EndLongLine();
@@ -238,7 +238,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         BvhTextPosition start = text.Place;
         BvhTextPosition notFinite = default;
         int count = isAtEnd ? 0 : text.ReadNumbers(row, ref notFinite);
-        TellNotFinite(notFinite);
+        ReportNotFinite(notFinite);
         if (count == channelCount)
             return true;
 
@@ -246,7 +246,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         if (count > 0)
             repairs.AddLeftOut(start, $"A row has {count} values instead of {channelCount}", $"it is left out");
         if (!text.IsAtLineEnd())
-            TellNoNumber(ref text);
+            ReportNoNumber(ref text);
 
         return false;
     }
@@ -268,13 +268,13 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         return row.Length;
     }
 
-    private void TellNotFinite(BvhTextPosition place)
+    private void ReportNotFinite(BvhTextPosition place)
     {
         if (place != default)
             repairs.Add(place, $"Some values are not finite", $"they are read as they stand");
     }
 
-    private void TellNoNumber(ref BvhText text)
+    private void ReportNoNumber(ref BvhText text)
     {
         repairs.AddLeftOut(text.Place, $"{text.PeekLineWord()} is not a number", $"the line is left out");
         text.SkipLine();

@@ -4,7 +4,7 @@ namespace NeuronMocap.Bvh;
 internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
 {
     // Rows on one line. Of more than these the line's end is not awaited, so that memory stays bounded.
-    private const int MostRows = 8;
+    private const int MaxRows = 8;
 
     // First whole rows to be taken, from _taken to _whole; then values of lines that may still become a row; from _line on those of this line.
     private float[] _values = [];
@@ -17,7 +17,7 @@ internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
 
     public bool IsAnyOpen => _end > _whole;
 
-    public bool IsLineLong => _end - _line > MostRows * channelCount;
+    public bool IsLineLong => _end - _line > MaxRows * channelCount;
 
     public bool TryTake(Span<float> row)
     {
@@ -81,7 +81,7 @@ internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
     public void EndLongLine()
     {
         LeaveOutOlder();
-        repairs.Add(_linePlace, $"More than {MostRows} rows stand on a line", $"every {channelCount} values are read as one");
+        repairs.Add(_linePlace, $"More than {MaxRows} rows stand on a line", $"every {channelCount} values are read as one");
         _whole = _end;
     }
 

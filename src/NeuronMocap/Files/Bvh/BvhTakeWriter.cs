@@ -103,7 +103,7 @@ public sealed class BvhTakeWriter : IDisposable
         if (_writer is null)
             return;
 
-        TellFrameTime();
+        PassFrameTime();
         _writer.Flush();
     }
 
@@ -121,7 +121,7 @@ public sealed class BvhTakeWriter : IDisposable
             return;
         }
 
-        TellFrameTime();
+        PassFrameTime();
         _writer.Dispose();
     }
 
@@ -135,7 +135,7 @@ public sealed class BvhTakeWriter : IDisposable
         _recentRepeats.Enqueue(writer.FrameCount);
     }
 
-    private void TellFrameTime()
+    private void PassFrameTime()
     {
         if (_options.FrameTime is null)
             _writer!.FrameTime = _sequence.Measure();

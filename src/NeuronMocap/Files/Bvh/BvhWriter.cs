@@ -35,7 +35,7 @@ public sealed class BvhWriter : IDisposable
     private readonly long _timePlace = -1;
     private readonly long _start;
     private int _length;
-    private int _toldFrames;
+    private int _writtenFrameCount;
 
     // In the buffer, behind the last whole row or the header; and the same of what the stream has taken, with the number of rows up to there.
     private int _rowsEnd = -1;
@@ -228,7 +228,7 @@ public sealed class BvhWriter : IDisposable
     private void Complete()
     {
         Drain();
-        if (_countPlace >= 0 && (_toldFrames != FrameCount || _isTimeStale))
+        if (_countPlace >= 0 && (_writtenFrameCount != FrameCount || _isTimeStale))
             Correct();
 
         _stream.Flush();
@@ -242,7 +242,7 @@ public sealed class BvhWriter : IDisposable
 
         Overwrite(_countPlace, Padded(Decimal(FrameCount), FrameCountWidth));
         _stream.Position = end;
-        _toldFrames = FrameCount;
+        _writtenFrameCount = FrameCount;
         _isTimeStale = false;
     }
 

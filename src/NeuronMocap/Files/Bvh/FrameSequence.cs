@@ -7,7 +7,7 @@ namespace NeuronMocap.Bvh;
 internal sealed class FrameSequence(BvhGapHandling gaps)
 {
     // No suit is faster. An index that jumps without time having passed is no loss, and a stream that means harm cannot blow up the file.
-    private const int MostRowsPerSecond = 1000;
+    private const int MaxRowsPerSecond = 1000;
 
     // A longer silence between two frames without an index is a pause of the server.
     private static readonly long LongestInterval = Stopwatch.Frequency;
@@ -85,7 +85,7 @@ internal sealed class FrameSequence(BvhGapHandling gaps)
     {
         _step = Math.Min(_step, step);
         long missing = ((step + (_step / 2)) / _step) - 1;
-        bool isLoss = missing * Stopwatch.Frequency <= (timestamp - _timestamp) * MostRowsPerSecond;
+        bool isLoss = missing * Stopwatch.Frequency <= (timestamp - _timestamp) * MaxRowsPerSecond;
         return isLoss ? Continue(timestamp, (int)missing, isGap: false) : Begin(timestamp);
     }
 

@@ -10,7 +10,7 @@ namespace NeuronMocap.Calculation;
 internal static class BonePoints
 {
     private const float LargestChange = 0.5f; // cm
-    private const float LeastShare = 0.85f; // of the second way; between centres of real takes 0.6 to 0.7
+    private const float MinShare = 0.85f; // of the second way; between centres of real takes 0.6 to 0.7
 
     private static readonly (Bone Upper, Bone Lower)[] Legs = [(Bone.RightUpLeg, Bone.RightLeg), (Bone.LeftUpLeg, Bone.LeftLeg)];
 
@@ -29,7 +29,7 @@ internal static class BonePoints
                 second.Add((frame.GetCentre(lower) - knee).Length());
             }
 
-            if (!(first.Change <= LargestChange && second.Change <= LargestChange && first.Lowest > LeastShare * second.Highest))
+            if (!(first.Change <= LargestChange && second.Change <= LargestChange && first.Lowest > MinShare * second.Highest))
                 return false;
         }
 

@@ -21,7 +21,7 @@ public sealed class CalculationFileReader : IDisposable
     private readonly CalculationRepairLog _repairs;
     private readonly float[] _values = new float[CalculationFrame.FullValueCount];
     private readonly byte[] _rowEnd;
-    private readonly int _leastDecimals;
+    private readonly int MinDecimals;
     private bool _isFirst = true;
     private bool _isDisposed;
 
@@ -45,7 +45,7 @@ public sealed class CalculationFileReader : IDisposable
         ValueCount = row.Count;
         DeclaredFrameRate = CalculationHeaderText.ReadFrameRate(header);
         InitialDirection = CalculationHeaderText.ReadDirection(header);
-        _leastDecimals = CalculationRow.FindLeastDecimals(_lines.Text);
+        MinDecimals = CalculationRow.FindLeastDecimals(_lines.Text);
         TextFormat = DescribeText(header, row);
         _rowEnd = Encoding.ASCII.GetBytes(TextFormat.RowEnd);
     }
@@ -211,7 +211,7 @@ public sealed class CalculationFileReader : IDisposable
     // a flag, which has none.
     private bool IsCutInNumber(in CalculationRow row) =>
         FrameCount > 0 && ValueCount == CalculationFrame.FullValueCount && row.Length == _lines.TextAndEnd.Length
-        && CalculationRow.CountDecimals(row.LastWord) < _leastDecimals;
+        && CalculationRow.CountDecimals(row.LastWord) < MinDecimals;
 
     private void AddWrongRow(in CalculationRow row, string expected)
     {

@@ -15,7 +15,7 @@ namespace NeuronMocap.Calculation;
 public sealed class CalculationSkeleton
 {
     // More frames of a take say the same again.
-    private const int MostFrames = 2000;
+    private const int MaxFrames = 2000;
 
     private const string EndsOfBones = "This calculation export has the ends of the bones instead of their centres: its thighs begin at the hips, without a "
         + "hip's width. No poses are made of it, for hips and sensors cannot be found. Its rows can be read and copied all the same.";
@@ -26,7 +26,7 @@ public sealed class CalculationSkeleton
 
     private CalculationSkeleton(CalculationDocument take, CalculationAxes axes)
     {
-        int step = ((take.FrameCount - 1) / MostFrames) + 1;
+        int step = ((take.FrameCount - 1) / MaxFrames) + 1;
         _axes = axes;
         if (BonePoints.AreEnds(take, axes, step))
             throw new CalculationFormatException(EndsOfBones);

@@ -16,7 +16,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     private int _passes = 1;
     private int _pass = 1;
     private bool _isPaused;
-    private volatile bool _isOver;
+    private volatile bool _hasEnded;
 
     public TimeSpan Position
     {
@@ -99,22 +99,22 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     });
 
     // Any thread: nothing more is played.
-    public bool IsOver => _isOver;
+    public bool HasEnded => _hasEnded;
 
     // A link was closed.
     public void Wake() => Change(static () => { });
 
-    public void End() => Change(() => _isOver = true);
+    public void End() => Change(() => _hasEnded = true);
 
     // Playback thread: waits until it is known what to do next. Of what is due at the instant, timestamp is when it was.
-    public PlaybackAction WaitFor(TimeSpan instant, CancellationToken closed, out long timestamp)
+    public PlaybackAction WaitFor(TimeSpan instant, CancellationToken cancellationToken, out long timestamp)
     {
         timestamp = 0;
         lock (_lock)
         {
             while (true)
             {
-                if (closed.IsCancellationRequested || _isOver)
+                if (cancellationToken.IsCancellationRequested || _hasEnded)
                     return PlaybackAction.Stop;
                 if (_seek is not null)
                     return PlaybackAction.Seek;

@@ -11,22 +11,22 @@ internal sealed class PlaybackFeed
 
     private static readonly TimeSpan BeforeAll = TimeSpan.FromTicks(-1);
 
-    private readonly ArrivalSource _source;
+    private readonly RecordedEventSource _source;
     private readonly PlaybackReceiver _receiver = new();
-    private readonly ArrivalParser _parser;
-    private Arrival _arrival;
-    private bool _hasArrival;
+    private readonly RecordedEventParser _parser;
+    private RecordedEvent _event;
+    private bool _hasEvent;
 
     // Bytes of the present arrival that were handed out: steps go frame by frame.
     private int _taken;
 
-    public PlaybackFeed(ArrivalSource source, SenderFilter filter, int maxValues)
+    public PlaybackFeed(RecordedEventSource source, SenderFilter filter, int maxValues)
     {
         _source = source;
-        _parser = new ArrivalParser(maxValues, filter, _receiver);
+        _parser = new RecordedEventParser(maxValues, filter, _receiver);
     }
 
-    public ArrivalParser Parser => _parser;
+    public RecordedEventParser Parser => _parser;
 
     // Who gets what comes out of the parsers.
     public IPacketReceiver? Target
@@ -35,23 +35,23 @@ internal sealed class PlaybackFeed
         set => _receiver.Target = value;
     }
 
-    public bool IsOfConnection(in Arrival arrival) => arrival.Kind == ArrivalKind.Bytes && _parser.Continues(arrival);
+    public bool IsOfConnection(in RecordedEvent recorded) => recorded.Kind == RecordedEventKind.Bytes && _parser.Continues(recorded);
 
     // Whether a frame came out of the arrival; if not, it is over. Any splitting of a connection's bytes gives the same frames, a datagram is whole.
-    public bool PushToFrame(in Arrival arrival, long timestamp)
+    public bool PushToFrame(in RecordedEvent recorded, long timestamp)
     {
         long frames = _receiver.Frames;
-        if (arrival.Transport == TransportKind.Udp)
+        if (recorded.Transport == TransportKind.Udp)
         {
-            Follow(arrival, timestamp);
+            Follow(recorded, timestamp);
             Advance();
             return _receiver.Frames > frames;
         }
 
-        _receiver.Time = arrival.Time;
-        while (_taken < arrival.Bytes.Count)
+        _receiver.Time = recorded.Time;
+        while (_taken < recorded.Bytes.Count)
         {
-            _parser.Follow(arrival with { Bytes = arrival.Bytes.Slice(_taken++, 1) }, timestamp);
+            _parser.Follow(recorded with { Bytes = recorded.Bytes.Slice(_taken++, 1) }, timestamp);
             if (_receiver.Frames > frames)
                 return true;
         }
@@ -96,37 +96,37 @@ internal sealed class PlaybackFeed
         _receiver.IsMuted = true;
         _parser.Close();
         _receiver.IsMuted = false;
-        _hasArrival = false;
+        _hasEvent = false;
         return _source.Seek(place > TimeSpan.Zero ? place : TimeSpan.Zero);
     }
 
     // What steps have left of it.
-    public bool Follow(in Arrival arrival, long timestamp)
+    public bool Follow(in RecordedEvent recorded, long timestamp)
     {
-        _receiver.Time = arrival.Time;
-        return _parser.Follow(_taken == 0 ? arrival : arrival with { Bytes = arrival.Bytes.Slice(_taken) }, timestamp);
+        _receiver.Time = recorded.Time;
+        return _parser.Follow(_taken == 0 ? recorded : recorded with { Bytes = recorded.Bytes.Slice(_taken) }, timestamp);
     }
 
-    public Arrival Peek()
+    public RecordedEvent Peek()
     {
-        if (!_hasArrival)
+        if (!_hasEvent)
         {
-            _arrival = _source.Read();
-            _hasArrival = true;
+            _event = _source.Read();
+            _hasEvent = true;
             _taken = 0;
         }
 
-        return _arrival;
+        return _event;
     }
 
-    public void Advance() => _hasArrival = false;
+    public void Advance() => _hasEvent = false;
 
     private void ReadSilently(TimeSpan until, Func<bool> isStopped)
     {
         _receiver.IsMuted = true;
-        while (Peek() is { Kind: not ArrivalKind.End } arrival && arrival.Time < until && !isStopped())
+        while (Peek() is { Kind: not RecordedEventKind.End } recorded && recorded.Time < until && !isStopped())
         {
-            Follow(arrival, timestamp: 0);
+            Follow(recorded, timestamp: 0);
             Advance();
         }
 
@@ -138,15 +138,15 @@ internal sealed class PlaybackFeed
     {
         _receiver.IsMuted = true;
         long end = _receiver.Frames + frames;
-        while (_receiver.Frames < end && !isStopped() && Peek() is { Kind: not ArrivalKind.End } arrival)
+        while (_receiver.Frames < end && !isStopped() && Peek() is { Kind: not RecordedEventKind.End } recorded)
         {
-            if (arrival.Kind == ArrivalKind.Bytes)
+            if (recorded.Kind == RecordedEventKind.Bytes)
             {
-                _ = PushToFrame(arrival, timestamp: 0);
+                _ = PushToFrame(recorded, timestamp: 0);
                 continue;
             }
 
-            Follow(arrival, timestamp: 0);
+            Follow(recorded, timestamp: 0);
             Advance();
         }
 

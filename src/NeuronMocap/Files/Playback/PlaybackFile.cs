@@ -3,13 +3,13 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Recording;
 
 // The file of a playback. It stays open until the player is disposed of and the playback's thread has left it. Any thread.
-internal sealed class PlaybackFile(ArrivalSource source)
+internal sealed class PlaybackFile(RecordedEventSource source)
 {
     private readonly object _lock = new();
     private bool _isInUse;
     private bool _isClosed;
 
-    public ArrivalSource Source => source;
+    public RecordedEventSource Source => source;
 
     // What status messages call it.
     public string Target => $"recording {source.FileName}";

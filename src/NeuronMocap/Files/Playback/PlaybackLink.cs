@@ -7,20 +7,20 @@ namespace NeuronMocap.Recording;
 internal sealed class PlaybackLink(PlaybackRun run) : Link
 {
     // Never disposed of: it has no timer, and the thread may still look at it.
-    private readonly CancellationTokenSource _closed = new();
+    private readonly CancellationTokenSource _closeSource = new();
 
     public override ReceiveThread ReceiveThread => ReceiveThread.Dedicated;
 
     public override string Target => run.Target;
 
-    public override Task<LinkEnd> OpenAsync(CancellationToken stop) => RunAsync(() => run.Open(_closed.Token));
+    public override Task<LinkEnd> OpenAsync(CancellationToken cancellationToken) => RunAsync(() => run.Open(_closeSource.Token));
 
     public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver, ILinkListener? listener) =>
-        RunAsync(() => run.Receive(receiver, listener, _closed.Token));
+        RunAsync(() => run.Receive(receiver, listener, _closeSource.Token));
 
     public override void Close()
     {
-        _closed.Cancel();
+        _closeSource.Cancel();
         run.Wake();
     }
 
@@ -28,7 +28,7 @@ internal sealed class PlaybackLink(PlaybackRun run) : Link
     {
         LinkEnd end = LinkEnd.Requested;
         await DedicatedThread.RunAsync("NeuronMocap playback", Run, TaskCreationOptions.None).ConfigureAwait(false);
-        return _closed.IsCancellationRequested ? LinkEnd.Requested : end;
+        return _closeSource.IsCancellationRequested ? LinkEnd.Requested : end;
 
         void Run()
         {

@@ -11,22 +11,22 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
     private bool _hasOpened;
 
     // Of the link that plays.
-    private CancellationToken _closed;
+    private CancellationToken _cancellationToken;
     private ILinkListener? _listener;
 
     public string Target => file.Target;
 
     // Waits until a connection stands.
-    public LinkEnd Open(CancellationToken closed) => file.Use(() =>
+    public LinkEnd Open(CancellationToken cancellationToken) => file.Use(() =>
     {
-        _closed = closed;
+        _cancellationToken = cancellationToken;
         return Open();
     });
 
     // Plays until the connection ends.
-    public LinkEnd Receive(IPacketReceiver receiver, ILinkListener? listener, CancellationToken closed) => file.Use(() =>
+    public LinkEnd Receive(IPacketReceiver receiver, ILinkListener? listener, CancellationToken cancellationToken) => file.Use(() =>
     {
-        _closed = closed;
+        _cancellationToken = cancellationToken;
         _listener = listener;
         feed.Target = receiver;
         return Receive();
@@ -40,8 +40,8 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
         _hasOpened = false;
         while (!feed.Parser.IsOpen)
         {
-            Arrival arrival = feed.Peek();
-            switch (control.WaitFor(arrival.Time, _closed, out _))
+            RecordedEvent recorded = feed.Peek();
+            switch (control.WaitFor(recorded.Time, _cancellationToken, out _))
             {
                 case PlaybackAction.Stop:
                     return LinkEnd.Requested;
@@ -51,27 +51,27 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
                 case PlaybackAction.StepBack:
                     feed.GoBack(control.TakeStepsBack(), IsStopped);
                     continue;
-                case PlaybackAction.Step when arrival.Kind == ArrivalKind.End:
+                case PlaybackAction.Step when recorded.Kind == RecordedEventKind.End:
                     control.EndStep();
                     continue;
             }
 
-            if (arrival.Kind == ArrivalKind.End)
+            if (recorded.Kind == RecordedEventKind.End)
             {
                 if (EndPass() is { } end)
                     return end;
             }
-            else if (arrival.Kind == ArrivalKind.Bytes)
+            else if (recorded.Kind == RecordedEventKind.Bytes)
             {
-                feed.Parser.Open(arrival);
-                _hasOpened |= !arrival.IsCalculation;
+                feed.Parser.Open(recorded);
+                _hasOpened |= !recorded.IsCalculation;
             }
             else
             {
-                if (arrival.Kind == ArrivalKind.Opened)
+                if (recorded.Kind == RecordedEventKind.Opened)
                 {
-                    feed.Parser.Open(arrival);
-                    _hasOpened |= !arrival.IsCalculation;
+                    feed.Parser.Open(recorded);
+                    _hasOpened |= !recorded.IsCalculation;
                 }
 
                 feed.Advance();
@@ -85,8 +85,8 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
     {
         while (true)
         {
-            Arrival arrival = feed.Peek();
-            PlaybackAction turn = control.WaitFor(arrival.Time, _closed, out long timestamp);
+            RecordedEvent recorded = feed.Peek();
+            PlaybackAction turn = control.WaitFor(recorded.Time, _cancellationToken, out long timestamp);
             if (turn == PlaybackAction.Stop)
                 return LinkEnd.Requested;
 
@@ -104,15 +104,15 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
                 continue;
             }
 
-            if (turn == PlaybackAction.Step && (arrival.Kind == ArrivalKind.End || feed.IsOfConnection(arrival)))
+            if (turn == PlaybackAction.Step && (recorded.Kind == RecordedEventKind.End || feed.IsOfConnection(recorded)))
             {
-                if (arrival.Kind == ArrivalKind.End || feed.PushToFrame(arrival, control.StepTo(arrival.Time)))
+                if (recorded.Kind == RecordedEventKind.End || feed.PushToFrame(recorded, control.StepTo(recorded.Time)))
                     control.EndStep();
 
                 continue;
             }
 
-            if (Play(arrival, timestamp) is { } end)
+            if (Play(recorded, timestamp) is { } end)
                 return end;
         }
     }
@@ -124,23 +124,23 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
             : new LinkEnd(ConnectionReason.ClosedByPeer, "The recorded connection ended.");
 
     // Null unless the connection ends.
-    private LinkEnd? Play(in Arrival arrival, long timestamp)
+    private LinkEnd? Play(in RecordedEvent recorded, long timestamp)
     {
-        if (arrival.Kind == ArrivalKind.End)
+        if (recorded.Kind == RecordedEventKind.End)
         {
-            feed.Parser.Close(arrival.Time);
+            feed.Parser.Close(recorded.Time);
             return EndPass() ?? new LinkEnd(ConnectionReason.EndOfRecording, $"The {file.Target} begins again.");
         }
 
         // Another connection, of which the next link is: this one's end was not recorded.
-        if (feed.Parser.Ends(arrival))
+        if (feed.Parser.Ends(recorded))
         {
             feed.Parser.Close();
             return Ended(reason: null);
         }
 
         // The first one may come to stand after that of calculation data.
-        if (feed.Follow(arrival, timestamp) && !arrival.IsCalculation)
+        if (feed.Follow(recorded, timestamp) && !recorded.IsCalculation)
         {
             if (_hasOpened)
                 _listener?.OnLinkOpened();
@@ -148,13 +148,13 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
             _hasOpened = true;
         }
 
-        string? reason = arrival.Reason;
+        string? reason = recorded.Reason;
         feed.Advance();
         if (feed.Parser.IsOpen)
             return null;
 
         // The last connection's end is that of the recording, which comes next.
-        return feed.Peek().Kind == ArrivalKind.End ? null : Ended(reason);
+        return feed.Peek().Kind == RecordedEventKind.End ? null : Ended(reason);
     }
 
     // Null when another pass follows.
@@ -174,5 +174,5 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
     }
 
     // A place may be far from where reading can begin: whoever closes the link or disposes of the player does not wait until it is found.
-    private bool IsStopped() => _closed.IsCancellationRequested || control.IsOver;
+    private bool IsStopped() => _cancellationToken.IsCancellationRequested || control.HasEnded;
 }

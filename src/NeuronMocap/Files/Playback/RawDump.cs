@@ -10,7 +10,7 @@ public static class RawDump
     /// <param name="from">Bytes before this time are left out.</param>
     /// <param name="to">Bytes from this time on are left out; null for none.</param>
     /// <param name="progress">Told the part that is done, 0 to 1; null for nobody.</param>
-    /// <param name="cancelled">Ends it.</param>
+    /// <param name="cancellationToken">Ends it.</param>
     /// <exception cref="PlaybackException">There is no frame in the file.</exception>
     /// <exception cref="ArgumentException">An option is out of its range, or the file is a recording.</exception>
     /// <exception cref="IOException">The dump cannot be read, or the recording cannot be written.</exception>
@@ -23,21 +23,21 @@ public static class RawDump
         TimeSpan from = default,
         TimeSpan? to = null,
         IProgress<double>? progress = null,
-        CancellationToken cancelled = default)
+        CancellationToken cancellationToken = default)
     {
         ArgumentNullException.ThrowIfNull(writer);
-        using ArrivalSource source = ArrivalSource.Open(path, PlaybackOptions.CopyChecked(options));
+        using RecordedEventSource source = RecordedEventSource.Open(path, PlaybackOptions.CopyChecked(options));
         if (source is not RawDumpSource)
             throw new ArgumentException("The file is a recording already.", nameof(path));
 
         writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, "", ""));
-        while (source.Read() is { Kind: not ArrivalKind.End } arrival)
+        while (source.Read() is { Kind: not RecordedEventKind.End } recorded)
         {
-            cancelled.ThrowIfCancellationRequested();
-            if (arrival.Kind == ArrivalKind.Bytes && arrival.Time >= from && !(arrival.Time >= to))
-                Write(writer, arrival.Time - from, arrival.Bytes);
+            cancellationToken.ThrowIfCancellationRequested();
+            if (recorded.Kind == RecordedEventKind.Bytes && recorded.Time >= from && !(recorded.Time >= to))
+                Write(writer, recorded.Time - from, recorded.Bytes);
 
-            progress?.Report(source.Duration > TimeSpan.Zero ? arrival.Time / source.Duration : 0);
+            progress?.Report(source.Duration > TimeSpan.Zero ? recorded.Time / source.Duration : 0);
         }
 
         writer.CloseConnection(writer.Duration, 0, "The dump ends.");

@@ -9,7 +9,7 @@ internal sealed class RawDumpIndex : IPacketReceiver
     private const int LongestGap = 64 * 1024;
 
     // Frames of one instant, at most: nobody has more avatars, and a set is not emptied in less time than it once took to fill.
-    private const int MostFrames = 1024;
+    private const int MaxFrames = 1024;
 
     private readonly List<Piece> _pieces = [];
     private readonly HashSet<(PacketKind Kind, uint Avatar)> _seen = [];
@@ -25,7 +25,7 @@ internal sealed class RawDumpIndex : IPacketReceiver
     public SkipReason Skipped { get; private set; }
 
     // As the timecodes tell it; null where there are none.
-    public double? Rate => _timecodes.Rate;
+    public double? FrameRate => _timecodes.FrameRate;
 
     public long EndOf(int piece) => piece < 0 ? 0 : _pieces[piece].End;
 
@@ -90,7 +90,7 @@ internal sealed class RawDumpIndex : IPacketReceiver
     private void CountFrame(in ReceivedPacket packet)
     {
         uint avatar = packet.AvatarIndex;
-        if (_seen.Count == MostFrames || !_seen.Add((packet.Kind, avatar)) || InstantCount == 0)
+        if (_seen.Count == MaxFrames || !_seen.Add((packet.Kind, avatar)) || InstantCount == 0)
         {
             _seen.Clear();
             _seen.Add((packet.Kind, avatar));
@@ -111,7 +111,7 @@ internal sealed class RawDumpIndex : IPacketReceiver
         private long _seconds;
         private long _instants;
 
-        public double? Rate => _seconds > 0 ? _instants / (double)_seconds : null;
+        public double? FrameRate => _seconds > 0 ? _instants / (double)_seconds : null;
 
         public void Add(Timecode code, int instant)
         {

@@ -5,7 +5,7 @@ namespace NeuronMocap.Recording;
 
 // The bytes of a TCP stream as somebody wrote them to a file, without times. They come packet by packet, each with what stands before it that is
 // none; all packets of one instant, one of each avatar and kind, at once, and the instants at an even rate.
-internal sealed class RawDumpSource : ArrivalSource
+internal sealed class RawDumpSource : RecordedEventSource
 {
     private const double UsualRate = 120;
     private const int ChunkSize = 64 * 1024;
@@ -22,11 +22,11 @@ internal sealed class RawDumpSource : ArrivalSource
     {
         _file = file;
         _index = index;
-        _rate = rate ?? index.Rate ?? UsualRate;
+        _rate = rate ?? index.FrameRate ?? UsualRate;
     }
 
     // Frames of each avatar per second.
-    public double Rate => _rate;
+    public double FrameRate => _rate;
 
     // So that a loop goes on at the same rate.
     public override TimeSpan Duration => TimeOf(_index.InstantCount);
@@ -46,16 +46,16 @@ internal sealed class RawDumpSource : ArrivalSource
         return index.InstantCount > 0 ? new RawDumpSource(path, file, index, options.FrameRate) : throw NothingFound(path, file, index.Skipped);
     }
 
-    public override Arrival Read()
+    public override RecordedEvent Read()
     {
         if (!_isOpened)
         {
             _isOpened = true;
-            return new Arrival(ArrivalKind.Opened, TimeSpan.Zero);
+            return new RecordedEvent(RecordedEventKind.Opened, TimeSpan.Zero);
         }
 
         if (_next == _index.PieceCount)
-            return new Arrival(ArrivalKind.End, Duration);
+            return new RecordedEvent(RecordedEventKind.End, Duration);
 
         long start = _index.EndOf(_next - 1);
         int length = (int)(_index.EndOf(_next) - start);
@@ -64,7 +64,7 @@ internal sealed class RawDumpSource : ArrivalSource
 
         ReadExactly(start, length);
         TimeSpan time = TimeOf(_index.InstantOf(_next++));
-        return new Arrival(ArrivalKind.Bytes, time) { Bytes = new ArraySegment<byte>(_buffer, 0, length) };
+        return new RecordedEvent(RecordedEventKind.Bytes, time) { Bytes = new ArraySegment<byte>(_buffer, 0, length) };
     }
 
     public override bool Seek(TimeSpan time)

@@ -18,19 +18,19 @@ public sealed class RecordedFrameReader : IDisposable
     // Counters take 0 for "never"; times begin one tick later.
     private const long FirstTimestamp = 1;
 
-    private readonly ArrivalSource _source;
+    private readonly RecordedEventSource _source;
     private readonly StreamCounters _counters = new();
     private readonly PacketCollector _found;
-    private readonly ArrivalParser _parser;
+    private readonly RecordedEventParser _parser;
     private readonly FramePool _frames;
     private AvatarFrame? _frame;
-    private bool _isOver;
+    private bool _hasEnded;
 
-    internal RecordedFrameReader(ArrivalSource source, PlaybackOptions options)
+    internal RecordedFrameReader(RecordedEventSource source, PlaybackOptions options)
     {
         _source = source;
         _found = new PacketCollector(_counters);
-        _parser = new ArrivalParser(options.MaxValues ?? source.MaxValues, new SenderFilter([]), _found);
+        _parser = new RecordedEventParser(options.MaxValues ?? source.MaxValues, new SenderFilter([]), _found);
         _frames = new FramePool(source.CreateFormat(options.RotationOrder, options.SkeletonVariant), FramePool.OfTakers);
     }
 
@@ -59,7 +59,8 @@ public sealed class RecordedFrameReader : IDisposable
     /// <summary>
     /// What was read so far, as a <see cref="NeuronReader"/> would have it of the same bytes. All that the file holds, once <see cref="Read"/> was false.
     /// </summary>
-    public ReaderStatistics Statistics => _counters.Snapshot();
+    /// <returns>A snapshot.</returns>
+    public ReaderStatistics GetStatistics() => _counters.Snapshot();
 
     /// <summary>What was read so far of each avatar, in the order in which they appeared; at most 1024.</summary>
     /// <returns>A snapshot.</returns>
@@ -71,7 +72,7 @@ public sealed class RecordedFrameReader : IDisposable
     public long GetSkipped(SkipReason reason) => _counters.GetSkipped(reason);
 
     // Of a raw dump, whose times are made of it; null where times were recorded.
-    internal double? EvenRate => (_source as RawDumpSource)?.Rate;
+    internal double? EvenRate => (_source as RawDumpSource)?.FrameRate;
 
     /// <summary>Opens a file.</summary>
     /// <param name="path">A recording (<c>.nmrec</c>), or the bytes of a stream as they came off the wire. Which one it is, its first bytes tell, not its name.</param>
@@ -85,7 +86,7 @@ public sealed class RecordedFrameReader : IDisposable
     public static RecordedFrameReader Open(string path, PlaybackOptions? options = null)
     {
         PlaybackOptions copy = PlaybackOptions.CopyChecked(options);
-        return new RecordedFrameReader(ArrivalSource.Open(path, copy), copy);
+        return new RecordedFrameReader(RecordedEventSource.Open(path, copy), copy);
     }
 
     /// <summary>Goes on to the next frame.</summary>
@@ -98,21 +99,21 @@ public sealed class RecordedFrameReader : IDisposable
         ReceivedPacket packet;
         while (!_found.TryTake(out packet))
         {
-            if (_isOver)
+            if (_hasEnded)
                 return false;
 
-            Arrival arrival = _source.Read();
-            Time = arrival.Time;
-            if (arrival.Kind == ArrivalKind.End)
+            RecordedEvent recorded = _source.Read();
+            Time = recorded.Time;
+            if (recorded.Kind == RecordedEventKind.End)
             {
                 // What waited to be told whose it is comes out now.
-                _isOver = true;
-                _parser.Close(arrival.Time);
+                _hasEnded = true;
+                _parser.Close(recorded.Time);
                 continue;
             }
 
-            if (_parser.Follow(arrival, FirstTimestamp + (long)(arrival.Time.TotalSeconds * Stopwatch.Frequency)))
-                _counters.Resume(arrival.IsCalculation);
+            if (_parser.Follow(recorded, FirstTimestamp + (long)(recorded.Time.TotalSeconds * Stopwatch.Frequency)))
+                _counters.Resume(recorded.IsCalculation);
 
             Connection = _parser.Connection;
         }

@@ -6,13 +6,13 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Recording;
 
 // A recording as the stream that it holds. A file that continues another one begins with its own first bytes, not with the time of all before it.
-internal sealed class RecordedStreamSource : ArrivalSource
+internal sealed class RecordedStreamSource : RecordedEventSource
 {
     // What a reader's options allow.
-    private const int MostValues = 1_000_000;
+    private const int MaxValuesOfReader = 1_000_000;
 
     // Addresses of senders that the file does not tell. A reader has 64 senders at a time.
-    private const int MostInvented = 1024;
+    private const int MaxInventedAddresses = 1024;
 
     private readonly RecordingReader _reader;
     private readonly TimeSpan _origin;
@@ -38,9 +38,9 @@ internal sealed class RecordedStreamSource : ArrivalSource
 
     public override SkeletonVariant? SkeletonVariant => _reader.Metadata.SkeletonVariant;
 
-    public override int MaxValues => Math.Min(_reader.Metadata.MaxValues ?? ProtocolConstants.DefaultMaxValues, MostValues);
+    public override int MaxValues => Math.Min(_reader.Metadata.MaxValues ?? ProtocolConstants.DefaultMaxValues, MaxValuesOfReader);
 
-    public override Arrival Read()
+    public override RecordedEvent Read()
     {
         while (_reader.TryRead(out RecordingEntry entry))
         {
@@ -49,7 +49,7 @@ internal sealed class RecordedStreamSource : ArrivalSource
             {
                 case RecordingEntryKind.ConnectionOpened:
                     _connections[entry.Connection] = entry.Opened!;
-                    return Of(ArrivalKind.Opened, time, entry.Connection) with { WasOpen = entry.Opened!.WasOpen };
+                    return Of(RecordedEventKind.Opened, time, entry.Connection) with { WasOpen = entry.Opened!.WasOpen };
                 case RecordingEntryKind.SenderAdded:
                     SendersOf(entry.Connection)[entry.Sender] = ParseAddress(entry.Text);
                     break;
@@ -62,15 +62,15 @@ internal sealed class RecordedStreamSource : ArrivalSource
                     return ReadBytes(entry, time);
                 case RecordingEntryKind.BytesLost:
                 case RecordingEntryKind.Damaged:
-                    return Of(ArrivalKind.Lost, time, entry.Connection);
+                    return Of(RecordedEventKind.Lost, time, entry.Connection);
                 case RecordingEntryKind.ConnectionClosed:
-                    Arrival closed = Of(ArrivalKind.Closed, time, entry.Connection) with { Reason = entry.Text };
+                    RecordedEvent closed = Of(RecordedEventKind.Closed, time, entry.Connection) with { Reason = entry.Text };
                     Forget(entry.Connection);
                     return closed;
             }
         }
 
-        return new Arrival(ArrivalKind.End, Duration);
+        return new RecordedEvent(RecordedEventKind.End, Duration);
     }
 
     public override bool Seek(TimeSpan time)
@@ -91,21 +91,21 @@ internal sealed class RecordedStreamSource : ArrivalSource
         return time < Duration ? time : Duration;
     }
 
-    private Arrival ReadBytes(in RecordingEntry entry, TimeSpan time)
+    private RecordedEvent ReadBytes(in RecordingEntry entry, TimeSpan time)
     {
         if (_buffer.Length < entry.Bytes.Length)
             _buffer = new byte[Math.Max(entry.Bytes.Length, 2 * _buffer.Length)];
 
         entry.Bytes.CopyTo(_buffer);
-        Arrival arrival = Of(ArrivalKind.Bytes, time, entry.Connection);
-        return arrival with
+        RecordedEvent recorded = Of(RecordedEventKind.Bytes, time, entry.Connection);
+        return recorded with
         {
             Bytes = new ArraySegment<byte>(_buffer, 0, entry.Bytes.Length),
-            Sender = arrival.Transport == TransportKind.Udp ? FindSender(entry.Connection, entry.Sender) : null,
+            Sender = recorded.Transport == TransportKind.Udp ? FindSender(entry.Connection, entry.Sender) : null,
         };
     }
 
-    private Arrival Of(ArrivalKind kind, TimeSpan time, int connection)
+    private RecordedEvent Of(RecordedEventKind kind, TimeSpan time, int connection)
     {
         _connections.TryGetValue(connection, out RecordedConnection? known);
         return new(kind, time) { Connection = connection, Transport = known?.Transport ?? TransportKind.Tcp, IsCalculation = known?.IsCalculation ?? false };
@@ -118,7 +118,7 @@ internal sealed class RecordedStreamSource : ArrivalSource
             return address;
 
         address = new IPEndPoint(IPAddress.None, (ushort)sender).Serialize();
-        if (_invented < MostInvented)
+        if (_invented < MaxInventedAddresses)
         {
             SendersOf(connection)[sender] = address;
             _invented++;

@@ -27,14 +27,14 @@ public sealed class RecordingPlayer : IDisposable
     /// <summary>The <see cref="Passes"/> that means: again and again, without end.</summary>
     public const int Endless = PlaybackControl.Endless;
 
-    private readonly ArrivalSource _source;
+    private readonly RecordedEventSource _source;
     private readonly PlaybackFile _file;
     private readonly PlaybackControl _control;
     private int _readers;
     private volatile bool _waitsForQueues = true;
     private volatile bool _isPaced = true;
 
-    internal RecordingPlayer(ArrivalSource source, PlaybackOptions options, PlaybackTime? time = null)
+    internal RecordingPlayer(RecordedEventSource source, PlaybackOptions options, PlaybackTime? time = null)
     {
         _source = source;
         _file = new PlaybackFile(source);
@@ -120,7 +120,7 @@ public sealed class RecordingPlayer : IDisposable
     public static RecordingPlayer Open(string path, PlaybackOptions? options = null)
     {
         PlaybackOptions copy = PlaybackOptions.CopyChecked(options);
-        return new RecordingPlayer(ArrivalSource.Open(path, copy), copy);
+        return new RecordingPlayer(RecordedEventSource.Open(path, copy), copy);
     }
 
     /// <summary>Stops before the next piece; also before the reader is started. Pausing again does nothing.</summary>

@@ -41,7 +41,7 @@ internal sealed class BlockCompression : IDisposable
         try
         {
             using var deflate = new DeflateStream(new MemoryStream(packed, start + sizeof(int), count - sizeof(int)), CompressionMode.Decompress);
-            return StreamReading.Fill(deflate, buffer.AsSpan(0, length)) == length && deflate.ReadByte() < 0;
+            return StreamReads.Fill(deflate, buffer.AsSpan(0, length)) == length && deflate.ReadByte() < 0;
         }
         catch (InvalidDataException)
         {

@@ -90,6 +90,6 @@ internal sealed class BlockFile
     private int Fill(long offset, Span<byte> destination)
     {
         _stream.Position = offset;
-        return StreamReading.Fill(_stream, destination);
+        return StreamReads.Fill(_stream, destination);
     }
 }

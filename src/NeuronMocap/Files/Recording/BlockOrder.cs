@@ -6,25 +6,25 @@ internal sealed class BlockOrder
     // 32 bytes each. Four gigabytes of a busy stream, or half a day of a quiet one.
     public const int MaxBlocks = 64 * 1024;
 
-    private readonly List<BlockPlace> _places;
+    private readonly List<BlockPosition> _places;
 
-    private BlockOrder(List<BlockPlace> places) => _places = places;
+    private BlockOrder(List<BlockPosition> places) => _places = places;
 
     public int Count => _places.Count;
 
-    public BlockPlace this[int index] => _places[index];
+    public BlockPosition this[int index] => _places[index];
 
     // Null where the file has too many. Tells what is missing, twice there, displaced or damaged.
     public static BlockOrder? TryRead(BlockFile file, RecordingProblems problems, int maxBlocks)
     {
-        List<BlockPlace> places = [];
+        List<BlockPosition> places = [];
         var walk = new BlockSearch(file, problems);
         while (walk.TryFind(out long offset, out BlockHeader header))
         {
             if (places.Count == maxBlocks)
                 return null;
 
-            places.Add(new BlockPlace(offset, header.Sequence, header.Time, header.Kind == BlockKind.Checkpoint, walk.IsBehindDamage));
+            places.Add(new BlockPosition(offset, header.Sequence, header.Time, header.Kind == BlockKind.Checkpoint, walk.IsBehindDamage));
             walk.Pass(offset, header);
         }
 
@@ -47,11 +47,11 @@ internal sealed class BlockOrder
     public int FindTime(long time) => Math.Max(0, _places.FindLastIndex(place => place.IsCheckpoint && place.Time < time));
 
     // In the order of the file.
-    private static void ReportDisplaced(List<BlockPlace> places, RecordingProblems problems)
+    private static void ReportDisplaced(List<BlockPosition> places, RecordingProblems problems)
     {
         uint highest = 0;
         var seen = new HashSet<uint>();
-        foreach (BlockPlace place in places)
+        foreach (BlockPosition place in places)
         {
             if (seen.Add(place.Sequence) && place.Sequence < highest && !problems.IsFull)
                 problems.Add(place.Offset, 0, $"Block {place.Sequence} stands behind block {highest}; it is read where it belongs.");
@@ -60,12 +60,12 @@ internal sealed class BlockOrder
         }
     }
 
-    private static void DropDoubled(List<BlockPlace> places, RecordingProblems problems)
+    private static void DropDoubled(List<BlockPosition> places, RecordingProblems problems)
     {
         int kept = 0;
         for (int i = 0; i < places.Count; i++)
         {
-            BlockPlace place = places[i];
+            BlockPosition place = places[i];
             bool isDoubled = kept > 0 && places[kept - 1].Sequence == place.Sequence;
             if (isDoubled && !problems.IsFull)
                 problems.Add(place.Offset, 0, $"Block {place.Sequence} is there twice; the second one is passed over.");
@@ -77,10 +77,10 @@ internal sealed class BlockOrder
     }
 
     // Not what a damaged place explains.
-    private static void ReportMissing(List<BlockPlace> places, RecordingProblems problems)
+    private static void ReportMissing(List<BlockPosition> places, RecordingProblems problems)
     {
         uint expected = 0;
-        foreach (BlockPlace place in places)
+        foreach (BlockPosition place in places)
         {
             if (place.Sequence > expected && !place.IsBehindDamage && !problems.IsFull)
                 problems.Add(place.Offset, 0, DescribeMissing(expected, place.Sequence - 1));
@@ -93,4 +93,4 @@ internal sealed class BlockOrder
         first == last ? $"Block {first} is missing before this one." : $"Blocks {first} to {last} are missing before this one.";
 }
 
-internal readonly record struct BlockPlace(long Offset, uint Sequence, long Time, bool IsCheckpoint, bool IsBehindDamage);
+internal readonly record struct BlockPosition(long Offset, uint Sequence, long Time, bool IsCheckpoint, bool IsBehindDamage);

@@ -27,7 +27,7 @@ internal sealed class BlockSearch(BlockFile file, RecordingProblems problems)
     {
         offset = file.Find(_place, out header);
         if (offset != _place && _place < file.Length)
-            TellDamage(_place, offset < 0 ? file.Length : offset);
+            ReportDamage(_place, offset < 0 ? file.Length : offset);
 
         if (offset < 0)
             _place = file.Length;
@@ -54,7 +54,7 @@ internal sealed class BlockSearch(BlockFile file, RecordingProblems problems)
         }
 
         if (header.Kind == BlockKind.Entries)
-            TellDamage(offset, _place);
+            ReportDamage(offset, _place);
         else
             problems.Add(offset, _place - offset, DamagedBlock);
     }
@@ -65,7 +65,7 @@ internal sealed class BlockSearch(BlockFile file, RecordingProblems problems)
         _place = offset + RecordingLayout.BlockHeaderSize + header.Length;
     }
 
-    private void TellDamage(long start, long end)
+    private void ReportDamage(long start, long end)
     {
         DamagedBytes += end - start;
         problems.Add(start, end - start, end == file.Length ? "The file ends in the middle of a block." : DamagedBlock);

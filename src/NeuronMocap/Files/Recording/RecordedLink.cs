@@ -4,15 +4,15 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Recording;
 
 // What a recorder has told of one connection into its ring. Where there was no room, it is told before the next piece that finds some. Producer only.
-internal sealed class RecordedLink(StreamConnection connection, bool isTold)
+internal sealed class RecordedLink(StreamConnection connection, bool isReported)
 {
-    private bool _isTold = isTold;
-    private long _untoldPieces;
-    private long _untoldBytes;
+    private bool _isReported = isReported;
+    private long _unreportedPieces;
+    private long _unreportedBytes;
 
     public StreamConnection Connection => connection;
 
-    public static bool TryTellOpened(PieceRing ring, StreamConnection connection, bool wasOpen, long timestamp)
+    public static bool TryReportOpened(PieceRing ring, StreamConnection connection, bool wasOpen, long timestamp)
     {
         var record = new PieceRecord
         {
@@ -28,48 +28,48 @@ internal sealed class RecordedLink(StreamConnection connection, bool isTold)
 
     public void Lose(int bytes)
     {
-        _untoldPieces++;
-        _untoldBytes += bytes;
+        _unreportedPieces++;
+        _unreportedBytes += bytes;
     }
 
     // Before a piece: that its connection opened, if there was no room for it then, and what was lost.
-    public bool TryTellWhatIsUntold(PieceRing ring, long timestamp)
+    public bool TryReportPending(PieceRing ring, long timestamp)
     {
-        if (!_isTold)
-            _isTold = TryTellOpened(ring, connection, wasOpen: true, timestamp);
+        if (!_isReported)
+            _isReported = TryReportOpened(ring, connection, wasOpen: true, timestamp);
 
-        return _isTold && TryTellLoss(ring, timestamp);
+        return _isReported && TryReportLoss(ring, timestamp);
     }
 
-    public void TellClosed(PieceRing ring, string reason, long timestamp)
+    public void ReportClosed(PieceRing ring, string reason, long timestamp)
     {
-        if (!_isTold)
+        if (!_isReported)
             return;
 
         // Both have room kept for them. Where even that is full, the next connection's opening says that this one is gone.
-        _ = TryTellLoss(ring, timestamp);
+        _ = TryReportLoss(ring, timestamp);
         var record = new PieceRecord { Kind = PieceKind.Closed, Connection = connection.Number, Timestamp = timestamp };
         _ = ring.TryWrite(record, Encoding.UTF8.GetBytes(reason), []);
     }
 
-    private bool TryTellLoss(PieceRing ring, long timestamp)
+    private bool TryReportLoss(PieceRing ring, long timestamp)
     {
-        if (_untoldPieces == 0)
+        if (_unreportedPieces == 0)
             return true;
 
         var record = new PieceRecord
         {
             Kind = PieceKind.Lost,
             Connection = connection.Number,
-            LostPieces = _untoldPieces,
-            LostBytes = _untoldBytes,
+            LostPieces = _unreportedPieces,
+            LostBytes = _unreportedBytes,
             Timestamp = timestamp,
         };
         if (!ring.TryWrite(record, [], []))
             return false;
 
-        _untoldPieces = 0;
-        _untoldBytes = 0;
+        _unreportedPieces = 0;
+        _unreportedBytes = 0;
         return true;
     }
 }

@@ -16,7 +16,7 @@ public sealed class RecordingReader : IDisposable
     private readonly BlockFile _file;
     private readonly RecordingMap _map;
     private readonly EntryDecoder _decoder = new();
-    private readonly BlockWalk _walk;
+    private readonly BlockIterator _walk;
     private readonly OpenEntries _open = new();
     private readonly RecordingProblems _problems = new();
     private long _time;
@@ -31,7 +31,7 @@ public sealed class RecordingReader : IDisposable
         _leaveOpen = leaveOpen;
         _file = new BlockFile(stream);
         _map = new RecordingMap(_file);
-        _walk = new BlockWalk(_file, _problems);
+        _walk = new BlockIterator(_file, _problems);
         if (_map.LacksEnd)
             _problems.Add(_file.Length, 0, "The last block is missing, which ends a recording that was closed.");
     }
@@ -148,7 +148,7 @@ public sealed class RecordingReader : IDisposable
 
             if (!TryMoveOn())
                 return false;
-            if (TryTellDamage(out entry))
+            if (TryReportDamage(out entry))
                 return true;
         }
     }
@@ -201,7 +201,7 @@ public sealed class RecordingReader : IDisposable
     }
 
     // Before what follows the damaged or missing place.
-    private bool TryTellDamage(out RecordingEntry entry)
+    private bool TryReportDamage(out RecordingEntry entry)
     {
         entry = new RecordingEntry { Kind = RecordingEntryKind.Damaged, Time = new TimeSpan(_time), LostBytes = _walk.DamagedBytes };
         bool isBroken = _walk.IsBroken;

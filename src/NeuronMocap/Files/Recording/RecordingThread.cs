@@ -11,7 +11,7 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
     private readonly List<(int Number, bool IsCalculation, SenderTable Senders)> _open = [];
     private readonly object _lock = new();
     private readonly Dictionary<string, string> _metadata = new(StringComparer.Ordinal);
-    private (long Pieces, long Bytes) _lossTold;
+    private (long Pieces, long Bytes) _lossReported;
     private TimeSpan _time;
     private bool _isDirty;
     private long _flushed;
@@ -49,8 +49,8 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
         WriteMetadata();
         WritePieces();
         (long pieces, long bytes) = getLoss();
-        if (pieces > _lossTold.Pieces)
-            WriteLoss(clock.TimeOf(RecordingClock.Now), _open.Count > 0 ? _open[0].Number : 0, pieces - _lossTold.Pieces, bytes - _lossTold.Bytes);
+        if (pieces > _lossReported.Pieces)
+            WriteLoss(clock.TimeOf(RecordingClock.Now), _open.Count > 0 ? _open[0].Number : 0, pieces - _lossReported.Pieces, bytes - _lossReported.Bytes);
 
         Flush();
     }
@@ -170,7 +170,7 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
 
     private void WriteLoss(TimeSpan time, int connection, long pieces, long bytes)
     {
-        _lossTold = (_lossTold.Pieces + pieces, _lossTold.Bytes + bytes);
+        _lossReported = (_lossReported.Pieces + pieces, _lossReported.Bytes + bytes);
         files.Prepare(time, 0, out TimeSpan timeInFile).WriteLoss(timeInFile, connection, pieces, bytes);
     }
 

@@ -177,8 +177,8 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
 
     void IStreamListener.OnOpened(StreamConnection connection, bool wasOpen, long timestamp)
     {
-        bool isTold = _ring is { } ring && RecordedLink.TryTellOpened(ring, connection, wasOpen, timestamp);
-        _links = [.. _links.Where(link => link.Connection.IsCalculation != connection.IsCalculation), new RecordedLink(connection, isTold)];
+        bool isReported = _ring is { } ring && RecordedLink.TryReportOpened(ring, connection, wasOpen, timestamp);
+        _links = [.. _links.Where(link => link.Connection.IsCalculation != connection.IsCalculation), new RecordedLink(connection, isReported)];
     }
 
     void IStreamListener.OnBytes(StreamConnection connection, int number, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
@@ -188,7 +188,7 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
 
         var record = new PieceRecord { Kind = PieceKind.Bytes, Connection = connection.Number, Sender = number, Timestamp = timestamp };
         if (bytes.Length <= RecordingWriter.MaxPieceLength && ring.HasRoom(sender.Length + bytes.Length)
-            && link.TryTellWhatIsUntold(ring, timestamp) && ring.TryWrite(record, sender, bytes))
+            && link.TryReportPending(ring, timestamp) && ring.TryWrite(record, sender, bytes))
         {
             Volatile.Write(ref _takenPieces, _takenPieces + 1);
             Volatile.Write(ref _takenBytes, _takenBytes + bytes.Length);
@@ -203,7 +203,7 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
     void IStreamListener.OnClosed(StreamConnection connection, string reason, long timestamp)
     {
         if (_ring is { } ring)
-            Find(connection)?.TellClosed(ring, reason, timestamp);
+            Find(connection)?.ReportClosed(ring, reason, timestamp);
 
         _links = [.. _links.Where(link => link.Connection != connection)];
     }

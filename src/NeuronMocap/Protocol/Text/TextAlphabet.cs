@@ -6,7 +6,7 @@ internal static class TextAlphabet
     private const int FirstWord = 1;
 
     // A name of 32 bytes has no more.
-    private const int MostNameWords = 16;
+    private const int MaxNameWords = 16;
 
     // Of the first word: an avatar's number, or a value, which C libraries also write as -nan(ind) or 1.#QNAN.
     private static ReadOnlySpan<byte> NumberLetters => "0123456789+-.,#()aAdDeEfFiInNqQsStTyY"u8;
@@ -19,7 +19,7 @@ internal static class TextAlphabet
     public static bool MayStandInWord(int word, byte letter, byte previous)
     {
         if (letter >= 0x80)
-            return word is > FirstWord and <= FirstWord + MostNameWords && letter != ProtocolConstants.TokenStart && !(letter == ProtocolConstants.StudioToken1 && previous == ProtocolConstants.StudioTokenStart);
+            return word is > FirstWord and <= FirstWord + MaxNameWords && letter != ProtocolConstants.TokenStart && !(letter == ProtocolConstants.StudioToken1 && previous == ProtocolConstants.StudioTokenStart);
 
         return letter is > (byte)' ' and < 0x7F && (word != FirstWord || NumberLetters.IndexOf(letter) >= 0);
     }

@@ -7,7 +7,7 @@ namespace NeuronMocap.Protocol;
 internal static class TextDecimal
 {
     // The middle of two floats has at most 113 digits: of more than that it only matters whether one of the others is not zero.
-    private const int MostDigits = 120;
+    private const int MaxDigits = 120;
 
     // What is 10^39 or more is infinite, what is less than 10^-46 zero: half of the smallest float is 7 * 10^-46.
     private const int Largest = 39;
@@ -69,7 +69,7 @@ internal static class TextDecimal
             if (digit > 9)
                 break;
 
-            if (count == MostDigits)
+            if (count == MaxDigits)
             {
                 isMore |= digit != 0;
                 continue;

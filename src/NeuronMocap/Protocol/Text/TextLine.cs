@@ -14,10 +14,10 @@ internal sealed class TextLine(int maxValues)
     // A number has fewer digits; a longer word is none.
     private const int LongestNumber = 128;
 
-    private const int FewestWords = 3;
+    private const int MinWords = 3;
 
     // So many words more than a frame has are the name's rather than values.
-    private const int MostNameExcess = 5;
+    private const int MaxNameExcess = 5;
 
     private byte[] _image = [];
     private byte[] _withoutZeros = [];
@@ -33,7 +33,7 @@ internal sealed class TextLine(int maxValues)
 
     // Whether the bytes begin as only a whole line can: a number, a name without numbers, and a number. Where it is not known whether a beginning
     // is missing, it is not.
-    public static bool BeginsTelling(ReadOnlySpan<byte> line) =>
+    public static bool BeginsLine(ReadOnlySpan<byte> line) =>
         line.Length > 0 && !IsSeparator(line[0]) && IsIndex(TakeWord(ref line), out _) && TakeName(ref line) > 0 && IsNumber(TakeWord(ref line));
 
     // None where the line is no frame; then the reason says why: NoTokens where it is no line of this format at all, or may be the rest of one whose
@@ -42,16 +42,16 @@ internal sealed class TextLine(int maxValues)
     {
         line = WithoutZeros(line);
         reason = SkipReason.NoTokens;
-        bool isTelling = BeginsTelling(line);
-        if (!isWhole && !isTelling)
+        bool isLineStart = BeginsLine(line);
+        if (!isWhole && !isLineStart)
             return PacketKind.None;
 
         PacketKind kind = Read(line, words, nameWords: 1, ref reason);
-        int nameWords = isTelling ? CountNameWords(line) : 0;
+        int nameWords = isLineStart ? CountNameWords(line) : 0;
         if (kind == PacketKind.None && nameWords > 1)
             kind = Read(line, words, nameWords, ref reason);
-        if (kind == PacketKind.None && reason == SkipReason.NoTokens && (isTelling || IsLike(line, words)))
-            reason = Explain(words, isTelling);
+        if (kind == PacketKind.None && reason == SkipReason.NoTokens && (isLineStart || IsLike(line, words)))
+            reason = Explain(words, isLineStart);
 
         return kind;
     }
@@ -68,9 +68,9 @@ internal sealed class TextLine(int maxValues)
         return kind != PacketKind.None && TryRead(line, kind, count, words == count ? 0 : nameWords) ? kind : PacketKind.None;
     }
 
-    private static SkipReason Explain(int words, bool isTelling)
+    private static SkipReason Explain(int words, bool isLineStart)
     {
-        if (isTelling)
+        if (isLineStart)
             return HasNameExcess(words) ? SkipReason.AmbiguousName : SkipReason.MalformedLine;
 
         return KindOf(words + Leading).Kind == PacketKind.Motion ? SkipReason.MissingAvatar : SkipReason.MalformedLine;
@@ -78,7 +78,7 @@ internal sealed class TextLine(int maxValues)
 
     private static bool HasNameExcess(int words)
     {
-        for (int excess = 1; excess <= MostNameExcess; excess++)
+        for (int excess = 1; excess <= MaxNameExcess; excess++)
         {
             if (KindOf(words - excess) is (not PacketKind.None, var count) && count < words - excess)
                 return true;
@@ -103,7 +103,7 @@ internal sealed class TextLine(int maxValues)
 
     private static bool IsLike(ReadOnlySpan<byte> line, int words)
     {
-        if (words < FewestWords || !IsNumber(TakeWord(ref line)))
+        if (words < MinWords || !IsNumber(TakeWord(ref line)))
             return false;
 
         TakeWord(ref line);

@@ -51,7 +51,7 @@ public class PlaybackFixtureTests
         using (RecordedFrameReader frames = RecordedFrameReader.Open(file.Path))
         {
             RecordedFrames.ReadAll(frames);
-            await Limits.UntilAsync(() => Figures(end.Reader.GetStatistics()) == Figures(frames.Statistics));
+            await Limits.UntilAsync(() => Figures(end.Reader.GetStatistics()) == Figures(frames.GetStatistics()));
         }
 
         await AssertSameAsync(end.Reader, log, statuses, file);
@@ -72,8 +72,8 @@ public class PlaybackFixtureTests
         Assert.Equal(liveFrames.Lines, frames.Lines);
         Assert.Equal(Figures(live.GetStatistics()), Figures(reader.GetStatistics()));
         Assert.Equal(
-            live.GetAvatarStatistics().Select(static avatar => avatar with { LastTimestamp = 0, Jitter = default, Rate = 0 }),
-            reader.GetAvatarStatistics().Select(static avatar => avatar with { LastTimestamp = 0, Jitter = default, Rate = 0 }));
+            live.GetAvatarStatistics().Select(static avatar => avatar with { LastTimestamp = 0, Jitter = default, FrameRate = 0 }),
+            reader.GetAvatarStatistics().Select(static avatar => avatar with { LastTimestamp = 0, Jitter = default, FrameRate = 0 }));
 
         // Over UDP the live reader's port was bound before the log looked on.
         ConnectionState[] states = [.. statuses.All.Select(static status => status.State).Distinct()];

@@ -26,7 +26,7 @@ public sealed class PlaybackStopTests
     }
 
     // Holds nothing but the instant zero, without end.
-    private sealed class EndlessSource() : ArrivalSource("endless")
+    private sealed class EndlessSource() : RecordedEventSource("endless")
     {
         private readonly byte[] _bytes = new byte[8];
         private long _reads;
@@ -48,9 +48,9 @@ public sealed class PlaybackStopTests
 
         public override TimeSpan Duration => TimeSpan.FromHours(1);
 
-        public override Arrival Read() => Interlocked.Increment(ref _reads) == 1
-            ? new Arrival(ArrivalKind.Opened, TimeSpan.Zero)
-            : new Arrival(ArrivalKind.Bytes, TimeSpan.Zero) { Bytes = new ArraySegment<byte>(_bytes) };
+        public override RecordedEvent Read() => Interlocked.Increment(ref _reads) == 1
+            ? new RecordedEvent(RecordedEventKind.Opened, TimeSpan.Zero)
+            : new RecordedEvent(RecordedEventKind.Bytes, TimeSpan.Zero) { Bytes = new ArraySegment<byte>(_bytes) };
 
         public override bool Seek(TimeSpan time) => true;
 

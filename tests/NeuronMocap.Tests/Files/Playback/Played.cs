@@ -9,7 +9,7 @@ internal static class Played
     public static RecordingPlayer Open(TemporaryFile file, PlaybackTime time)
     {
         PlaybackOptions options = PlaybackOptions.CopyChecked(null);
-        return new RecordingPlayer(ArrivalSource.Open(file.Path, options), options, time);
+        return new RecordingPlayer(RecordedEventSource.Open(file.Path, options), options, time);
     }
 
     public static TemporaryFile TenFrames() => Frames(10, interval: 8.3);

@@ -41,7 +41,7 @@ public sealed class RawDumpTests
     {
         byte[] bytes = [1, 2, 3, .. TestPackets.Motion(0), .. TestPackets.Motion(1), 4, 5, .. TestPackets.Motion(2), 6];
         using var file = new TemporaryFile(bytes);
-        using ArrivalSource source = ArrivalSource.Open(file.Path, new PlaybackOptions { FrameRate = 100 });
+        using RecordedEventSource source = RecordedEventSource.Open(file.Path, new PlaybackOptions { FrameRate = 100 });
         int packet = TestPackets.Motion(0).Length;
 
         Assert.Equal(["Opened 0 0", $"Bytes 0 {packet + 3}", $"Bytes 10 {packet}", $"Bytes 20 {packet + 2}", "Bytes 20 1", "End 30 0"], ReadAll(source));
@@ -53,16 +53,16 @@ public sealed class RawDumpTests
         Assert.Equal("Opened 0 0", ReadAll(source)[0]);
     }
 
-    private static List<string> ReadAll(ArrivalSource source)
+    private static List<string> ReadAll(RecordedEventSource source)
     {
         List<string> lines = [];
-        Arrival arrival;
+        RecordedEvent arrival;
         do
         {
             arrival = source.Read();
             lines.Add($"{arrival.Kind} {arrival.Time.TotalMilliseconds} {arrival.Bytes.Count}");
         }
-        while (arrival.Kind != ArrivalKind.End);
+        while (arrival.Kind != RecordedEventKind.End);
 
         return lines;
     }

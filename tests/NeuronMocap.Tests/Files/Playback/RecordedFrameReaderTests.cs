@@ -26,7 +26,7 @@ public sealed class RecordedFrameReaderTests
             found);
         Assert.Throws<InvalidOperationException>(() => reader.Frame);
         Assert.False(reader.Read());
-        Assert.Equal((2, 1, 1), ((int)reader.Statistics.MotionFrames, (int)reader.Statistics.CalculationFrames, (int)reader.Statistics.StudioCalculationFrames));
+        Assert.Equal((2, 1, 1), ((int)reader.GetStatistics().MotionFrames, (int)reader.GetStatistics().CalculationFrames, (int)reader.GetStatistics().StudioCalculationFrames));
     }
 
     [Fact]
@@ -36,7 +36,7 @@ public sealed class RecordedFrameReaderTests
         using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
         Assert.Single(RecordedFrames.ReadAll(reader));
         Assert.Equal((3, 200), (reader.GetSkipped(SkipReason.NoTokens), reader.GetSkipped(SkipReason.Incomplete)));
-        Assert.Equal(203 + TestPackets.Motion(0).Length, reader.Statistics.BytesReceived);
+        Assert.Equal(203 + TestPackets.Motion(0).Length, reader.GetStatistics().BytesReceived);
     }
 
     [Fact]
@@ -56,7 +56,7 @@ public sealed class RecordedFrameReaderTests
         Assert.True(reader.Read());
         Assert.Equal((1, 22.0, 9u), (reader.Connection, reader.Time.TotalMilliseconds, reader.Frame.FrameIndex));
         Assert.False(reader.Read());
-        Assert.Equal((300, 1), (reader.GetSkipped(SkipReason.Incomplete), reader.Statistics.Reconnects));
+        Assert.Equal((300, 1), (reader.GetSkipped(SkipReason.Incomplete), reader.GetStatistics().Reconnects));
     }
 
     [Fact]
@@ -91,7 +91,7 @@ public sealed class RecordedFrameReaderTests
         });
         using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
         Assert.Equal([(1u, 0), (2u, 1)], RecordedFrames.ReadAll(reader).Select(static read => ((uint)read.Frame.FrameIndex!, read.Frame.Sender)));
-        Assert.Equal(0, reader.Statistics.BytesSkipped);
+        Assert.Equal(0, reader.GetStatistics().BytesSkipped);
     }
 
     [Theory]
@@ -130,7 +130,7 @@ public sealed class RecordedFrameReaderTests
         using (RecordedFrameReader reader = RecordedFrameReader.Open(file.Path))
         {
             Assert.Equal([1u], RecordedFrames.ReadAll(reader).Select(static read => read.Frame.FrameIndex));
-            Assert.Equal(1, reader.Statistics.OversizedPackets);
+            Assert.Equal(1, reader.GetStatistics().OversizedPackets);
         }
 
         using RecordedFrameReader wider = RecordedFrameReader.Open(file.Path, new PlaybackOptions { MaxValues = 354 });
@@ -151,8 +151,8 @@ public sealed class RecordedFrameReaderTests
         Assert.Equal(fixture.Expected.Count, frames.Length);
         Assert.Equal(frames, RecordedFrames.ReadAll(ofRecording).Select(static read => Recordings.Describe(read.Frame)));
         Assert.Equal(fixture.Expected.Select(static expected => expected.Index), ofDumpIndices());
-        Assert.Equal(fixture.Bytes.Length, ofDump.Statistics.BytesReceived);
-        Assert.Equal(ofDump.Statistics.BytesSkipped, ofRecording.Statistics.BytesSkipped);
+        Assert.Equal(fixture.Bytes.Length, ofDump.GetStatistics().BytesReceived);
+        Assert.Equal(ofDump.GetStatistics().BytesSkipped, ofRecording.GetStatistics().BytesSkipped);
 
         IEnumerable<uint?> ofDumpIndices()
         {

@@ -131,7 +131,7 @@ public sealed class RecordingPlayerTests
         }
 
         Assert.Equal((count, 0), (next, reader.GetStatistics().Dropped));
-        Assert.Equal(120, reader.GetAvatarStatistics()[0].Rate, 0.1);
+        Assert.Equal(120, reader.GetAvatarStatistics()[0].FrameRate, 0.1);
         Assert.Equal((count - 1) / 120.0, reader.GetStatistics().Duration.TotalSeconds, 0.001);
     }
 

@@ -167,7 +167,7 @@ public sealed class BlockOrderTests
     {
         int missing = 2;
         byte[] file = [.. Join([0, 1, 3, 4]), 1, 2, 3, .. Enumerable.Range(5, Blocks - 5).SelectMany(block => _blocks[block])];
-        var walk = new BlockWalk(new BlockFile(new MemoryStream(file)), new RecordingProblems(), maxBlocks: 6);
+        var walk = new BlockIterator(new BlockFile(new MemoryStream(file)), new RecordingProblems(), maxBlocks: 6);
         var again = new BlockFile(new MemoryStream(file));
         List<uint> read = [];
         while (walk.TryRead(out ArraySegment<byte> payload))

@@ -12,10 +12,10 @@ public sealed class CountersTests
 
         counters.Take(
             new ReaderStatistics { MotionFrames = 112, Lost = 8, BytesSkipped = 5 },
-            [new AvatarStatistics { Frames = 110, Lost = 8, Gaps = 5, Restarts = 2, Rate = 60 }, new AvatarStatistics { AvatarIndex = 1, Frames = 2 }]);
+            [new AvatarStatistics { Frames = 110, Lost = 8, Gaps = 5, Restarts = 2, FrameRate = 60 }, new AvatarStatistics { AvatarIndex = 1, Frames = 2 }]);
 
         Assert.Equal((12, 1, 0), (counters.Total.MotionFrames, counters.Total.Lost, counters.Total.BytesSkipped));
         Assert.Equal((1, 0), (counters.Avatars[0].Gaps, counters.Avatars[0].Restarts));
-        Assert.Equal([(10, 1, 60d), (2, 0, 0)], counters.Avatars.Select(avatar => (avatar.Frames, avatar.Lost, avatar.Rate)));
+        Assert.Equal([(10, 1, 60d), (2, 0, 0)], counters.Avatars.Select(avatar => (avatar.Frames, avatar.Lost, avatar.FrameRate)));
     }
 }

@@ -82,7 +82,7 @@ public sealed partial class DashboardTests
         LiveState state = State(Receiving);
         state.Counters.Take(default, [new AvatarStatistics
         {
-            AvatarName = "Char00", Rate = 30, FrequencyReduction = 2, Gaps = 41, Restarts = 43, LastTimestamp = state.Now,
+            AvatarName = "Char00", FrameRate = 30, FrequencyReduction = 2, Gaps = 41, Restarts = 43, LastTimestamp = state.Now,
         }]);
 
         Assert.Contains("30.0/2", string.Concat(Draw(state, 80, 24)), StringComparison.Ordinal);

@@ -43,10 +43,10 @@ internal sealed class BvhExportBodies(BvhExportOptions options, ServerInquiry? i
         if (inquiry is null || _hasGivenUp || avatar < 0)
             return default;
 
-        using var timeout = new CancellationTokenSource(options.HeaderTimeout);
+        using var timeoutSource = new CancellationTokenSource(options.HeaderTimeout);
         try
         {
-            BodyAnswer answer = AskAsync(inquiry, avatar, timeout.Token).GetAwaiter().GetResult();
+            BodyAnswer answer = AskAsync(inquiry, avatar, timeoutSource.Token).GetAwaiter().GetResult();
             return answer.Skeleton is { } skeleton
                 ? (CreateBody(skeleton), BvhBodyOrigin.Header)
                 : (answer.GetBody(variant), BvhBodyOrigin.Dimensions);
@@ -59,11 +59,11 @@ internal sealed class BvhExportBodies(BvhExportOptions options, ServerInquiry? i
         }
     }
 
-    private static async Task<BodyAnswer> AskAsync(ServerInquiry inquiry, int avatar, CancellationToken timeout)
+    private static async Task<BodyAnswer> AskAsync(ServerInquiry inquiry, int avatar, CancellationToken cancellationToken)
     {
         Task<BodyAnswer> answer = inquiry.GetBodyAsync(avatar, isRetry: false);
         _ = answer.ContinueWith(static task => task.Exception, CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default); // observed
-        await TaskWaiting.WaitAsync(answer, timeout).ConfigureAwait(false);
+        await TaskWaiting.WaitAsync(answer, cancellationToken).ConfigureAwait(false);
         return await answer.ConfigureAwait(false);
     }
 

@@ -8,8 +8,8 @@ namespace NeuronMocap.Bvh;
 internal sealed class BvhExportFiles
 {
     // Nobody has more, and a stream that means harm shall not fill a folder.
-    private const int MostAvatars = 64;
-    private const int MostParts = 100;
+    private const int MaxAvatars = 64;
+    private const int MaxParts = 100;
 
     private readonly string _path;
     private readonly BvhExportOptions _options;
@@ -175,7 +175,7 @@ internal sealed class BvhExportFiles
             return take;
 
         bool isWanted = _options.AvatarIndex is { } wanted ? wanted == frame.AvatarIndex : _options.FilePerAvatar || _takes.Count == 0;
-        if (!isWanted || _takes.Count == (_options.FilePerAvatar ? MostAvatars : 1))
+        if (!isWanted || _takes.Count == (_options.FilePerAvatar ? MaxAvatars : 1))
             return null;
 
         return Begin(frame, part: 1);
@@ -184,8 +184,8 @@ internal sealed class BvhExportFiles
     private Take BeginNextPart(Take take, MotionFrame frame)
     {
         CloseWriter(take);
-        if (take.Part == MostParts)
-            throw new NeuronException($"The server changed layout or rotation order of avatar {frame.AvatarIndex} {MostParts} times; the export ends.");
+        if (take.Part == MaxParts)
+            throw new NeuronException($"The server changed layout or rotation order of avatar {frame.AvatarIndex} {MaxParts} times; the export ends.");
 
         return Begin(frame, take.Part + 1);
     }

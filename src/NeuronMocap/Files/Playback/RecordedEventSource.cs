@@ -5,7 +5,7 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Recording;
 
 // What a file holds of a stream, in the order in which it happened. One thread at a time.
-internal abstract class ArrivalSource(string path) : IDisposable
+internal abstract class RecordedEventSource(string path) : IDisposable
 {
     public string FileName => Path.GetFileName(path);
 
@@ -22,7 +22,7 @@ internal abstract class ArrivalSource(string path) : IDisposable
     public virtual int MaxValues => ProtocolConstants.DefaultMaxValues;
 
     // What it is, its first bytes tell.
-    public static ArrivalSource Open(string path, PlaybackOptions options)
+    public static RecordedEventSource Open(string path, PlaybackOptions options)
     {
         // Others may be writing it.
         var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 1);
@@ -50,7 +50,7 @@ internal abstract class ArrivalSource(string path) : IDisposable
     }
 
     // The next arrival; at the end, and ever after, ArrivalKind.End.
-    public abstract Arrival Read();
+    public abstract RecordedEvent Read();
 
     // Goes on at a place at or before a time, from which on arrivals can be read; zero for the very start. True when it is the start.
     public abstract bool Seek(TimeSpan time);

@@ -4,7 +4,7 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Reader;
 
 // What happens to a packet of the calculation port until it goes the way of those of the first connection. Receive loop of its own link.
-internal sealed class CalculationIntake(ReceivePipeline pipeline, StreamRecognizer recognizer, LinkActivity activity, StreamTap tap) : IPacketReceiver, ILinkListener
+internal sealed class CalculationPortReceiver(ReceivePipeline pipeline, StreamRecognizer recognizer, LinkActivity activity, StreamTap tap) : IPacketReceiver, ILinkListener
 {
     public StreamTap? Tap => tap;
 

@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace NeuronMocap.Retargeting;
 
-internal static class Numbers
+internal static class FiniteValues
 {
     // Infinity minus infinity is no number either.
     public static bool IsFinite(float value) => value - value == 0;

@@ -6,7 +6,7 @@ namespace NeuronMocap.Recording;
 
 // The way from arrivals to packets: the very one that bytes take from a socket (TcpLink, UdpLink). A recording has one connection at a time, or two, where
 // calculation data came over one of its own.
-internal sealed class ArrivalParser(int maxValues, SenderFilter filter, IPacketReceiver receiver)
+internal sealed class RecordedEventParser(int maxValues, SenderFilter filter, IPacketReceiver receiver)
 {
     private readonly PacketScanner _scanner = new(maxValues);
     private readonly CalculationOnlyReceiver _calculation = new(receiver);
@@ -22,44 +22,44 @@ internal sealed class ArrivalParser(int maxValues, SenderFilter filter, IPacketR
     public int Connection { get; private set; }
 
     // Whether an arrival belongs to a connection that is open.
-    public bool Continues(in Arrival arrival) => ParserOf(arrival) is { } parser && parser.Connection == arrival.Connection;
+    public bool Continues(in RecordedEvent recorded) => ParserOf(recorded) is { } parser && parser.Connection == recorded.Connection;
 
     // Whether a connection that is open must have ended before an arrival.
-    public bool Ends(in Arrival arrival) =>
-        arrival.Kind is ArrivalKind.Opened or ArrivalKind.Bytes && ParserOf(arrival) is { } parser && parser.Connection != arrival.Connection;
+    public bool Ends(in RecordedEvent recorded) =>
+        recorded.Kind is RecordedEventKind.Opened or RecordedEventKind.Bytes && ParserOf(recorded) is { } parser && parser.Connection != recorded.Connection;
 
     // One whose beginning is not there is joined late: nobody knows whether its first bytes begin anything. Over UDP each sender's first datagram tells.
-    public void Open(in Arrival arrival)
+    public void Open(in RecordedEvent recorded)
     {
-        Close(ParserOf(arrival));
-        Connection = arrival.Connection;
-        var parser = new Parser(arrival.Connection);
-        IPacketReceiver target = arrival.IsCalculation ? _calculation : receiver;
-        if (arrival.Transport == TransportKind.Udp)
+        Close(ParserOf(recorded));
+        Connection = recorded.Connection;
+        var parser = new Parser(recorded.Connection);
+        IPacketReceiver target = recorded.IsCalculation ? _calculation : receiver;
+        if (recorded.Transport == TransportKind.Udp)
             parser.Udp = new UdpSenders(_scanner, target, filter, _servers);
         else
             parser.Tcp = new PacketAssembler(_scanner, target);
 
-        if (arrival.Kind != ArrivalKind.Opened || arrival.WasOpen)
+        if (recorded.Kind != RecordedEventKind.Opened || recorded.WasOpen)
             parser.Tcp?.JoinLate();
 
-        _parsers[PlaceOf(arrival)] = parser;
+        _parsers[PlaceOf(recorded)] = parser;
     }
 
     // True when a connection stands that did not before.
-    public bool Follow(in Arrival arrival, long timestamp)
+    public bool Follow(in RecordedEvent recorded, long timestamp)
     {
-        _clock = ToClock(arrival.Time);
-        bool isNew = arrival.Kind is ArrivalKind.Opened or ArrivalKind.Bytes && !Continues(arrival);
+        _clock = ToClock(recorded.Time);
+        bool isNew = recorded.Kind is RecordedEventKind.Opened or RecordedEventKind.Bytes && !Continues(recorded);
         if (isNew)
-            Open(arrival);
+            Open(recorded);
 
-        if (arrival.Kind == ArrivalKind.Bytes)
-            Push(ParserOf(arrival)!, arrival, timestamp);
-        else if (arrival.Kind == ArrivalKind.Lost)
-            ParserOf(arrival)?.Tcp?.Abandon();
-        else if (arrival.Kind == ArrivalKind.Closed && Continues(arrival))
-            Close(ParserOf(arrival));
+        if (recorded.Kind == RecordedEventKind.Bytes)
+            Push(ParserOf(recorded)!, recorded, timestamp);
+        else if (recorded.Kind == RecordedEventKind.Lost)
+            ParserOf(recorded)?.Tcp?.Abandon();
+        else if (recorded.Kind == RecordedEventKind.Closed && Continues(recorded))
+            Close(ParserOf(recorded));
 
         return isNew;
     }
@@ -84,18 +84,18 @@ internal sealed class ArrivalParser(int maxValues, SenderFilter filter, IPacketR
 
     private static long ToClock(TimeSpan time) => (long)(time.TotalSeconds * Stopwatch.Frequency);
 
-    private static int PlaceOf(in Arrival arrival) => arrival.IsCalculation ? 1 : 0;
+    private static int PlaceOf(in RecordedEvent recorded) => recorded.IsCalculation ? 1 : 0;
 
-    private Parser? ParserOf(in Arrival arrival) => _parsers[PlaceOf(arrival)];
+    private Parser? ParserOf(in RecordedEvent recorded) => _parsers[PlaceOf(recorded)];
 
     // What follows a loss continues nothing. That a datagram is missing shows in the one that follows it.
-    private void Push(Parser parser, in Arrival arrival, long timestamp)
+    private void Push(Parser parser, in RecordedEvent recorded, long timestamp)
     {
-        Connection = arrival.Connection;
+        Connection = recorded.Connection;
         if (parser.Udp is not null)
-            parser.Udp.Push(arrival.Sender!, arrival.Bytes, timestamp, _clock);
+            parser.Udp.Push(recorded.Sender!, recorded.Bytes, timestamp, _clock);
         else
-            parser.Tcp!.Push(arrival.Bytes, timestamp);
+            parser.Tcp!.Push(recorded.Bytes, timestamp);
     }
 
     private void Close(Parser? parser)

@@ -2,7 +2,7 @@ using System.Net;
 
 namespace NeuronMocap.Recording;
 
-internal enum ArrivalKind
+internal enum RecordedEventKind
 {
     // A connection stands, or a UDP port was bound.
     Opened,
@@ -21,7 +21,7 @@ internal enum ArrivalKind
 }
 
 // One thing that happened while the stream was recorded, with its time since the start. Bytes and sender are valid until the next one is read.
-internal readonly record struct Arrival(ArrivalKind Kind, TimeSpan Time)
+internal readonly record struct RecordedEvent(RecordedEventKind Kind, TimeSpan Time)
 {
     public TransportKind Transport { get; init; }
 

@@ -1,11 +1,11 @@
 namespace NeuronMocap.Transport;
 
 // What a sender's first header tells of it. The kind is None where text has begun that does not tell yet.
-internal readonly record struct SenderStart(PacketKind Kind, uint Avatar, AvatarName Name)
+internal readonly record struct SenderIdentity(PacketKind Kind, uint Avatar, AvatarName Name)
 {
     public bool IsCalculation => Kind is PacketKind.Calculation or PacketKind.StudioCalculation;
 
-    public static SenderStart Read(PacketKind kind, ReadOnlySpan<byte> header) => kind switch
+    public static SenderIdentity Read(PacketKind kind, ReadOnlySpan<byte> header) => kind switch
     {
         PacketKind.Motion => new(kind, MotionHeader.ReadAvatarIndex(header), MotionHeader.ReadAvatarName(header)),
         PacketKind.Calculation or PacketKind.StudioCalculation =>
@@ -14,5 +14,5 @@ internal readonly record struct SenderStart(PacketKind Kind, uint Avatar, Avatar
     };
 
     // Whether both are of one body, as far as their first frames tell.
-    public bool IsOfSameAvatar(in SenderStart other) => Avatar == other.Avatar && Name == other.Name;
+    public bool IsOfSameAvatar(in SenderIdentity other) => Avatar == other.Avatar && Name == other.Name;
 }

@@ -6,16 +6,16 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Diagnostics;
 
 // What to say where no bytes come over TCP, and where to look instead.
-internal static class TcpFaults
+internal static class TcpConclusions
 {
-    public static Conclusion UnknownHost(DiagnosisContext task, Exception? exception)
+    public static Conclusion UnknownHost(DiagnosisContext context, Exception? exception)
     {
-        string host = task.Link.Host;
+        string host = context.Link.Host;
         const string GiveAddress =
             "give the IP address of the computer that runs Axis Neuron or Axis Studio (there, ipconfig in a command window shows it).";
         if (host.Contains(':', StringComparison.Ordinal) || host.Contains('/', StringComparison.Ordinal))
         {
-            task.Log.Failed("name", $"'{host}' is no host name");
+            context.Log.Failed("name", $"'{host}' is no host name");
             return new Conclusion(
                 DiagnosisVerdict.HostNotFound,
                 $"'{host}' is neither a host name nor an address.",
@@ -24,32 +24,32 @@ internal static class TcpFaults
 
         if (exception is TimeoutException or SocketException { SocketErrorCode: SocketError.TryAgain })
         {
-            task.Log.Failed("name", $"no name server answers for '{host}'");
+            context.Log.Failed("name", $"no name server answers for '{host}'");
             return new Conclusion(
                 DiagnosisVerdict.HostNotFound,
                 $"The name '{host}' could not be looked up: no name server answers.",
                 $"Check this computer's network, or {GiveAddress}");
         }
 
-        task.Log.Failed("name", $"'{host}' has no address");
+        context.Log.Failed("name", $"'{host}' has no address");
         return new Conclusion(
             DiagnosisVerdict.HostNotFound, $"The host name '{host}' has no address.", $"Check its spelling, or {GiveAddress}");
     }
 
-    public static Conclusion NoRoute(DiagnosisContext task, ConnectionReason reason)
+    public static Conclusion NoRoute(DiagnosisContext context, ConnectionReason reason)
     {
         if (reason == ConnectionReason.AccessDenied)
         {
-            task.Log.Failed("route", "this computer does not allow it");
+            context.Log.Failed("route", "this computer does not allow it");
             return new Conclusion(
                 DiagnosisVerdict.AccessDenied,
-                $"This computer does not allow a connection to {task.Link.Host}.",
+                $"This computer does not allow a connection to {context.Link.Host}.",
                 "Check the address: one that stands for a whole network (such as 192.168.1.255) is no server's. Then check this computer's firewall.");
         }
 
-        if (task.Link.LocalAddress is { } local && reason != ConnectionReason.Unreachable)
+        if (context.Link.LocalAddress is { } local && reason != ConnectionReason.Unreachable)
         {
-            task.Log.Failed("route", $"{local} cannot be the sender");
+            context.Log.Failed("route", $"{local} cannot be the sender");
             return new Conclusion(
                 DiagnosisVerdict.LocalAddressUnavailable,
                 $"The local address {local} does not belong to this computer, or is of another kind (IPv4, IPv6) than the server's.",
@@ -58,21 +58,21 @@ internal static class TcpFaults
 
         if (reason is not (ConnectionReason.Unreachable or ConnectionReason.AddressUnavailable))
         {
-            task.Log.Failed("route", $"the system finds none ({reason})");
+            context.Log.Failed("route", $"the system finds none ({reason})");
             return new Conclusion(
                 DiagnosisVerdict.NetworkError,
-                $"This computer cannot send to {task.Link.Host} ({reason}).",
+                $"This computer cannot send to {context.Link.Host} ({reason}).",
                 "Check the address: one of IPv6 needs IPv6 on this computer, and a link-local one (fe80::…) the number of its network (%2).");
         }
 
-        task.Log.Failed("route", "there is none");
+        context.Log.Failed("route", "there is none");
         return new Conclusion(
             DiagnosisVerdict.Unreachable,
-            $"This computer has no route to {task.Link.Host}.",
+            $"This computer has no route to {context.Link.Host}.",
             "Check the address, and that the cable is in or Wi-Fi is on; both computers have to be in the same network.");
     }
 
-    public static async Task<Conclusion> NotConnectedAsync(DiagnosisContext task, LinkEnd failure, IPAddress address)
+    public static async Task<Conclusion> NotConnectedAsync(DiagnosisContext context, LinkEnd failure, IPAddress address)
     {
         (DiagnosisVerdict verdict, string detail) = failure.Reason switch
         {
@@ -83,97 +83,97 @@ internal static class TcpFaults
             ConnectionReason.AccessDenied => (DiagnosisVerdict.AccessDenied, "this computer does not allow the connection"),
             _ => (DiagnosisVerdict.NetworkError, failure.Message),
         };
-        task.Log.Failed("port", $"TCP port {task.Link.Port}: {detail}");
-        Search search = await AlternativePortScan.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
+        context.Log.Failed("port", $"TCP port {context.Link.Port}: {detail}");
+        PortScanResult search = await AlternativePortScan.FindAsync(context, address, isUdp: false).ConfigureAwait(false);
         ExplainedVerdict plain = verdict switch
         {
             DiagnosisVerdict.Refused => new ExplainedVerdict(
                 verdict,
-                $"{task.Link.Target} refuses the connection: nothing listens on that port. Axis Neuron or Axis Studio does not run there, or its "
+                $"{context.Link.Target} refuses the connection: nothing listens on that port. Axis Neuron or Axis Studio does not run there, or its "
                 + "broadcasting is off, set to UDP, or on another port.",
-                $"{ServerSettings.BroadcastTcp(task.Expected, task.Link.Port, !IPAddress.IsLoopback(address))}{OtherComputer(address)}"),
-            DiagnosisVerdict.NoAnswer => NoAnswer(task, address, search.HostAnswers),
+                $"{ServerSettings.BroadcastTcp(context.Expected, context.Link.Port, !IPAddress.IsLoopback(address))}{OtherComputer(address)}"),
+            DiagnosisVerdict.NoAnswer => NoAnswer(context, address, search.HostAnswers),
             DiagnosisVerdict.Unreachable => new ExplainedVerdict(
                 verdict,
-                $"{task.Link.Target} cannot be reached: the network says that there is no such computer.",
+                $"{context.Link.Target} cannot be reached: the network says that there is no such computer.",
                 "Check the address, that the computer is switched on, and that both computers are in the same network."),
             _ => new ExplainedVerdict(verdict, failure.Message),
         };
-        return Conclude(task, plain, search);
+        return Conclude(context, plain, search);
     }
 
-    public static async Task<Conclusion> ClosedAsync(DiagnosisContext task, IPAddress address)
+    public static async Task<Conclusion> ClosedAsync(DiagnosisContext context, IPAddress address)
     {
-        task.Log.Failed("first bytes", "none: the server closed the connection");
-        Search search = await AlternativePortScan.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
+        context.Log.Failed("first bytes", "none: the server closed the connection");
+        PortScanResult search = await AlternativePortScan.FindAsync(context, address, isUdp: false).ConfigureAwait(false);
         var plain = new ExplainedVerdict(
             DiagnosisVerdict.ClosedImmediately,
-            $"{task.Link.Target} accepts the connection and closes it without sending anything. A forwarded port (a container, a VPN, a tunnel) "
+            $"{context.Link.Target} accepts the connection and closes it without sending anything. A forwarded port (a container, a VPN, a tunnel) "
             + "behind which nothing listens does so, a server that allows no further client, or another program.",
             "Close other programs that receive the stream, check the port, and connect to the server itself. "
-            + $"{ServerSettings.BroadcastTcp(task.Expected, task.Link.Port, !IPAddress.IsLoopback(address))}");
-        return Conclude(task, plain, search);
+            + $"{ServerSettings.BroadcastTcp(context.Expected, context.Link.Port, !IPAddress.IsLoopback(address))}");
+        return Conclude(context, plain, search);
     }
 
-    public static async Task<Conclusion> SilentAsync(DiagnosisContext task, IPAddress address, TimeSpan silence)
+    public static async Task<Conclusion> SilentAsync(DiagnosisContext context, IPAddress address, TimeSpan silence)
     {
-        task.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
-        if (task.Options.SearchOtherPorts && await ServerProbe.AskAsync(task, address).ConfigureAwait(false) is { } answer)
-            return await AddElsewhereAsync(task, Answered(task, answer), address, isUdp: false).ConfigureAwait(false);
+        context.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
+        if (context.Options.SearchOtherPorts && await ServerProbe.AskAsync(context, address).ConfigureAwait(false) is { } answer)
+            return await AddOtherPortsAsync(context, Answered(context, answer), address, isUdp: false).ConfigureAwait(false);
 
-        if (task.Options.SearchOtherPorts)
-            task.Log.Ok("question", "asked who it is, it says nothing");
+        if (context.Options.SearchOtherPorts)
+            context.Log.Ok("question", "asked who it is, it says nothing");
 
-        Search search = await AlternativePortScan.FindAsync(task, address, isUdp: false).ConfigureAwait(false);
+        PortScanResult search = await AlternativePortScan.FindAsync(context, address, isUdp: false).ConfigureAwait(false);
         var plain = new ExplainedVerdict(
             DiagnosisVerdict.Silent,
-            $"{task.Link.Target} accepts the connection, but sends nothing: most likely no suit is connected and calibrated and no take is played.",
+            $"{context.Link.Target} accepts the connection, but sends nothing: most likely no suit is connected and calibrated and no take is played.",
             $"{ServerSettings.Play} Where the avatar does move in the server's window, its BVH broadcasting is off for this port. "
-            + ServerSettings.BroadcastTcp(task.Expected, task.Link.Port, isRemote: false));
-        return Conclude(task, plain, search);
+            + ServerSettings.BroadcastTcp(context.Expected, context.Link.Port, isRemote: false));
+        return Conclude(context, plain, search);
     }
 
     // Something else comes from the port; frames may come from another one.
-    public static async Task<Conclusion> AddElsewhereAsync(DiagnosisContext task, Conclusion conclusion, IPAddress? address, bool isUdp)
+    public static async Task<Conclusion> AddOtherPortsAsync(DiagnosisContext context, Conclusion conclusion, IPAddress? address, bool isUdp)
     {
         if (!conclusion.Verdicts[0].IsFault)
             return conclusion;
 
-        Search search = await AlternativePortScan.FindAsync(task, address, isUdp).ConfigureAwait(false);
-        if (search.Found is not { } found || !found.Sample.Has(task.Expected))
+        PortScanResult search = await AlternativePortScan.FindAsync(context, address, isUdp).ConfigureAwait(false);
+        if (search.Found is not { } found || !found.Sample.Has(context.Expected))
             return conclusion;
 
-        ExplainedVerdict instead = found.Place.Transport == TransportKind.Udp
+        ExplainedVerdict instead = found.Endpoint.Transport == TransportKind.Udp
             ? new ExplainedVerdict(
                 DiagnosisVerdict.SentOverUdp,
-                $"Frames do arrive on {found.Place}, from {found.Sender}.",
-                $"Receive over UDP on port {found.Place.Port} here.")
-            : new ExplainedVerdict(DiagnosisVerdict.OtherPort, $"Frames do arrive on {found.Place}.", $"Use port {found.Place.Port} over TCP here.");
-        return conclusion with { Verdicts = [.. conclusion.Verdicts, instead], Place = found.Place };
+                $"Frames do arrive on {found.Endpoint}, from {found.Sender}.",
+                $"Receive over UDP on port {found.Endpoint.Port} here.")
+            : new ExplainedVerdict(DiagnosisVerdict.OtherPort, $"Frames do arrive on {found.Endpoint}.", $"Use port {found.Endpoint.Port} over TCP here.");
+        return conclusion with { Verdicts = [.. conclusion.Verdicts, instead], Endpoint = found.Endpoint };
     }
 
-    private static Conclusion Answered(DiagnosisContext task, StreamSample answer)
+    private static Conclusion Answered(DiagnosisContext context, StreamSample answer)
     {
         FormatGuess guess = answer.Guess();
         string quoted = answer.Quote() is { } quote ? $" (\"{quote}\")" : string.Empty;
         if (guess.Format == ForeignFormat.CommandReply)
         {
-            task.Log.Failed("question", "asked for the rotation order, it answers: a command port");
+            context.Log.Failed("question", "asked for the rotation order, it answers: a command port");
             return new Conclusion(
                 DiagnosisVerdict.CommandPort,
-                $"{task.Link.Target} is the server's command port: it answers commands, and frames never come from it.",
+                $"{context.Link.Target} is the server's command port: it answers commands, and frames never come from it.",
                 ServerSettings.DataPort);
         }
 
         string answers = guess.Format == ForeignFormat.OtherProgram ? guess.Text : $"bytes that no motion capture server sends, {answer.FirstBytes}";
-        task.Log.Failed("question", $"asked who it is, it sends {answers}{quoted}");
+        context.Log.Failed("question", $"asked who it is, it sends {answers}{quoted}");
         return new Conclusion(
             DiagnosisVerdict.OtherProgram,
-            $"On {task.Link.Target} another program listens: it says nothing by itself and sends {answers}{quoted} when asked.",
+            $"On {context.Link.Target} another program listens: it says nothing by itself and sends {answers}{quoted} when asked.",
             $"Check the port against the one in the server's broadcasting settings; it is usually {ProtocolConstants.DefaultPort}.");
     }
 
-    private static ExplainedVerdict NoAnswer(DiagnosisContext task, IPAddress address, bool hostAnswers)
+    private static ExplainedVerdict NoAnswer(DiagnosisContext context, IPAddress address, bool hostAnswers)
     {
         string where = hostAnswers
             ? "The computer itself answers on other ports, so a firewall blocks this one, or nothing listens there."
@@ -181,42 +181,42 @@ internal static class TcpFaults
                 + "does when nothing listens).";
         return new ExplainedVerdict(
             DiagnosisVerdict.NoAnswer,
-            $"{task.Link.Target} does not answer. {where}",
+            $"{context.Link.Target} does not answer. {where}",
             "On that computer, allow Axis Neuron or Axis Studio in Windows Defender Firewall (private networks), and check that it broadcasts. "
-            + ServerSettings.BroadcastTcp(task.Expected, task.Link.Port, !IPAddress.IsLoopback(address)));
+            + ServerSettings.BroadcastTcp(context.Expected, context.Link.Port, !IPAddress.IsLoopback(address)));
     }
 
     // A stream that was found in another place explains more than the silence in this one.
-    private static Conclusion Conclude(DiagnosisContext task, ExplainedVerdict plain, in Search search)
+    private static Conclusion Conclude(DiagnosisContext context, ExplainedVerdict plain, in PortScanResult search)
     {
         if (search.Found is not { } found)
             return new Conclusion([search.AdvancedBvh is { } other ? AddAdvancedBvh(plain, other) : plain]);
-        if (!found.Sample.Has(task.Expected))
+        if (!found.Sample.Has(context.Expected))
         {
             return new Conclusion([plain with
             {
-                Text = $"{plain.Text} The server does run: {found.Place} has {StreamPhrases.KindsOf(found.Sample)}.",
+                Text = $"{plain.Text} The server does run: {found.Endpoint} has {StreamPhrases.KindsOf(found.Sample)}.",
             }]);
         }
 
-        string instead = $"Nothing comes from TCP port {task.Link.Port}, but frames arrive on {found.Place}";
-        ExplainedVerdict better = found.Place.Transport == TransportKind.Tcp
+        string instead = $"Nothing comes from TCP port {context.Link.Port}, but frames arrive on {found.Endpoint}";
+        ExplainedVerdict better = found.Endpoint.Transport == TransportKind.Tcp
             ? new ExplainedVerdict(
                 DiagnosisVerdict.OtherPort,
                 $"{instead}.",
-                $"Use port {found.Place.Port} here, or set the port in the server's broadcasting settings to {task.Link.Port}.")
+                $"Use port {found.Endpoint.Port} here, or set the port in the server's broadcasting settings to {context.Link.Port}.")
             : new ExplainedVerdict(
                 DiagnosisVerdict.SentOverUdp,
                 $"{instead}, from {found.Sender}: the server is set to UDP.",
-                $"Receive over UDP on port {found.Place.Port} here, or choose TCP on the server. "
-                + ServerSettings.BroadcastTcp(task.Expected, task.Link.Port, isRemote: false));
-        return new Conclusion([better], Place: found.Place);
+                $"Receive over UDP on port {found.Endpoint.Port} here, or choose TCP on the server. "
+                + ServerSettings.BroadcastTcp(context.Expected, context.Link.Port, isRemote: false));
+        return new Conclusion([better], Endpoint: found.Endpoint);
     }
 
-    private static ExplainedVerdict AddAdvancedBvh(ExplainedVerdict plain, Probe probe)
+    private static ExplainedVerdict AddAdvancedBvh(ExplainedVerdict plain, PortProbe probe)
     {
         FormatGuess guess = probe.Sample.Guess();
-        return plain with { Text = $"{plain.Text} The server does run: {probe.Place} has {guess.Text}.", Advice = guess.Advice };
+        return plain with { Text = $"{plain.Text} The server does run: {probe.Endpoint} has {guess.Text}.", Advice = guess.Advice };
     }
 
     private static string OtherComputer(IPAddress address) => IPAddress.IsLoopback(address)

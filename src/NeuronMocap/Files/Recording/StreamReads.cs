@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-internal static class StreamReading
+internal static class StreamReads
 {
     // Reads until the bytes are there or the stream ends, and returns how many there are.
     public static int Fill(Stream stream, Span<byte> destination)

@@ -8,7 +8,7 @@ namespace NeuronMocap.Server.Clients;
 /// Sends to one UDP destination. A datagram never carries bytes of two packets; a packet or a line of text larger than the fragment
 /// size is cut, as Axis Neuron on macOS does: 1024 bytes, then the rest (protocol.md section 4.2).
 /// </summary>
-internal sealed class UdpSender : Recipient
+internal sealed class UdpRecipient : Recipient
 {
     // The most that a datagram over IPv4 holds.
     private const int MaxDatagram = 65_507;
@@ -18,7 +18,7 @@ internal sealed class UdpSender : Recipient
     private long _motionPackets;
     private long _calculationPackets;
 
-    public UdpSender(
+    public UdpRecipient(
         Socket socket,
         IPEndPoint destination,
         BroadcastStream stream,

@@ -2,7 +2,7 @@ namespace NeuronMocap.Recording;
 
 // Reads the whole blocks of a file one after the other, in the order of their numbers. As long as these follow each other in the file, nothing is
 // kept of it. At the first that does not, all are looked up once.
-internal sealed class BlockWalk(BlockFile file, RecordingProblems problems, int maxBlocks = BlockOrder.MaxBlocks)
+internal sealed class BlockIterator(BlockFile file, RecordingProblems problems, int maxBlocks = BlockOrder.MaxBlocks)
 {
     private readonly BlockSearch _search = new(file, problems);
     private BlockOrder? _order;
@@ -87,7 +87,7 @@ internal sealed class BlockWalk(BlockFile file, RecordingProblems problems, int 
     {
         while (_next < order.Count)
         {
-            BlockPlace place = order[_next++];
+            BlockPosition place = order[_next++];
             if (place.Sequence != _sequence)
                 IsBroken = true;
 

@@ -2,11 +2,11 @@ namespace NeuronMocap.Transport;
 
 // Holds the newest status and tells about changes, in their order, one at a time, on the thread that made the change or on one that is
 // telling already; never under the lock, so that a handler may call whatever it likes.
-internal sealed class StatusBoard(Action<ConnectionStatus> changed)
+internal sealed class StatusPublisher(Action<ConnectionStatus> changed)
 {
     private readonly object _lock = new();
-    private readonly Queue<ConnectionStatus> _untold = new();
-    private bool _telling;
+    private readonly Queue<ConnectionStatus> _pending = new();
+    private bool _reporting;
     private ConnectionStatus _current = new(ConnectionState.Created, ConnectionReason.None, "Not started.");
     private ConnectionStatus? _lastFailure;
     private volatile ConnectionState _state;
@@ -48,27 +48,27 @@ internal sealed class StatusBoard(Action<ConnectionStatus> changed)
             if (_state is ConnectionState.Waiting or ConnectionState.Stopped)
                 _lastFailure = _current;
 
-            _untold.Enqueue(_current);
-            if (_telling)
+            _pending.Enqueue(_current);
+            if (_reporting)
                 return true;
 
-            _telling = true;
+            _reporting = true;
         }
 
-        Tell();
+        Report();
         return true;
     }
 
-    private void Tell()
+    private void Report()
     {
         while (true)
         {
             ConnectionStatus status;
             lock (_lock)
             {
-                if (!_untold.TryDequeue(out status))
+                if (!_pending.TryDequeue(out status))
                 {
-                    _telling = false;
+                    _reporting = false;
                     return;
                 }
             }

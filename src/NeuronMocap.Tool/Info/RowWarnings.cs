@@ -4,10 +4,10 @@ using NeuronMocap.Tool.Terminal;
 namespace NeuronMocap.Tool.Info;
 
 /// <summary>What a <see cref="RowScan"/> found, in words.</summary>
-internal static class RowRemarks
+internal static class RowWarnings
 {
     private const float RemarkableStep = 45;
-    private const int MostNamed = 4;
+    private const int MaxListed = 4;
 
     public static void Add(InfoSection section, RowScan scan, double frameRate, int columns)
     {
@@ -18,11 +18,11 @@ internal static class RowRemarks
         if (scan.Flips > 0)
         {
             (BvhJoint Joint, int Count)[] joints = [.. scan.FlippingJoints];
-            string named = string.Join(", ", joints.Take(MostNamed).Select(static pair => Quantity.Format($"{pair.Joint.Name} {pair.Count}")));
+            string named = string.Join(", ", joints.Take(MaxListed).Select(static pair => Quantity.Format($"{pair.Joint.Name} {pair.Count}")));
             section.Remark(
                 "flips",
                 (scan.Flips == 1 ? "once" : Quantity.Format($"{scan.Flips:#,0} times"))
-                    + Quantity.Format($" the angles of a joint jump while it hardly turns ({named}{(joints.Length > MostNamed ? ", …" : string.Empty)}), ")
+                    + Quantity.Format($" the angles of a joint jump while it hardly turns ({named}{(joints.Length > MaxListed ? ", …" : string.Empty)}), ")
                     + Quantity.Format($"first at {scan.FirstFlip / frameRate:0.00} s: compare and interpolate them as quaternions"));
         }
 
