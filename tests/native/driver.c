@@ -187,7 +187,7 @@ static void rotation(const struct call *call)
 {
     RotateOrders order = RO_XYZ;
     bool told = GetBvhRotation(handle_of(call), &order);
-    answer(call, "%d %d", told, (int)order);
+    answer(call, "%d order %d", told, (int)order);
 }
 
 /* What all functions that take a handle say to this one. */
@@ -263,7 +263,7 @@ static void run_words(const struct call *call)
         answer(call, "%p", (void *)BRGetLastErrorMessage());
     else if (strcmp(name, "register") == 0)
         register_callback(call);
-    else if (strcmp(name, "connect-command") == 0)
+    else if (strcmp(name, "connect-commands") == 0)
         answer(call, "%p", BRConnectCmd(host_of(call), number_of(call, 2)));
     else if (strcmp(name, "rotation") == 0)
         rotation(call);

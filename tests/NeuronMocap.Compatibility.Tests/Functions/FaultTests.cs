@@ -1,4 +1,3 @@
-using System.Text;
 using NeuronDataReaderWraper;
 using NeuronMocap.Compatibility.Callbacks;
 using NeuronMocap.Compatibility.Sockets;
@@ -111,28 +110,6 @@ public sealed class FaultTests
         static void Ignore(Exception exception)
         {
         }
-    }
-
-    // A root whose offset stands directly behind its brace, and other text that nobody would send.
-    [Theory]
-    [InlineData("HIERARCHY\nROOT i\n{OFFSET")]
-    [InlineData("HIERARCHY")]
-    [InlineData("\x01\xFF{")]
-    [InlineData("no BVH")]
-    public void A_header_that_is_none_is_false_with_a_last_error_and_the_next_is_taken(string hostile)
-    {
-        using CommandScript server = CommandScript.InTurn(
-            request => request.ReplyAsync(Encoding.Latin1.GetBytes(hostile)), static request => request.ReplyAsync([1, 0, 0, 0]));
-        IntPtr pipe = NeuronDataReader.BRConnectCmd("127.0.0.1", server.Port);
-        LastErrorReset();
-        var text = new StringBuilder("before");
-
-        Assert.False(NeuronDataReader.GetBvhHeader(pipe, 0, text, 100));
-
-        Assert.Equal("before", text.ToString());
-        Assert.NotEqual("No error.", NeuronDataReader.strBRGetLastErrorMessage());
-        Assert.True(NeuronDataReader.ZeroOutAll(pipe));
-        NeuronDataReader.BRCloseSocket(pipe);
     }
 
     private static void LastErrorReset() => LastError.Set("No error.");

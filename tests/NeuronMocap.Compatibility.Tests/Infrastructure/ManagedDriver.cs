@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using System.Globalization;
 using System.Runtime.InteropServices;
+using System.Text;
 using System.Threading.Channels;
 using NeuronDataReaderWraper;
 using NeuronMocap.Tests.Vendor;
@@ -116,7 +117,7 @@ internal sealed class ManagedDriver : VendorDriver
             case "connect":
                 Answer(Name(Kept(NeuronDataReader.BRConnectTo(HostOf(words[1])!, Number(words[2])))));
                 break;
-            case "connect-command":
+            case "connect-commands":
                 Answer(Name(Kept(NeuronDataReader.BRConnectCmd(HostOf(words[1])!, Number(words[2])))));
                 break;
             case "udp":
@@ -128,6 +129,21 @@ internal sealed class ManagedDriver : VendorDriver
                 break;
             case "get-status":
                 Answer($"{(int)NeuronDataReader.BRGetSocketStatus(handle)}");
+                break;
+            case "zero-out":
+                Answer(Result(NeuronDataReader.ZeroOut(handle, Number(words[2]))));
+                break;
+            case "zero-out-all":
+                Answer(Result(NeuronDataReader.ZeroOutAll(handle)));
+                break;
+            case "rotation":
+                Answer($"{Result(NeuronDataReader.GetBvhRotation(handle, out RotateOrders order))} order {(int)order}");
+                break;
+            case "bone-size":
+                Answer($"{Result(NeuronDataReader.GetBoneSize(handle, Number(words[2]), out BoneDimension size))} {Text(size)}");
+                break;
+            case "header":
+                Answer(AskForHeader(handle, Number(words[2]), Number(words[3])));
                 break;
             case "error":
                 Answer(NeuronDataReader.strBRGetLastErrorMessage());
@@ -165,6 +181,21 @@ internal sealed class ManagedDriver : VendorDriver
         _handles.Add(handle);
         return handle;
     }
+
+    // What the call made of room for so many bytes that are all 'x' before, and of one more that is not its.
+    private static string AskForHeader(IntPtr handle, int avatar, int length)
+    {
+        byte[] room = [.. Enumerable.Repeat((byte)'x', Math.Max(0, length) + 1)];
+        string told = Result(NeuronDataReader.GetBvhHeader(handle, avatar, room, length));
+        string text = Encoding.Latin1.GetString(room.AsSpan(..^1)).Replace("\n", "\\n", StringComparison.Ordinal);
+        int end = text.IndexOf('\0', StringComparison.Ordinal);
+        return $"{told} {(end < 0 ? text : text[..end] + "\\0")}{(room[^1] == 'x' ? "" : " OVERRUN")}";
+    }
+
+    private static string Result(bool told) => told ? "1" : "0";
+
+    private static string Text(BoneDimension size) => string.Join(
+        ' ', MemoryMarshal.Cast<BoneDimension, float>(MemoryMarshal.CreateReadOnlySpan(in size, 1)).ToArray().Select(static value => value.ToString("G9", CultureInfo.InvariantCulture)));
 
     private static byte[] Copy(IntPtr memory, int count)
     {

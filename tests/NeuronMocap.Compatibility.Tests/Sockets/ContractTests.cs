@@ -9,6 +9,13 @@ public sealed class ConnectContractTests : ConnectContract
     private protected override VendorDriver Start() => new ManagedDriver();
 }
 
+public sealed class CommandChannelContractTests : CommandChannelContract
+{
+    private protected override VendorDriver Start() => new ManagedDriver();
+
+    private protected override VendorDriver StartWithCallbacks() => new ManagedDriver();
+}
+
 public sealed class EndContractTests : EndContract
 {
     private protected override VendorDriver Start() => new ManagedDriver();

@@ -20,7 +20,7 @@ public sealed class HandleTests
             Driver.None,
             await driver.ConnectAsync(server.Port),
             await driver.CallAsync($"udp {FreePort.Udp()}"),
-            await driver.CallAsync($"connect-command 127.0.0.1 {commands.Port}"),
+            await driver.CallAsync($"connect-commands 127.0.0.1 {commands.Port}"),
         ];
         foreach (string handle in handles)
         {
@@ -71,7 +71,7 @@ public sealed class HandleTests
     {
         using CommandScript commands = CommandScript.Always([1, 0, 0, 0]);
         await using var driver = new Driver();
-        string pipe = await driver.CallAsync($"connect-command 127.0.0.1 {commands.Port}");
+        string pipe = await driver.CallAsync($"connect-commands 127.0.0.1 {commands.Port}");
         Assert.Equal("0 0 0 0 0 before", await driver.CallAsync("nulls " + pipe));
         Assert.Equal(0, commands.Requests);
         await driver.EndAsync();

@@ -2,10 +2,10 @@ using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Native.Tests.Infrastructure;
 
-/// <summary>The program driver of tests/native: the vendor's functions as C programs have them.</summary>
-internal sealed class Driver : VendorDriver
+/// <summary>The program driver of tests/native, or another one that understands some of its lines: the vendor's functions as C programs have them.</summary>
+internal sealed class Driver(string program = "driver") : VendorDriver
 {
-    private readonly NativeProgram _program = NativeProgram.Start("driver");
+    private readonly NativeProgram _program = NativeProgram.Start(program);
 
     public override async Task EndAsync()
     {

@@ -1,5 +1,5 @@
 using System.Diagnostics;
-using NeuronMocap.Tests.Infrastructure;
+using Repository = NeuronMocap.Tests.Infrastructure.Repository;
 
 namespace NeuronMocap.Tool.Tests.Infrastructure;
 

@@ -1,18 +1,15 @@
 using System.Globalization;
 using System.Numerics;
-using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using NeuronMocap.Bvh;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.Infrastructure;
+using static NeuronMocap.Tool.Tests.Plot.Drawing;
 
 namespace NeuronMocap.Tool.Tests.Plot;
 
-public sealed partial class PlotTests : IDisposable
+public sealed class PlotTests : IDisposable
 {
-    private static readonly XNamespace Svg = "http://www.w3.org/2000/svg";
-
     private readonly TemporaryFolder _folder = new();
 
     public static TheoryData<float, bool, int> AbsurdValues
@@ -37,7 +34,7 @@ public sealed partial class PlotTests : IDisposable
     public async Task A_straight_walk_gives_a_straight_path_with_an_even_speed()
     {
         Takes.StraightWalk().Save(_folder["walk.bvh"]);
-        XElement svg = await PlotAsync("walk.bvh");
+        XElement svg = await Drawing.PlotAsync(_folder, "walk.bvh");
 
         (double X, double Y)[] path = Points(svg, "path");
         Assert.True(path.Length > 2);
@@ -54,7 +51,7 @@ public sealed partial class PlotTests : IDisposable
     public async Task Everything_is_inside_the_drawing_and_is_a_number()
     {
         Takes.Actor(600).Save(_folder["actor.bvh"]);
-        XElement svg = await PlotAsync("actor.bvh");
+        XElement svg = await Drawing.PlotAsync(_folder, "actor.bvh");
 
         Assert.Equal("actor.bvh", svg.Element(Svg + "title")!.Value);
         Assert.Contains(svg.Elements(Svg + "text"), static text => text.Value.Contains("10.00 s  ·  600 frames at 60 Hz", StringComparison.Ordinal));
@@ -68,7 +65,7 @@ public sealed partial class PlotTests : IDisposable
     public async Task The_same_take_gives_the_same_bytes_in_any_culture()
     {
         Takes.Actor(100).Save(_folder["actor.bvh"]);
-        await PlotAsync("actor.bvh");
+        await Drawing.PlotAsync(_folder, "actor.bvh");
         byte[] first = await ReadAsync("actor.svg");
         File.Delete(_folder["actor.svg"]);
         CultureInfo culture = CultureInfo.CurrentCulture;
@@ -77,7 +74,7 @@ public sealed partial class PlotTests : IDisposable
         CultureInfo.CurrentCulture = commas;
         try
         {
-            await PlotAsync("actor.bvh");
+            await Drawing.PlotAsync(_folder, "actor.bvh");
         }
         finally
         {
@@ -93,7 +90,7 @@ public sealed partial class PlotTests : IDisposable
         const int Peak = 12_345;
         Takes.Neuron(30_000, static (frame, pose) => Takes.Move(pose, new Vector3(MathF.Sin(frame / 50f), frame == Peak ? 40 : 0, frame % 997 / 10f)))
             .Save(_folder["long.bvh"]);
-        XElement svg = await PlotAsync("long.bvh");
+        XElement svg = await Drawing.PlotAsync(_folder, "long.bvh");
 
         Assert.InRange(new FileInfo(_folder["long.svg"]).Length, 10_000, 400_000);
         AssertInside(svg);
@@ -106,7 +103,7 @@ public sealed partial class PlotTests : IDisposable
         BvhDocument take = Takes.Neuron(100, static (frame, pose) =>
             Takes.Move(pose, frame is >= 40 and < 60 or 99 ? new Vector3(float.NaN, 0, float.PositiveInfinity) : new Vector3(frame, 0, 0)));
         take.Save(_folder["holes.bvh"]);
-        AssertInside(await PlotAsync("holes.bvh"));
+        AssertInside(await Drawing.PlotAsync(_folder, "holes.bvh"));
     }
 
     // A value that no person reaches: in one frame or in all, in one channel or in all.
@@ -124,7 +121,7 @@ public sealed partial class PlotTests : IDisposable
         }
 
         new BvhDocument(take.Hierarchy, take.FrameTime, values).Save(_folder["absurd.bvh"]);
-        AssertInside(await PlotAsync("absurd.bvh"));
+        AssertInside(await Drawing.PlotAsync(_folder, "absurd.bvh"));
         Assert.InRange(new FileInfo(_folder["absurd.svg"]).Length, 1_000, 400_000);
         Assert.Equal(["absurd.bvh", "absurd.svg"], _folder.Names);
     }
@@ -139,20 +136,20 @@ public sealed partial class PlotTests : IDisposable
     public async Task Absurd_frame_times_end_with_a_picture(string time)
     {
         _folder.Write("joints.bvh", Takes.TwoJoints.Replace("0.04", time, StringComparison.Ordinal));
-        AssertInside(await PlotAsync("joints.bvh"));
+        AssertInside(await Drawing.PlotAsync(_folder, "joints.bvh"));
         Takes.Actor(20).Save(_folder["actor.bvh"]);
         string text = await File.ReadAllTextAsync(_folder["actor.bvh"], TestContext.Current.CancellationToken);
         _folder.Write("actor.bvh", text.Replace("0.016667", time, StringComparison.Ordinal));
-        AssertInside(await PlotAsync("actor.bvh"));
+        AssertInside(await Drawing.PlotAsync(_folder, "actor.bvh"));
     }
 
     [Fact]
     public async Task A_skeleton_of_absurd_size_ends_with_a_picture()
     {
         _folder.Write("joints.bvh", Takes.TwoJoints.Replace("0 0 2", "-3e38 3e38 3e38", StringComparison.Ordinal).Replace("1 -10 0", "3e38 -3e38 3e38", StringComparison.Ordinal));
-        AssertInside(await PlotAsync("joints.bvh"));
+        AssertInside(await Drawing.PlotAsync(_folder, "joints.bvh"));
         _folder.Write("tiny.bvh", Takes.TwoJoints.Replace("10", "1e-38", StringComparison.Ordinal).Replace("0 0 2", "0 0 1e-40", StringComparison.Ordinal));
-        AssertInside(await PlotAsync("tiny.bvh"));
+        AssertInside(await Drawing.PlotAsync(_folder, "tiny.bvh"));
     }
 
     [Fact]
@@ -179,14 +176,14 @@ public sealed partial class PlotTests : IDisposable
     public async Task One_frame_is_enough()
     {
         Takes.Actor(1).Save(_folder["one.bvh"]);
-        AssertInside(await PlotAsync("one.bvh"));
+        AssertInside(await Drawing.PlotAsync(_folder, "one.bvh"));
     }
 
     [Fact]
     public async Task Any_skeleton_can_be_drawn()
     {
         _folder.Write("joints.bvh", Takes.TwoJoints);
-        XElement svg = await PlotAsync("joints.bvh");
+        XElement svg = await Drawing.PlotAsync(_folder, "joints.bvh");
 
         AssertInside(svg);
         Assert.Contains(svg.Elements(Svg + "text"), static text => text.Value.Contains("units", StringComparison.Ordinal));
@@ -197,19 +194,8 @@ public sealed partial class PlotTests : IDisposable
     public async Task A_part_can_be_drawn()
     {
         Takes.StraightWalk().Save(_folder["walk.bvh"]);
-        XElement svg = await PlotAsync("walk.bvh", "--from", "0.5", "--to", "1.5");
+        XElement svg = await Drawing.PlotAsync(_folder, "walk.bvh", "--from", "0.5", "--to", "1.5");
         Assert.Contains(svg.Elements(Svg + "text"), static text => text.Value.Contains("1.00 s  ·  60 frames", StringComparison.Ordinal));
-    }
-
-    [Theory]
-    [InlineData("MasterLiuPerformanceChar00.calc")]
-    [InlineData("salsa_left_Char00.calc")]
-    public async Task Calculation_exports_can_be_drawn(string name)
-    {
-        File.Copy(Fixtures.Require("calc", name), _folder[name]);
-        XElement svg = await PlotAsync(name);
-        AssertInside(svg);
-        Assert.True(Points(svg, "path").Length > 10);
     }
 
     [Fact]
@@ -230,55 +216,5 @@ public sealed partial class PlotTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    private async Task<XElement> PlotAsync(string name, params string[] options)
-    {
-        string output = _folder[Path.ChangeExtension(name, ".svg")];
-        ToolResult result = await ToolRunner.RunAsync(["plot", _folder[name], output, .. options]);
-        Assert.Empty(result.Error);
-        Assert.Equal(0, result.ExitCode);
-        return XElement.Load(output);
-    }
-
     private Task<byte[]> ReadAsync(string name) => File.ReadAllBytesAsync(_folder[name], TestContext.Current.CancellationToken);
-
-    private static (double X, double Y)[] Points(XElement svg, string group) =>
-    [
-        .. svg.Descendants(Svg + "g").Single(element => element.Attribute("id")!.Value == group)
-            .Descendants(Svg + "path").SelectMany(static path => PointsOf(path)),
-    ];
-
-    private static IEnumerable<(double X, double Y)> PointsOf(XElement path) => Pair().Matches(path.Attribute("d")!.Value)
-        .Select(static match => (Parse(match.Groups["x"].Value), Parse(match.Groups["y"].Value)));
-
-    private static void AssertInside(XElement svg)
-    {
-        Assert.DoesNotContain("NaN", svg.ToString(), StringComparison.Ordinal);
-        Assert.DoesNotContain("∞", svg.ToString(), StringComparison.Ordinal);
-        foreach (XElement path in svg.Descendants(Svg + "path"))
-        {
-            Assert.Equal(path.Attribute("d")!.Value.Count(static letter => letter is 'M' or 'L'), PointsOf(path).Count());
-            Assert.All(PointsOf(path), static point => AssertInside(point.X, point.Y));
-        }
-
-        foreach (XElement element in svg.Descendants())
-        {
-            foreach (XAttribute attribute in element.Attributes().Where(static attribute => attribute.Name.LocalName is "x" or "x1" or "x2" or "cx"))
-                AssertInside(Parse(attribute.Value), 0);
-            foreach (XAttribute attribute in element.Attributes().Where(static attribute => attribute.Name.LocalName is "y" or "y1" or "y2" or "cy"))
-                AssertInside(0, Parse(attribute.Value));
-        }
-    }
-
-    private static void AssertInside(double x, double y)
-    {
-        Assert.InRange(x, 0, 1200);
-        Assert.InRange(y, 0, 900);
-    }
-
-    private static double Number(XElement element, string name) => Parse(element.Attribute(name)!.Value);
-
-    private static double Parse(string number) => double.Parse(number, NumberStyles.Float, CultureInfo.InvariantCulture);
-
-    [GeneratedRegex("[ML](?<x>-?[0-9.]+) (?<y>-?[0-9.]+)", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 10_000)]
-    private static partial Regex Pair();
 }

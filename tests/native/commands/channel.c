@@ -128,8 +128,6 @@ int main(void)
             printf("= %d\n", zero_out_as_int()(socket, number));
         else if (sscanf(line, "zero-out-all %p", &socket) == 1)
             printf("= %d\n", ZeroOutAll(socket));
-        else if (sscanf(line, "no-room %p", &socket) == 1)
-            printf("= %d %d %d\n", GetBvhRotation(socket, NULL), GetBoneSize(socket, 0, NULL), GetBvhHeader(socket, 0, NULL, 100));
         else if (sscanf(line, "rotation %p", &socket) == 1)
             print_rotation(socket);
         else if (sscanf(line, "bone-size %p %d", &socket, &number) == 2)

@@ -2,10 +2,9 @@ using System.Globalization;
 using System.Runtime.InteropServices;
 using System.Text.Json;
 using NeuronMocap.Calculation;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Tests.Infrastructure;
 
-namespace NeuronMocap.Tool.Tests.Simulate;
+namespace NeuronMocap.Data.Tests.Tool;
 
 // The recorded take from one program to the other, read back from the monitor's JSON lines.
 public sealed class TakeProcessTests

@@ -1,7 +1,7 @@
 using System.Buffers.Binary;
 using System.Text;
 
-namespace NeuronMocap.Tool.Tests.Telemetry;
+namespace NeuronMocap.Hosting.Tests.Samples;
 
 /// <summary>One number of one export: a point of a sum or gauge, or the count of a histogram. Only what the tests look at is read.</summary>
 /// <param name="Name">Of the instrument.</param>

@@ -1,7 +1,7 @@
 using System.Text;
 using NeuronMocap.Tool.Tests.Infrastructure;
 
-namespace NeuronMocap.Tool.Tests.Telemetry;
+namespace NeuronMocap.Hosting.Tests.Samples;
 
 public sealed class TelemetryProcessTests
 {
@@ -36,7 +36,11 @@ public sealed class TelemetryProcessTests
     [Fact]
     public async Task Without_a_collector_it_says_so()
     {
-        using var program = new ToolProcess("Telemetry", "--Collector=http://" + FrameServer.RefusingAddress(), "--Seconds=1");
+        string nobody;
+        await using (OtlpReceiver collector = await OtlpReceiver.StartAsync())
+            nobody = collector.Url;
+
+        using var program = new ToolProcess("Telemetry", $"--Collector={nobody}", "--Seconds=1");
         Task<string> output = program.Output.ReadToEndAsync();
         string error = await program.ReadErrorAsync();
         await output;

@@ -4,7 +4,7 @@ using Microsoft.AspNetCore.Hosting;
 using Microsoft.AspNetCore.Http;
 using Microsoft.Extensions.Logging;
 
-namespace NeuronMocap.Tool.Tests.Telemetry;
+namespace NeuronMocap.Hosting.Tests.Samples;
 
 /// <summary>A collector on a free loopback port that keeps what it is sent: OTLP as protobuf over HTTP.</summary>
 internal sealed class OtlpReceiver : IAsyncDisposable

@@ -1,0 +1,89 @@
+using NeuronMocap.Tool.Tests.Files;
+using static NeuronMocap.Tool.Tests.Convert.Conversion;
+
+namespace NeuronMocap.Tool.Tests.Convert;
+
+public sealed class ConvertSummaryTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    [Fact]
+    public async Task A_clean_conversion_says_so()
+    {
+        Takes.Actor(120).Save(_folder["a.bvh"]);
+        Assert.Equal(
+            "neuron-mocap: b.bvh: 120 frames, 2.000 s at 60 Hz; no gaps; no rows left out; no warnings.",
+            await ConvertAsync(_folder["a.bvh"], _folder["b.bvh"]));
+        Assert.Equal(
+            "neuron-mocap: b.nmrec: 120 frames, 2.000 s at 60 Hz; no gaps; no rows left out; no warnings.",
+            await ConvertAsync(_folder["a.bvh"], _folder["b.nmrec"]));
+        Assert.StartsWith(
+            "neuron-mocap: c.nmrec: 120 frames, 1.983 s; no gaps; no rows left out; no warnings.",
+            await ConvertAsync(_folder["b.nmrec"], _folder["c.nmrec"]),
+            StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_BVH_file_that_was_cut_is_told()
+    {
+        Takes.Actor(358).Save(_folder["whole.bvh"]);
+        string[] lines = await File.ReadAllLinesAsync(_folder["whole.bvh"], Token);
+        int row = 1 + Array.FindIndex(lines, static line => line.StartsWith("Frame Time", StringComparison.Ordinal));
+        string cut = string.Join("\r\n", lines[..(row + 163)]) + "\r\n" + lines[row + 163][..200];
+        _folder.Write("cut.bvh", cut);
+        foreach (string output in (string[])["a.bvh", "a.nmrec", "a.calc", "a.bin"])
+        {
+            string summary = await ConvertAsync(_folder["cut.bvh"], _folder[output]);
+            Assert.Contains(": 163 frames, ", summary, StringComparison.Ordinal);
+            Assert.Matches(@"; 1 row left out; 2 warnings: \(1\) .*, \(2\) ", summary);
+            Assert.Contains("'358' frames are announced and 163 rows are there", summary, StringComparison.Ordinal);
+        }
+    }
+
+    [Fact]
+    public async Task A_damaged_recording_is_told_on_every_way()
+    {
+        Takes.Actor(3000).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
+        byte[] bytes = await File.ReadAllBytesAsync(_folder["take.nmrec"], Token);
+        bytes[bytes.Length / 2] ^= 0x55;
+        await File.WriteAllBytesAsync(_folder["bad.nmrec"], bytes, Token);
+        foreach (string output in (string[])["a.bvh", "a.nmrec", "a.bin"])
+        {
+            string summary = await ConvertAsync(_folder["bad.nmrec"], _folder[output]);
+            Assert.Contains("checksum", summary, StringComparison.Ordinal);
+            Assert.Contains("1 gap", summary, StringComparison.Ordinal);
+        }
+    }
+
+    [Fact]
+    public async Task A_cut_calculation_export_is_told()
+    {
+        Takes.Actor(50, rate: 120).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.calc"]);
+        string text = await File.ReadAllTextAsync(_folder["take.calc"], Token);
+        _folder.Write("cut.calc", text[..(text.Length / 2)]);
+        foreach (string output in (string[])["a.calc", "a.nmrec", "a.bvh"])
+            Assert.Contains("; 1 row left out; 1 warning: ", await ConvertAsync(_folder["cut.calc"], _folder[output]), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Only_a_file_that_says_no_rate_is_doubted_for_it()
+    {
+        Takes.Actor(50, rate: 120).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.bin"]);
+        Assert.Contains("120 Hz, is assumed", await ConvertAsync(_folder["take.bin"], _folder["d.nmrec"]), StringComparison.Ordinal);
+        Assert.Contains("no warnings", await ConvertAsync(_folder["take.bin"], _folder["e.nmrec"], "--rate", "60"), StringComparison.Ordinal);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.calc"]);
+        string text = await File.ReadAllTextAsync(_folder["take.calc"], Token);
+        _folder.Write("bare.calc", text[(text.IndexOf('\n') + 1)..]);
+
+        Assert.Contains("no warnings", await ConvertAsync(_folder["take.calc"], _folder["a.nmrec"]), StringComparison.Ordinal);
+        Assert.Contains("120 Hz is assumed", await ConvertAsync(_folder["bare.calc"], _folder["b.nmrec"]), StringComparison.Ordinal);
+        Assert.Contains("no warnings", await ConvertAsync(_folder["bare.calc"], _folder["c.nmrec"], "--rate", "60"), StringComparison.Ordinal);
+    }
+
+    public void Dispose() => _folder.Dispose();
+
+    private static CancellationToken Token => TestContext.Current.CancellationToken;
+}

@@ -1,0 +1,129 @@
+using System.Numerics;
+using NeuronMocap.Bvh;
+using NeuronMocap.Calculation;
+using NeuronMocap.Recording;
+using NeuronMocap.Tests.Calculation;
+using NeuronMocap.Tool.Tests.Files;
+using NeuronMocap.Tool.Tests.Infrastructure;
+using static NeuronMocap.Tool.Tests.Convert.Conversion;
+using static NeuronMocap.Tool.Tests.Convert.TakeComparison;
+
+namespace NeuronMocap.Tool.Tests.Convert;
+
+public sealed class RoundTripTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    [Theory]
+    [InlineData(true, RotationOrder.YXZ)]
+    [InlineData(false, RotationOrder.ZYX)]
+    public async Task A_take_and_its_body_come_back_from_a_recording(bool displacement, RotationOrder order)
+    {
+        Takes.Actor(120, displacement: displacement, order: order).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
+        await ConvertAsync(_folder["take.nmrec"], _folder["back.bvh"]);
+
+        AssertSame(BvhDocument.Load(_folder["take.bvh"]), BvhDocument.Load(_folder["back.bvh"]));
+        using RecordingReader recording = RecordingReader.Open(_folder["take.nmrec"]);
+        Assert.Equal(order.ToString(), recording.Metadata[RecordingMetadata.RotationOrderKey]);
+        Assert.Equal(TimeSpan.FromTicks((long)Math.Round(119 * TimeSpan.TicksPerSecond / 60.0)), recording.Duration);
+    }
+
+    // The order of a stream stands in no packet of Axis Neuron: the option tells it, and the values stay what they are.
+    [Fact]
+    public async Task The_order_of_raw_bytes_is_told_and_kept()
+    {
+        Takes.Actor(60, order: RotationOrder.XYZ).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.bin"]);
+        await ConvertAsync(_folder["take.bin"], _folder["back.bvh"], "--input-order", "xyz");
+
+        Assert.Equal(Values(BvhDocument.Load(_folder["take.bvh"])), Values(BvhDocument.Load(_folder["back.bvh"])));
+        Assert.True(BvhSkeletonMap.TryCreate(BvhDocument.Load(_folder["back.bvh"]), out BvhSkeletonMap? map, out _));
+        Assert.Equal(RotationOrder.XYZ, map.Format.RotationOrder);
+    }
+
+    // A calculation export has bones' centres and sensors, no joints: they are found again from the motion, those of legs that walk best.
+    [Fact]
+    public async Task A_take_as_calculation_data_is_nearly_the_same_take()
+    {
+        Takes.Actor(300, rate: 120).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.calc"]);
+        await ConvertAsync(_folder["take.calc"], _folder["back.bvh"]);
+
+        Vector3[][] expected = Joints(BvhDocument.Load(_folder["take.bvh"]));
+        Vector3[][] actual = Joints(BvhDocument.Load(_folder["back.bvh"]));
+        Assert.Equal(expected.Length, actual.Length);
+        for (Bone bone = Bone.Hips; bone <= Bone.LeftFoot; bone++)
+        {
+            float farthest = Enumerable.Range(0, expected.Length).Max(frame => Vector3.Distance(expected[frame][(int)bone], actual[frame][(int)bone]));
+            Assert.True(farthest < 1, $"{bone} is {farthest} cm from its place.");
+        }
+    }
+
+    // Rates that no server has, and times that are no round number of ticks.
+    [Theory]
+    [InlineData(60)]
+    [InlineData(90)]
+    [InlineData(120)]
+    [InlineData(59.94)]
+    [InlineData(97.3)]
+    [InlineData(23.976023976023978)]
+    [InlineData(1000)]
+    public async Task Frames_times_and_values_survive_every_way_there_and_back(double rate)
+    {
+        Takes.Actor(100, rate: rate).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
+        await ConvertAsync(_folder["take.nmrec"], _folder["back.bvh"]);
+        AssertSame(BvhDocument.Load(_folder["take.bvh"]), BvhDocument.Load(_folder["back.bvh"]));
+        await ConvertAsync(_folder["back.bvh"], _folder["again.nmrec"]);
+        AssertSameFrames(_folder["take.nmrec"], _folder["again.nmrec"]);
+
+        await ConvertAsync(_folder["take.nmrec"], _folder["take.calc"]);
+        await ConvertAsync(_folder["take.calc"], _folder["calculation.nmrec"]);
+        await ConvertAsync(_folder["calculation.nmrec"], _folder["back.calc"]);
+        Assert.Equal(await File.ReadAllBytesAsync(_folder["take.calc"], Token), await File.ReadAllBytesAsync(_folder["back.calc"], Token));
+        Assert.Equal(Times(_folder["take.nmrec"]), Times(_folder["calculation.nmrec"]));
+        await ConvertAsync(_folder["back.calc"], _folder["again.calculation.nmrec"]);
+        AssertSameFrames(_folder["calculation.nmrec"], _folder["again.calculation.nmrec"]);
+
+        await ConvertAsync(_folder["take.calc"], _folder["poses.bvh"]);
+        Assert.Equal(BvhDocument.Load(_folder["take.bvh"]).FrameTime, BvhDocument.Load(_folder["poses.bvh"]).FrameTime);
+
+        string given = rate.ToString(System.Globalization.CultureInfo.InvariantCulture);
+        await ConvertAsync(_folder["take.nmrec"], _folder["take.bin"]);
+        await ConvertAsync(_folder["take.bin"], _folder["timed.nmrec"], "--rate", given);
+        Assert.Equal(Times(_folder["take.nmrec"]).Select(static time => time / TimeSpan.FromSeconds(1)), Times(_folder["timed.nmrec"]).Select(static time => time / TimeSpan.FromSeconds(1)), new Near(2e-7));
+    }
+
+    [Fact]
+    public async Task An_export_of_bone_ends_becomes_no_body_and_keeps_its_rows()
+    {
+        _folder.Write("ends.calc", BoneEnds.Write(60));
+        ToolResult refused = await ToolRunner.RunAsync("convert", _folder["ends.calc"], _folder["ends.bvh"]);
+        Assert.Equal(1, refused.ExitCode);
+        Assert.Contains("the ends of the bones instead of their centres", Assert.Single(refused.Error), StringComparison.Ordinal);
+        Assert.Equal(1, (await ToolRunner.RunAsync("plot", _folder["ends.calc"], _folder["ends.svg"])).ExitCode);
+        Assert.Equal(["ends.calc"], _folder.Names);
+
+        await ConvertAsync(_folder["ends.calc"], _folder["ends.nmrec"]);
+        await ConvertAsync(_folder["ends.nmrec"], _folder["back.calc"]);
+        AssertSame(CalculationDocument.Load(_folder["ends.calc"]), CalculationDocument.Load(_folder["back.calc"]));
+
+        ToolResult info = await ToolRunner.RunAsync("info", _folder["ends.calc"]);
+        Assert.Equal(0, info.ExitCode);
+        Assert.Contains(info.Output, static line => line.Contains("the ends of the bones instead of their centres", StringComparison.Ordinal));
+        Assert.Contains(info.Output, static line => line.Contains("0.1736 0.9848 0 in the file's axes", StringComparison.Ordinal));
+        Assert.DoesNotContain(info.Output, static line => line.Contains("upper leg", StringComparison.Ordinal));
+    }
+
+    public void Dispose() => _folder.Dispose();
+
+    private static CancellationToken Token => TestContext.Current.CancellationToken;
+
+    private sealed class Near(double tolerance) : IEqualityComparer<double>
+    {
+        public bool Equals(double x, double y) => Math.Abs(x - y) <= tolerance;
+
+        public int GetHashCode(double obj) => 0;
+    }
+}
