@@ -51,7 +51,7 @@ public class PlaybackFixtureTests
         using (RecordedFrameReader frames = RecordedFrameReader.Open(file.Path))
         {
             RecordedFrames.ReadAll(frames);
-            await Limits.UntilAsync(() => Figures(end.Reader.GetStatistics()) == Figures(frames.Statistics));
+            await end.Reader.UntilAsync(statistics => Figures(statistics) == Figures(frames.Statistics));
         }
 
         await AssertSameAsync(end.Reader, log, statuses, file);
