@@ -179,6 +179,9 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     // For a process that may have few threads: the C library counts those that a connection needs.
     internal bool StartsOnPool { get; init; }
 
+    // Whether a packet is on its way through the consumers. The statistics count it before the first one gets it.
+    internal bool IsDelivering => _pipeline.DeliveringThread != 0;
+
     // What discovery tells it is used for the frames from then on, and told with the status.
     internal FrameFormat Format => _format;
 

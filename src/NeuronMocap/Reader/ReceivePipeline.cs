@@ -72,7 +72,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
 
     public DataCommands Commands { get; }
 
-    // The thread that is handing out a packet, or 0. Meant to be compared with the calling thread only.
+    // The thread that is handing out a packet, or 0. Other threads may see an old value.
     public int DeliveringThread { get; private set; }
 
     public void OnPacket(in ReceivedPacket packet)

@@ -56,7 +56,7 @@ public sealed class DataCommandsTests : IDisposable
         Assert.Equal(2, await count.Soon());
         Assert.Equal("HIERARCHY", await text.Soon());
         Assert.Equal(SensorCombination.FullBody, await mode.Soon());
-        await Limits.UntilAsync(() => reader.GetStatistics().CommandPackets == 5);
+        await reader.UntilAsync(static statistics => statistics.CommandPackets == 5);
         Assert.Equal((2L, 0L, 5L), (reader.GetStatistics().MotionFrames, reader.GetStatistics().BytesSkipped, reader.GetStatistics().CallbackFailures));
         Assert.Equal(
             [DataCommandId.CombinationMode, DataCommandId.BoneSize, DataCommandId.AvatarCount, DataCommandId.CombinationMode, DataCommandId.BvhText],

@@ -44,7 +44,7 @@ public sealed class CalculationPortTests : IDisposable
         });
         await using NeuronReader reading = reader;
         await using Broadcaster serving = broadcaster;
-        await Limits.UntilAsync(() => reader.GetStatistics() is { MotionFrames: Frames, CalculationFrames: Frames });
+        await reader.UntilAsync(static statistics => statistics is { MotionFrames: Frames, CalculationFrames: Frames });
 
         int motion = 0, calculation = 0;
         await Limits.UntilAsync(() => queue!.Pump<AvatarFrame>(frame => _ = frame is MotionFrame ? motion++ : calculation++) >= 0 && motion == Frames && calculation == Frames);
@@ -134,7 +134,7 @@ public sealed class CalculationPortTests : IDisposable
             using TestConnection calculation = await _calculation.AcceptAsync();
             await calculation.SendAsync(TestPackets.Calculation(i));
             await motion.SendAsync(TestPackets.Motion(i));
-            await Limits.UntilAsync(() => reader.GetStatistics().CalculationFrames == i + 1 && reader.GetStatistics().MotionFrames == i + 1);
+            await reader.UntilAsync(statistics => statistics.CalculationFrames == i + 1 && statistics.MotionFrames == i + 1);
         }
 
         ReaderStatistics statistics = reader.GetStatistics();
@@ -204,7 +204,7 @@ public sealed class CalculationPortTests : IDisposable
             await calculation.SendAsync(TestPackets.Calculation(i, count: 338));
 
         await sending.Soon();
-        await Limits.UntilAsync(() => reader.GetStatistics() is { MotionFrames: Many, CalculationFrames: Many });
+        await reader.UntilAsync(static statistics => statistics is { MotionFrames: Many, CalculationFrames: Many });
         List<uint?> motionIndices = [], calculationIndices = [];
         await Limits.UntilAsync(() => queue.Count == 2 * Many);
         queue.Pump<AvatarFrame>(frame => (frame is MotionFrame ? motionIndices : calculationIndices).Add(frame.FrameIndex));
@@ -224,7 +224,7 @@ public sealed class CalculationPortTests : IDisposable
         await using (broadcaster)
         {
             StreamRecorder recorder = started!;
-            await Limits.UntilAsync(() => reader.GetStatistics() is { MotionFrames: Frames, CalculationFrames: Frames });
+            await reader.UntilAsync(static statistics => statistics is { MotionFrames: Frames, CalculationFrames: Frames });
             recorder.Dispose();
             Assert.Equal(0, recorder.GetStatistics().LostPieces);
         }
@@ -254,7 +254,7 @@ public sealed class CalculationPortTests : IDisposable
         for (int i = 1; i <= 2; i++)
         {
             await using Broadcaster broadcaster = await SendToAsync(reader);
-            await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == i * Frames && reader.GetStatistics().CalculationFrames == i * Frames);
+            await reader.UntilAsync(statistics => statistics.MotionFrames == i * Frames && statistics.CalculationFrames == i * Frames);
         }
 
         Assert.Equal([0], reader.GetAvatarStatistics().Select(avatar => avatar.Sender).Distinct());
@@ -284,7 +284,7 @@ public sealed class CalculationPortTests : IDisposable
         reader.Start();
         using TestConnection connection = await _motion.AcceptAsync();
         await connection.SendAsync(TestPackets.Join(TestPackets.Motion(1), TestPackets.Calculation(1)));
-        await Limits.UntilAsync(() => reader.GetStatistics() is { MotionFrames: 1, CalculationFrames: 1 });
+        await reader.UntilAsync(static statistics => statistics is { MotionFrames: 1, CalculationFrames: 1 });
     }
 
     [Theory]

@@ -180,7 +180,7 @@ public abstract class HostileServerTests
         List<uint?> indices = Indices(reader);
         reader.Start();
         await reader.WaitForFramesAsync(Frames);
-        await Limits.UntilAsync(() => reader.GetStatistics().BytesSkipped == Frames * 64);
+        await reader.UntilAsync(static statistics => statistics is { BytesSkipped: Frames * 64, OversizedPackets: Frames });
 
         Assert.Equal(Enumerable.Range(0, Frames).Select(i => (uint?)i), indices);
         Assert.Equal((long)Frames, reader.GetStatistics().OversizedPackets);

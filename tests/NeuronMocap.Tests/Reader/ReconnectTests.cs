@@ -142,15 +142,22 @@ public sealed class ReconnectTests
         reader.Start();
         for (int restart = 0; restart < 20; restart++)
         {
-            await reader.WaitForFramesAsync(reader.GetStatistics().MotionFrames + 3);
+            await ReceiveAsync(restart);
             await broadcaster.DisposeAsync();
             broadcaster = new Broadcaster(options);
             broadcaster.Start();
         }
 
-        await reader.WaitForFramesAsync(reader.GetStatistics().MotionFrames + 3);
+        await ReceiveAsync(20);
         await broadcaster.DisposeAsync();
         Assert.Equal((20L, 0L), (reader.GetStatistics().Reconnects, reader.GetStatistics().Lost));
+
+        // On the new connection: frames of the one before may still be on their way.
+        async Task ReceiveAsync(int reconnects)
+        {
+            await reader.UntilAsync(statistics => statistics.Reconnects == reconnects);
+            await reader.WaitForFramesAsync(reader.GetStatistics().MotionFrames + 3);
+        }
     }
 
     private static bool IsConnectedTo(NeuronReader reader, TestConnection connection) =>

@@ -101,7 +101,7 @@ public sealed class StreamFormatTests
             for (int frame = 0; frame < 50; frame++)
                 await connection.SendAsync(Stream("studio", frame));
 
-            await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == before + 50);
+            await reader.WaitForFramesAsync(before + 50);
             connection.Close();
         }
 
@@ -130,7 +130,7 @@ public sealed class StreamFormatTests
         reader.Format.Learn(RotationOrder.XZY, variant: null);
         await log.WaitAsync(status => status.Message.EndsWith("rotation order XZY, as the command channel says.", StringComparison.Ordinal));
         await connection.SendAsync(Stream("new", 2));
-        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 2);
+        await reader.WaitForFramesAsync(2);
         Assert.Equal(RotationOrder.XZY, used);
     }
 

@@ -29,7 +29,7 @@ public sealed class UdpFaultTests
             await end.SendAsync(sender, Datagram(datagram));
 
         uint?[] expected = [.. delivered.Split(' ').Select(index => (uint?)uint.Parse(index, provider: null))];
-        await Limits.UntilAsync(() => end.Reader.GetStatistics().BytesReceived == (expected.Length * 1480) + skipped);
+        await end.Reader.UntilAsync(statistics => statistics.BytesReceived == (expected.Length * 1480) + skipped);
 
         Assert.Equal(expected, indices);
         Assert.Equal((skipped, lost), (end.Reader.GetStatistics().BytesSkipped, end.Reader.GetStatistics().Lost));
@@ -52,7 +52,7 @@ public sealed class UdpFaultTests
             await end.SendAsync(two, second.AsMemory(1024));
         }
 
-        await Limits.UntilAsync(() => end.Reader.GetStatistics().MotionFrames == 200);
+        await end.Reader.WaitForFramesAsync(200);
         Assert.Equal((0L, 0L), (end.Reader.GetStatistics().BytesSkipped, end.Reader.GetStatistics().Lost));
         Assert.All(end.Reader.GetAvatarStatistics(), avatar => Assert.Equal((100L, 0L), (avatar.Frames, avatar.OutOfOrder)));
     }
@@ -69,7 +69,7 @@ public sealed class UdpFaultTests
                 await end.SendAsync(senders[i], Datagram($"{i}{"ab"[half]}"));
         }
 
-        await Limits.UntilAsync(() => end.Reader.GetStatistics().MotionFrames == Senders);
+        await end.Reader.WaitForFramesAsync(Senders);
         Assert.Equal(Enumerable.Range(0, Senders), end.Reader.GetAvatarStatistics().Select(avatar => avatar.Sender));
         Assert.Equal(0, end.Reader.GetStatistics().BytesSkipped);
     }
@@ -95,7 +95,7 @@ public sealed class UdpFaultTests
             Assert.Skip("This system sends no datagrams of 65,507 bytes.");
         }
 
-        await Limits.UntilAsync(() => end.Reader.GetStatistics().MotionFrames == 200);
+        await end.Reader.WaitForFramesAsync(200);
         Assert.Equal((0L, 0L, 296_000L), (end.Reader.GetStatistics().BytesSkipped, end.Reader.GetStatistics().Lost, end.Reader.GetStatistics().BytesReceived));
     }
 

@@ -88,7 +88,7 @@ public sealed class UdpRestartTests : IDisposable
         }
 
         await end.DrainedAsync();
-        await Limits.UntilAsync(() => end.Reader.GetAvatarStatistics() is [{ Frames: Frames }, ..]);
+        await end.Reader.UntilAsync(_ => end.Reader.GetAvatarStatistics() is [{ Frames: Frames }, ..]);
         export.Dispose();
         Assert.Equal(Frames, BvhDocument.Load(Target).FrameCount);
         Assert.Equal(Frames, export.FramesWritten);

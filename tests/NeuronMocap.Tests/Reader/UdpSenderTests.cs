@@ -25,7 +25,7 @@ public sealed class UdpSenderTests
             }
         }
 
-        await Limits.UntilAsync(() => end.Reader.GetStatistics() is { MotionFrames: 100, RefusedDatagrams: 100 });
+        await end.Reader.UntilAsync(static statistics => statistics is { MotionFrames: 100, RefusedDatagrams: 100 });
         Assert.Equal((0L, 0L), (end.Reader.GetStatistics().BytesSkipped, end.Reader.GetStatistics().Lost));
         Assert.Equal(2, end.Reader.GetAvatarStatistics().Count);
     }
@@ -69,7 +69,7 @@ public sealed class UdpSenderTests
                 options.AllowedSenders = [isAllowed ? IPAddress.IPv6Loopback : IPAddress.Parse("fe80::1")];
             });
             await end.SendAsync(end.CreateSender(), TestPackets.Motion(1));
-            await Limits.UntilAsync(() => end.Reader.GetStatistics().MotionFrames + end.Reader.GetStatistics().RefusedDatagrams == 1);
+            await end.Reader.UntilAsync(static statistics => statistics.MotionFrames + statistics.RefusedDatagrams == 1);
             Assert.Equal(isAllowed ? 1 : 0, end.Reader.GetStatistics().MotionFrames);
         }
     }
@@ -152,7 +152,7 @@ public sealed class UdpFloodTests
         // The real one sends before the flood has taken all places, and keeps its own.
         const int Frames = Forged / 25;
         await end.DrainedAsync();
-        await Limits.UntilAsync(() => end.Reader.GetAvatarStatistics().Any(avatar => avatar.Frames == Frames));
+        await end.Reader.UntilAsync(_ => end.Reader.GetAvatarStatistics().Any(avatar => avatar.Frames == Frames));
         heap = ProcessResources.LiveHeap() - heap;
 
         // 64 assemblers of 4 KiB are what there is room for.

@@ -2,21 +2,10 @@ namespace NeuronMocap.Tests.Network;
 
 internal static class ReaderExtensions
 {
-    // Waits until that many motion frames have arrived.
-    public static async Task WaitForFramesAsync(this NeuronReader reader, long count)
-    {
-        var arrived = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
-        reader.MotionReceived += Check;
-        if (reader.GetStatistics().MotionFrames >= count)
-            arrived.TrySetResult();
+    // Waits until that many motion frames have reached every consumer.
+    public static Task WaitForFramesAsync(this NeuronReader reader, long count) => reader.UntilAsync(statistics => statistics.MotionFrames >= count);
 
-        await arrived.Task.Soon();
-        reader.MotionReceived -= Check;
-
-        void Check(MotionFrame frame)
-        {
-            if (reader.GetStatistics().MotionFrames >= count)
-                arrived.TrySetResult();
-        }
-    }
+    // A packet is counted before the first consumer gets it: waits until the last one has got the newest, too.
+    public static Task UntilAsync(this NeuronReader reader, Func<ReaderStatistics, bool> condition) =>
+        Limits.UntilAsync(() => condition(reader.GetStatistics()) && !reader.IsDelivering);
 }

@@ -51,7 +51,7 @@ public class PlaybackFixtureTests
         using (RecordedFrameReader frames = RecordedFrameReader.Open(file.Path))
         {
             RecordedFrames.ReadAll(frames);
-            await Limits.UntilAsync(() => Figures(end.Reader.GetStatistics()) == Figures(frames.GetStatistics()));
+            await end.Reader.UntilAsync(statistics => Figures(statistics) == Figures(frames.GetStatistics()));
         }
 
         await AssertSameAsync(end.Reader, log, statuses, file);

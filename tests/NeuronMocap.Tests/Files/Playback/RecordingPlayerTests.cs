@@ -180,7 +180,7 @@ public sealed class RecordingPlayerTests
         await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 9);
         queue.Dispose();
         using FrameQueue other = reader.OpenQueue(capacity: 2);
-        await reader.WaitForFramesAsync(12);
+        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 12);
         var watch = Stopwatch.StartNew();
         await reader.DisposeAsync();
         Assert.InRange(watch.Elapsed, TimeSpan.Zero, Limits.Unexpected / 2);
