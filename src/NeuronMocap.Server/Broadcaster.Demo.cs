@@ -8,13 +8,18 @@ public sealed partial class Broadcaster
     /// <summary>
     /// Starts a server that needs no suit and no file: <see cref="SyntheticSource"/>s on a free TCP port of this computer, which
     /// <see cref="LocalEndPoint"/> tells. The first frame is sent when the first client has connected.
+    /// <para>
+    /// It answers data commands on that port. A <see cref="CommandServer"/> opens its command channel:
+    /// <c>new CommandServer(demo, new CommandServerOptions { Port = 0 })</c>.
+    /// </para>
     /// </summary>
     /// <param name="avatars">Number of actors, 1 to 256; each walks a ring of its own.</param>
     /// <param name="frameRate">Frames per second.</param>
+    /// <param name="rotationOrder">Order of the rotation values.</param>
     /// <returns>A broadcaster that runs until it is disposed of.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
     /// <exception cref="BroadcasterException">The system has no free port.</exception>
-    public static Broadcaster StartDemo(int avatars = 1, double frameRate = 60)
+    public static Broadcaster StartDemo(int avatars = 1, double frameRate = 60, RotationOrder rotationOrder = RotationOrder.YXZ)
     {
         if (avatars is < 1 or > 256)
             throw new ArgumentOutOfRangeException(nameof(avatars), avatars, "A demo has 1 to 256 avatars.");
@@ -26,6 +31,7 @@ public sealed partial class Broadcaster
             BindAddress = IPAddress.Loopback,
             Port = 0,
             WaitForClient = true,
+            RotationOrder = rotationOrder,
         });
         try
         {

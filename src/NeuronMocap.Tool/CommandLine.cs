@@ -93,7 +93,13 @@ internal static class CommandLine
             root.Add(verb);
         }
 
-        root.Options.OfType<HelpOption>().Single().Action = new HelpPage(streams);
+        HelpOption help = root.Options.OfType<HelpOption>().Single();
+        help.Action = new HelpPage(streams);
+
+        // The parser's other names of it, such as /?, look like folders to a shell that completes.
+        foreach (string alias in help.Aliases.Where(static alias => alias is not "-h").ToArray())
+            help.Aliases.Remove(alias);
+
         return root;
     }
 

@@ -12,7 +12,7 @@ public sealed partial class NeuronReaderOptions
     /// </summary>
     /// <param name="address">
     /// <c>HOST</c>, <c>HOST:PORT</c> or <c>tcp://HOST:PORT</c> for a TCP server, port 7001 unless given; <c>udp://:PORT</c> or <c>udp://LOCALADDRESS:PORT</c>
-    /// to receive over UDP. An IPv6 address with a port stands in brackets: <c>[::1]:7001</c>.
+    /// to receive over UDP, where port 0 takes any free port. An IPv6 address with a port stands in brackets: <c>[::1]:7001</c>.
     /// </param>
     /// <returns>New options.</returns>
     /// <exception cref="FormatException">The text is not an address; the message says why, in words for the person who wrote it.</exception>

@@ -1,4 +1,6 @@
+using NeuronMocap.Commands;
 using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server;
 
@@ -25,6 +27,21 @@ public sealed class DemoTests
         ReaderStatistics statistics = reader.GetStatistics();
         Assert.Equal(statistics.MotionFrames, statistics.Frames);
         Assert.InRange(statistics.Frames, 4, long.MaxValue);
+    }
+
+    [Fact]
+    public async Task A_command_server_answers_for_the_avatars_of_a_demo()
+    {
+        await using Broadcaster demo = Broadcaster.StartDemo(avatars: 2, rotationOrder: RotationOrder.ZXY);
+        await using var server = new CommandServer(demo, new CommandServerOptions { Port = 0 });
+        server.Start();
+        await using var client = new NeuronCommandClient(NeuronCommandOptions.Parse($"{server.LocalEndPoint}"));
+
+        Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync(TestContext.Current.CancellationToken));
+        BoneDimensions body = await client.GetBoneDimensionsAsync(1, TestContext.Current.CancellationToken);
+        Assert.True(body.UpperLeg > 0);
+        Assert.Contains("ROOT Hips", await client.GetBvhHeaderTextAsync(1, TestContext.Current.CancellationToken), StringComparison.Ordinal);
+        await Assert.ThrowsAsync<NeuronCommandException>(() => client.GetBoneDimensionsAsync(2, TestContext.Current.CancellationToken));
     }
 
     [Theory]

@@ -23,7 +23,7 @@ public sealed partial class CommandLineTests
     [InlineData("--order", "watch", "--order", "XXY")]
     [InlineData("--order", "watch", "--order", "1")]
     [InlineData("--quiet", "watch", "--json", "--quiet")]
-    [InlineData("'port' is no port", "watch", "studio:port")]
+    [InlineData("'port' in 'studio:port' is not a port", "watch", "studio:port")]
     [InlineData("'b'", "watch", "studio", "b")]
     [InlineData("--colour", "watch", "--colour")]
     [InlineData("--allow-sender", "watch", "udp://:7001", "--allow-sender", "studio")]
@@ -41,7 +41,7 @@ public sealed partial class CommandLineTests
     [InlineData("--calculation-port", "watch", "--calculation-port", "7003")]
     [InlineData("--calculation-port", "watch", "take.nmrec", "--calculation-port", "7003")]
     [InlineData("udp://", "watch", "udp://studio")]
-    [InlineData("'0'", "watch", "udp://:0")]
+    [InlineData("'udp://:0' has no port", "watch", "udp://:0")]
     [InlineData("http://studio", "watch", "http://studio")]
     [InlineData("--record", "watch", "--record")]
     [InlineData("--record", "watch", "--record", " ")]
@@ -56,7 +56,7 @@ public sealed partial class CommandLineTests
     [InlineData(".bvh", "watch", "--export", "take.fbx")]
     [InlineData("--overwrite", "watch", "--overwrite")]
     [InlineData("HOST[:PORT]", "command")]
-    [InlineData("'port' is no port", "command", "studio:port")]
+    [InlineData("'port' in 'studio:port' is not a port", "command", "studio:port")]
     [InlineData("udp://:8013", "command", "udp://:8013")]
     [InlineData("take.nmrec", "command", "take.nmrec", "order")]
     [InlineData("did you mean header?", "command", "studio", "headr")]
@@ -72,6 +72,10 @@ public sealed partial class CommandLineTests
     [InlineData("info needs FILE.", "info", "--json")]
     [InlineData("play needs FILE.", "play")]
     [InlineData("'ksh'", "completion", "ksh")]
+    [InlineData("--udp: 'studio' is not of the form HOST:PORT.", "simulate", "--udp", "studio")]
+    [InlineData("--udp: '::1' is not of the form HOST:PORT.", "simulate", "--udp", "::1")]
+    [InlineData("--udp: '70000' in 'studio:70000' is not a port.", "simulate", "--udp", "localhost:7002", "--udp", "studio:70000")]
+    [InlineData("--server: 'udp://:7003' is a port of this computer.", "diagnose", "udp://:7002", "--server", "udp://:7003")]
     public async Task A_wrong_option_is_one_line_that_says_where_help_is_and_ends_with_2(string named, string verb, params string[] args)
     {
         ToolResult result = await ToolRunner.RunAsync([verb, .. args]);

@@ -1,68 +1,44 @@
-using System.Diagnostics.CodeAnalysis;
-using System.Globalization;
 using System.Net;
-using System.Net.Sockets;
-using NeuronMocap.Protocol;
+using NeuronMocap.Commands;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>What HOST[:PORT] means. An IPv6 address stands in brackets when a port follows: [::1]:7001.</summary>
+/// <summary>The computer and the port that a server listens on.</summary>
 /// <param name="Host">A name or an address, without brackets.</param>
 /// <param name="Port">1 to 65535.</param>
 internal readonly record struct ServerAddress(string Host, int Port)
 {
-    public static bool TryParse(
-        string text,
-        out ServerAddress address,
-        [NotNullWhen(false)] out string? error,
-        int defaultPort = ProtocolConstants.DefaultPort)
+    public static ServerAddress Of(IPEndPoint endPoint) => new(endPoint.Address.ToString(), endPoint.Port);
+
+    /// <summary>Reads the address of a stream.</summary>
+    /// <exception cref="FormatException">The text is not an address of a server; the message says why.</exception>
+    public static ServerAddress Parse(string text)
     {
-        address = default;
-        (string host, string? port) = Split(text.Trim());
-        error = FindFault(text, host);
-        if (error is not null)
-            return false;
-
-        int number = defaultPort;
-        if (port is not null && !TryParsePort(port, out number))
-        {
-            error = IsNoPort(port);
-            return false;
-        }
-
-        address = new ServerAddress(host, number);
-        return true;
+        var options = NeuronReaderOptions.Parse(text);
+        return options.Transport == TransportKind.Tcp
+            ? new ServerAddress(options.Host, options.Port)
+            : throw new FormatException($"'{text}' is a port of this computer. Use HOST or HOST:PORT.");
     }
 
-    public static bool TryParsePort(string text, out int port) =>
-        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out port) && port is > 0 and <= IPEndPoint.MaxPort;
+    /// <summary>Reads the address of a command channel, which has another usual port.</summary>
+    /// <inheritdoc cref="Parse"/>
+    public static ServerAddress ParseCommandChannel(string text)
+    {
+        var options = NeuronCommandOptions.Parse(text);
+        return new ServerAddress(options.Host, options.Port);
+    }
 
-    public static string IsNoPort(string text) => $"'{text}' is no port: it must be a number from 1 to {IPEndPoint.MaxPort}.";
+    /// <summary>Reads where to send datagrams to, HOST:PORT. There is no usual port.</summary>
+    /// <exception cref="FormatException">The text is not an address, or has no port; the message says so.</exception>
+    public static ServerAddress ParseDestination(string text)
+    {
+        // An address that says all of itself is equal to its text.
+        ServerAddress address = Parse(text);
+        return address.ToString().Equals(text.Trim(), StringComparison.Ordinal)
+            ? address
+            : throw new FormatException($"'{text}' is not of the form HOST:PORT.");
+    }
 
+    /// <summary>As it is written with its port: an IPv6 address stands in brackets.</summary>
     public override string ToString() => Host.Contains(':', StringComparison.Ordinal) ? $"[{Host}]:{Port}" : $"{Host}:{Port}";
-
-    private static (string Host, string? Port) Split(string text)
-    {
-        int end = text.StartsWith('[') ? text.IndexOf(']', StringComparison.Ordinal) : -1;
-        if (end > 0)
-        {
-            string rest = text[(end + 1)..];
-            return rest.Length == 0 ? (text[1..end], null) : rest[0] == ':' ? (text[1..end], rest[1..]) : (string.Empty, null);
-        }
-
-        // Two colons and no brackets: all of it is an IPv6 address.
-        int colon = text.IndexOf(':', StringComparison.Ordinal);
-        return colon < 0 || colon != text.LastIndexOf(':') ? (text, null) : (text[..colon], text[(colon + 1)..]);
-    }
-
-    private static string? FindFault(string text, string host)
-    {
-        if (host.Length == 0 || host.Any(char.IsWhiteSpace) || host.AsSpan().IndexOfAny("[]/") >= 0)
-            return $"'{text}' is no server: give HOST or HOST:PORT, for an IPv6 address [ADDRESS]:PORT.";
-
-        bool isAddress = IPAddress.TryParse(host, out IPAddress? parsed) && parsed.AddressFamily == AddressFamily.InterNetworkV6;
-        return host.Contains(':', StringComparison.Ordinal) && !isAddress
-            ? $"'{host}' is no IPv6 address; give HOST, HOST:PORT or [IPV6]:PORT."
-            : null;
-    }
 }

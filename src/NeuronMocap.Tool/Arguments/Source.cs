@@ -1,6 +1,5 @@
 using System.Diagnostics.CodeAnalysis;
 using System.Net;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Arguments;
@@ -57,15 +56,19 @@ internal sealed record Source(SourceKind Kind)
     /// <param name="text">A word of the command line.</param>
     /// <param name="source">What it means.</param>
     /// <param name="error">Why it means nothing.</param>
-    /// <param name="defaultPort">The port of a server that is named without one.</param>
-    public static bool TryParse(
-        string text,
-        [NotNullWhen(true)] out Source? source,
-        [NotNullWhen(false)] out string? error,
-        int defaultPort = ProtocolConstants.DefaultPort)
+    public static bool TryParse(string text, [NotNullWhen(true)] out Source? source, [NotNullWhen(false)] out string? error)
     {
-        (source, error) = Parse(text, defaultPort);
-        return source is not null;
+        (source, error) = (null, null);
+        try
+        {
+            source = Parse(text);
+            return true;
+        }
+        catch (FormatException fault)
+        {
+            error = fault.Message;
+            return false;
+        }
     }
 
     /// <summary>As it is written on the command line, with the transport and the port.</summary>
@@ -77,49 +80,30 @@ internal sealed record Source(SourceKind Kind)
         _ => DemoWord,
     };
 
-    private static (Source? Source, string? Error) Parse(string text, int defaultPort)
+    private static Source Parse(string text)
     {
         string word = text.Trim();
-        string trimmed = word.TrimEnd('/');
-        if (trimmed.StartsWith(UdpScheme, StringComparison.OrdinalIgnoreCase))
-            return ParseUdp(trimmed[UdpScheme.Length..]);
-        if (trimmed.StartsWith(TcpScheme, StringComparison.OrdinalIgnoreCase))
-            return ParseServer(trimmed[TcpScheme.Length..], text, defaultPort);
-        if (word.Contains("://", StringComparison.Ordinal) || word.Length == 0)
-            return (null, IsNone(text));
         if (word.Equals(DemoWord, StringComparison.OrdinalIgnoreCase))
-            return (Demo, null);
+            return Demo;
 
-        return IsFileName(word) ? (OfFile(text), null) : ParseServer(trimmed, text, defaultPort);
+        bool hasScheme = word.Contains("://", StringComparison.Ordinal);
+        bool isTransport = word.StartsWith(TcpScheme, StringComparison.OrdinalIgnoreCase) || word.StartsWith(UdpScheme, StringComparison.OrdinalIgnoreCase);
+        if (word.Length == 0 || (hasScheme && !isTransport))
+            throw new FormatException($"'{text}' is not a source. Use {Forms}.");
+        if (!hasScheme && IsFileName(word))
+            return OfFile(text);
+
+        var options = NeuronReaderOptions.Parse(word);
+        if (options.Transport == TransportKind.Tcp)
+            return OfServer(new ServerAddress(options.Host, options.Port));
+
+        // The library takes any free port for 0. Nobody knows it, so nobody sends to it.
+        return options.Port > 0
+            ? OfUdp(options.Port, options.LocalAddress)
+            : throw new FormatException($"'{text}' has no port that a server could send to. Use udp://:PORT with a port from 1 to {IPEndPoint.MaxPort}.");
     }
 
     // A computer may have the name of a file: tcp://take.bin is one.
     private static bool IsFileName(string word) =>
         word.AsSpan().TrimEnd('/').ContainsAny('/', '\\') || FileKinds.OfName(word) is not null || System.IO.File.Exists(word);
-
-    private static (Source? Source, string? Error) ParseServer(string host, string text, int defaultPort)
-    {
-        if (ServerAddress.TryParse(host, out ServerAddress server, out string? error, defaultPort))
-            return (OfServer(server), null);
-
-        return (null, host.Length == 0 ? IsNone(text) : error);
-    }
-
-    private static (Source? Source, string? Error) ParseUdp(string text)
-    {
-        int colon = text.LastIndexOf(':');
-        string host = colon < 0 ? text : text[..colon];
-        string number = text[(colon + 1)..];
-        if (colon >= 0 && number.Length > 0 && number.All(char.IsAsciiDigit) && !ServerAddress.TryParsePort(number, out _))
-            return (null, ServerAddress.IsNoPort(number));
-        if (colon < 0 || !ServerAddress.TryParsePort(number, out int port))
-            return (null, $"'{UdpScheme}{text}' has no port: give {UdpScheme}:PORT with a port from 1 to {IPEndPoint.MaxPort}, the port of this computer to receive on.");
-
-        IPAddress? address = null;
-        return host.Length > 0 && !IPAddress.TryParse(host.Trim('[', ']'), out address)
-            ? (null, $"'{host}' is no address of this computer. Over UDP the server sends to this computer: give {UdpScheme}:{port}.")
-            : (OfUdp(port, address), null);
-    }
-
-    private static string IsNone(string text) => $"'{text}' is no source: give {Forms}.";
 }

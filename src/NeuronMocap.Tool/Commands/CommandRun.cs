@@ -1,10 +1,10 @@
 using System.Text;
 using NeuronMocap.Commands;
+using NeuronMocap.Server;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Terminal;
-using NeuronMocap.Tool.Watch;
 
 namespace NeuronMocap.Tool.Commands;
 
@@ -15,8 +15,10 @@ internal sealed class CommandRun(CommandSettings settings, StandardStreams strea
     {
         try
         {
-            using DemoServer? demo = settings.Server is null ? DemoServer.Start(RotationOrder.YXZ) : null;
-            ServerAddress server = settings.Server ?? demo!.OpenCommands();
+            using Broadcaster? demo = settings.Server is null ? Broadcaster.StartDemo() : null;
+            using CommandServer? demoCommands = demo is null ? null : new CommandServer(demo, new CommandServerOptions { Port = 0 });
+            demoCommands?.Start();
+            ServerAddress server = settings.Server ?? ServerAddress.Of(demoCommands!.LocalEndPoint!);
             await using var client = new NeuronCommandClient(server.Host, server.Port);
             if (settings.Question == CommandQuestion.ZeroOut)
                 await ZeroOutAsync(client, server, cancellationToken);

@@ -69,14 +69,14 @@ internal sealed class CommandVerb : Verb
     private static Source? ParseServer(ArgumentResult result)
     {
         string text = result.Tokens[0].Value;
-        if (Source.TryParse(text, out Source? source, out string? error, ProtocolConstants.DefaultCommandPort)
-            && source.Kind is SourceKind.Tcp or SourceKind.Demo)
-        {
-            return source;
-        }
+        if (!Source.TryParse(text, out Source? source, out string? error))
+            result.AddError(error);
+        else if (source.Kind == SourceKind.Tcp)
+            return Source.OfServer(ServerAddress.ParseCommandChannel(text));
+        else if (source.Kind != SourceKind.Demo)
+            result.AddError($"'{text}' has no command channel: give HOST, HOST:PORT, tcp://HOST:PORT or demo.");
 
-        result.AddError(error ?? $"'{text}' has no command channel: give HOST, HOST:PORT, tcp://HOST:PORT or demo.");
-        return null;
+        return source;
     }
 
     private static CommandQuestion ParseQuestion(ArgumentResult result)

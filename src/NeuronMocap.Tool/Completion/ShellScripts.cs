@@ -12,36 +12,48 @@ internal static class ShellScripts
             local word=${COMP_WORDS[COMP_CWORD]}
             local IFS=$'\n'
             COMPREPLY=($(compgen -W "$(neuron-mocap "[suggest:$COMP_POINT]" "$COMP_LINE" 2> /dev/null)" -- "$word"))
+            if [[ ${COMPREPLY[*]} == *[:/] ]]; then
+                compopt -o nospace 2> /dev/null
+            fi
         }
         complete -o default -F _neuron_mocap neuron-mocap
 
         """;
 
+    // $words has this command alone, where $BUFFER has the whole line. PREFIX ends at the cursor.
     private const string Zsh = """
         # Completion of neuron-mocap for zsh.
         _neuron_mocap() {
-            local -a words_found
-            words_found=("${(@f)$(neuron-mocap "[suggest:$CURSOR]" "$BUFFER" 2> /dev/null)}")
-            if [[ -n ${words_found[1]} ]]; then
-                compadd -- "${words_found[@]}"
-            fi
+            local line="neuron-mocap ${(j: :)words[2,CURRENT-1]} $PREFIX"
+            local -a found
+            found=("${(@f)$(neuron-mocap "[suggest:${#line}]" "$line" 2> /dev/null)}")
+            compadd -S '' -- ${(M)found:#*[:/]}
+            compadd -- ${found:#*[:/]}
             _files
         }
         compdef _neuron_mocap neuron-mocap
 
         """;
 
+    // -p is this command of the line, -c what is before the cursor.
     private const string Fish = """
         # Completion of neuron-mocap for fish.
-        complete -c neuron-mocap -a '(neuron-mocap "[suggest:"(commandline -C)"]" (commandline -cp) 2> /dev/null)'
+        function __neuron_mocap_complete
+            set -l line (commandline -cp | string join ' ' | string trim --left)
+            neuron-mocap "[suggest:"(string length -- $line)"]" $line 2> /dev/null
+        end
+        complete -c neuron-mocap -a '(__neuron_mocap_complete)'
 
         """;
 
+    // The command comes without the spaces behind it, and the cursor is counted from the beginning of the line.
     private const string PowerShell = """
         # Completion of neuron-mocap for PowerShell.
         Register-ArgumentCompleter -Native -CommandName neuron-mocap -ScriptBlock {
             param($wordToComplete, $commandAst, $cursorPosition)
-            neuron-mocap "[suggest:$cursorPosition]" "$commandAst" 2> $null | ForEach-Object {
+            $length = $cursorPosition - $commandAst.Extent.StartOffset
+            $line = $commandAst.Extent.Text.PadRight($length).Substring(0, $length)
+            neuron-mocap "[suggest:$length]" $line 2> $null | Where-Object { $_ -like "$wordToComplete*" } | ForEach-Object {
                 [System.Management.Automation.CompletionResult]::new($_, $_, 'ParameterValue', $_)
             }
         }

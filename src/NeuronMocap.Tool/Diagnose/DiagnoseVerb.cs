@@ -102,10 +102,14 @@ internal sealed class DiagnoseVerb : Verb
 
     private static ServerAddress? ParseServer(ArgumentResult result)
     {
-        if (ServerAddress.TryParse(result.Tokens[0].Value, out ServerAddress server, out string? error))
-            return server;
-
-        result.AddError($"--server: {error}");
-        return null;
+        try
+        {
+            return ServerAddress.Parse(result.Tokens[0].Value);
+        }
+        catch (FormatException fault)
+        {
+            result.AddError($"--server: {fault.Message}");
+            return null;
+        }
     }
 }

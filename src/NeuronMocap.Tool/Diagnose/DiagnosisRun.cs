@@ -15,8 +15,8 @@ internal sealed class DiagnosisRun(WatchOptions options, StandardStreams streams
     {
         try
         {
-            using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder ?? RotationOrder.YXZ) : null;
-            return await RunAsync(demo?.Address ?? options.Server, cancellationToken);
+            using Broadcaster? demo = options.IsDemo ? Broadcaster.StartDemo(rotationOrder: options.RotationOrder ?? RotationOrder.YXZ) : null;
+            return await RunAsync(demo is null ? options.Server : ServerAddress.Of(demo.LocalEndPoint!), cancellationToken);
         }
         catch (BroadcasterException exception)
         {

@@ -5,6 +5,7 @@ using System.Net;
 using System.Numerics;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
+using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Simulate;
 
@@ -88,10 +89,11 @@ internal sealed class SimulateArguments
         Description = "TCP port to listen on, 0 to 65535; 0 takes any free one. Default: 7001, or none with --udp.",
     };
 
-    public Option<string[]> Udp { get; } = new("--udp")
+    public Option<ServerAddress[]> Udp { get; } = new("--udp")
     {
         HelpName = "HOST:PORT",
         Description = "Send UDP datagrams there; may be repeated. Listens on TCP as well only if --port is given.",
+        CustomParser = static result => ParseDestinations(result),
     };
 
     public Option<int?> Avatars { get; } = new("--avatars") { HelpName = "N", Description = "Number of avatars, 1 to 256. Default: 1." };
@@ -246,6 +248,19 @@ internal sealed class SimulateArguments
         return null;
     }
 
+    private static ServerAddress[] ParseDestinations(ArgumentResult result)
+    {
+        try
+        {
+            return [.. result.Tokens.Select(static token => ServerAddress.ParseDestination(token.Value))];
+        }
+        catch (FormatException fault)
+        {
+            result.AddError($"--udp: {fault.Message}");
+            return [];
+        }
+    }
+
     /// <summary>Adds an error for every option that has no meaning beside another.</summary>
     public void RejectContradictions(CommandResult result)
     {
@@ -253,8 +268,6 @@ internal sealed class SimulateArguments
             result.AddError("--bvh and --synthetic exclude each other.");
         if (result.GetResult(Calc) is not null && (result.GetResult(Bvh) ?? result.GetResult(Synthetic)) is not null)
             result.AddError("--calc, --bvh and --synthetic exclude each other.");
-        foreach (Token destination in result.GetResult(Udp)?.Tokens.Where(static token => !SimulatorOptions.TrySplit(token.Value, out _, out _)) ?? [])
-            result.AddError($"--udp {destination.Value} is not of the form HOST:PORT.");
         Play.RejectContradictions(
             result,
             [

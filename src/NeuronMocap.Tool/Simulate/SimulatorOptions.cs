@@ -18,7 +18,7 @@ internal static class SimulatorOptions
     /// <exception cref="SimulatorException">A host name leads nowhere.</exception>
     public static BroadcasterOptions Create(SimulateArguments arguments, ParseResult result, SimulatorSources sources)
     {
-        string[] udp = result.GetValue(arguments.Udp) ?? [];
+        ServerAddress[] udp = result.GetValue(arguments.Udp) ?? [];
         BroadcastFormat format = result.GetValue(arguments.Format) ?? BroadcastFormat.Binary;
         int? calculationPort = GetCalculationPort(arguments, result, udp);
         bool motion = result.GetValue(arguments.Motion) != OnOff.Off;
@@ -60,7 +60,7 @@ internal static class SimulatorOptions
     /// <exception cref="SimulatorException">A host name leads nowhere.</exception>
     public static BroadcasterOptions Create(SimulateArguments arguments, ParseResult result, SimulatedPlaySettings play)
     {
-        string[] udp = result.GetValue(arguments.Udp) ?? [];
+        ServerAddress[] udp = result.GetValue(arguments.Udp) ?? [];
         int? port = result.GetValue(arguments.Port) ?? (udp.Length > 0 ? null : ProtocolConstants.DefaultPort);
         int? calculationPort = GetCalculationPort(arguments, result, udp);
         CheckPorts(("--port", port), ("--calculation-port", port is null ? null : calculationPort));
@@ -79,7 +79,7 @@ internal static class SimulatorOptions
         };
     }
 
-    private static int? GetCalculationPort(SimulateArguments arguments, ParseResult result, string[] udp)
+    private static int? GetCalculationPort(SimulateArguments arguments, ParseResult result, ServerAddress[] udp)
     {
         int? port = result.GetResult(arguments.CalculationPort) is null ? null : result.GetValue(arguments.CalculationPort);
         return udp.Length > 0 && port == 0
@@ -107,18 +107,9 @@ internal static class SimulatorOptions
         }
     }
 
-    /// <summary>Takes HOST:PORT apart, without asking for the host.</summary>
-    public static bool TrySplit(string destination, out string host, out int port)
+    private static IPEndPoint Resolve(ServerAddress destination)
     {
-        int colon = destination.LastIndexOf(':');
-        host = colon < 0 ? string.Empty : destination[..colon].Trim('[', ']');
-        port = 0;
-        return host.Length > 0 && ServerAddress.TryParsePort(destination[(colon + 1)..], out port);
-    }
-
-    private static IPEndPoint Resolve(string destination)
-    {
-        TrySplit(destination, out string host, out int port);
+        (string host, int port) = destination;
         if (IPAddress.TryParse(host, out IPAddress? address))
             return new IPEndPoint(address, port);
 

@@ -11,7 +11,9 @@ namespace NeuronMocap.Tool.Terminal;
 internal sealed class Screen : IDisposable
 {
     private const string Enter = "\e[?1049h";
-    private const string Leave = "\e[?7h\e[?25h\e[?1049l";
+
+    // A terminal without an alternate screen keeps what is not erased.
+    private const string Leave = "\e[?7h\e[?25h\e[2J\e[H\e[?1049l";
 
     // No cursor, no wrapping at the edge, nothing on the screen.
     private const string Clear = "\e[?25l\e[?7l\e[2J";

@@ -23,8 +23,8 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         try
         {
             using RecordingPlayer? player = await OpenAsync(options.Play, cancellationToken);
-            using DemoServer? demo = options.IsDemo ? DemoServer.Start(options.RotationOrder ?? RotationOrder.YXZ) : null;
-            return await RunAsync(demo?.Address ?? options.Server, player, cancellationToken);
+            using Broadcaster? demo = options.IsDemo ? Broadcaster.StartDemo(rotationOrder: options.RotationOrder ?? RotationOrder.YXZ) : null;
+            return await RunAsync(demo is null ? options.Server : ServerAddress.Of(demo.LocalEndPoint!), player, cancellationToken);
         }
         catch (Exception exception) when (exception is BroadcasterException or ExportException or PlayException)
         {

@@ -11,15 +11,15 @@ internal static class AddressText
     private const string UdpScheme = "udp://";
 
     /// <summary>Reads the address of a server, with or without tcp:// before it.</summary>
-    /// <exception cref="FormatException">It is none; the message says what is wrong with it.</exception>
+    /// <exception cref="FormatException">The text is not an address; the message says what is wrong with it.</exception>
     public static (string Host, int Port) ParseServer(string text, int defaultPort)
     {
         string word = text.Trim();
         if (HasScheme(word, TcpScheme))
-            word = word[TcpScheme.Length..].TrimEnd('/');
+            word = word[TcpScheme.Length..];
 
-        (string host, string? port) = Split(word);
-        if (host.Length == 0 || word.Contains("://", StringComparison.Ordinal) || host.AsSpan().IndexOfAny("[]/ \t") >= 0)
+        (string host, string? port) = Split(word.TrimEnd('/'));
+        if (host.Length == 0 || word.Contains("://", StringComparison.Ordinal) || host.Any(IsNotOfHost))
             throw new FormatException($"'{text}' is not an address. Use HOST or HOST:PORT, and [ADDRESS]:PORT for IPv6.");
         if (host.Contains(':', StringComparison.Ordinal) && !(IPAddress.TryParse(host, out IPAddress? address) && address.AddressFamily == AddressFamily.InterNetworkV6))
             throw new FormatException($"'{host}' is not an IPv6 address. Use HOST, HOST:PORT or [IPV6]:PORT.");
@@ -29,7 +29,7 @@ internal static class AddressText
 
     /// <summary>Reads udp://:PORT and udp://ADDRESS:PORT, where the address is one of this computer.</summary>
     /// <returns>The port, and null for all addresses; null where the text does not begin with udp://.</returns>
-    /// <exception cref="FormatException">It begins so and is no address; the message says what is wrong with it.</exception>
+    /// <exception cref="FormatException">The text begins with udp:// and is not an address; the message says what is wrong with it.</exception>
     public static (int Port, IPAddress? LocalAddress)? ParseUdp(string text)
     {
         string word = text.Trim();
@@ -40,14 +40,19 @@ internal static class AddressText
         if (port is null)
             throw new FormatException($"'{text}' has no port. Use udp://:PORT with the port of this computer that the server sends to.");
 
+        // Zero stands for any free port.
+        int number = ParsePort(text, port, lowest: 0);
         IPAddress? address = null;
         if (host.Length > 0 && !IPAddress.TryParse(host, out address))
-            throw new FormatException($"'{host}' is not an address of this computer. Over UDP the server sends to this computer: use udp://:{port}.");
+            throw new FormatException($"'{host}' is not an address of this computer. Over UDP the server sends to this computer: use udp://:{number}.");
 
-        return (ParsePort(text, port, lowest: 0), address);
+        return (number, address);
     }
 
     private static bool HasScheme(string word, string scheme) => word.StartsWith(scheme, StringComparison.OrdinalIgnoreCase);
+
+    private static bool IsNotOfHost(char character) =>
+        character is '[' or ']' or '/' or '\\' || char.IsWhiteSpace(character) || char.IsControl(character);
 
     // Two colons and no brackets: all of it is an IPv6 address.
     private static (string Host, string? Port) Split(string word)
@@ -63,8 +68,12 @@ internal static class AddressText
         return colon < 0 || colon != word.LastIndexOf(':') ? (word, null) : (word[..colon], word[(colon + 1)..]);
     }
 
-    private static int ParsePort(string text, string port, int lowest) =>
-        int.TryParse(port, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number >= lowest && number <= IPEndPoint.MaxPort
-            ? number
-            : throw new FormatException($"'{port}' in '{text}' is not a port. A port is a number from {lowest} to {IPEndPoint.MaxPort}.");
+    private static int ParsePort(string text, string port, int lowest)
+    {
+        if (int.TryParse(port, NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number >= lowest && number <= IPEndPoint.MaxPort)
+            return number;
+
+        throw new FormatException(
+            $"{(port.Length == 0 ? $"'{text}' has no number after the colon" : $"'{port}' in '{text}' is not a port")}. A port is a number from 1 to {IPEndPoint.MaxPort}.");
+    }
 }

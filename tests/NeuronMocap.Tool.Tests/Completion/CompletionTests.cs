@@ -17,6 +17,9 @@ public sealed class CompletionTests
     [InlineData("neuron-mocap simulate --format st", "studio")]
     [InlineData("neuron-mocap command studio he", "header")]
     [InlineData("neuron-mocap completion z", "zsh")]
+    [InlineData("neuron-mocap watch /", "")]
+    [InlineData("neuron-mocap watch -", "--allow-sender --calculation-port --command-port --duration --export --export-avatar --frames --help --json "
+        + "--local-address --loop --once --order --overwrite --quiet --rate --record --record-compress --record-files --record-size --record-time --speed -h")]
     [InlineData("neuron-mocap watch --frames x --nothing-of-this", "")]
     public async Task The_program_completes_an_unfinished_command_line(string line, string words)
     {
@@ -53,26 +56,80 @@ public sealed class CompletionTests
     [InlineData("neuron-mocap watch --local-", "--local-address\n")]
     public async Task Bash_completes_with_its_script(string line, string words)
     {
-        Assert.SkipUnless(File.Exists("/bin/bash") || File.Exists("/usr/bin/bash"), "There is no bash.");
-        string script = string.Join('\n', (await ToolRunner.RunAsync("completion", "bash")).Output);
-        string host = Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet";
-        string test = $$"""
-            neuron-mocap() { '{{host}}' '{{ToolProcess.PathOf("neuron-mocap")}}' "$@"; }
-            {{script}}
+        string completed = await RunAsync("bash", $$"""
             COMP_LINE='{{line}}'
             COMP_POINT=${#COMP_LINE}
             read -ra COMP_WORDS <<< "$COMP_LINE"
             COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
             _neuron_mocap
             printf '%s\n' "${COMPREPLY[@]}"
-            """;
-        using Process bash = Process.Start(new ProcessStartInfo("bash", ["-c", test]) { RedirectStandardOutput = true, UseShellExecute = false })!;
-        string completed = await bash.StandardOutput.ReadToEndAsync(TestContext.Current.CancellationToken);
-        await bash.WaitForExitAsync(TestContext.Current.CancellationToken);
+            """);
 
-        Assert.Equal(0, bash.ExitCode);
         Assert.Equal(words, completed);
     }
+
+    // The functions of compinit are there on a terminal only; these show what the script gives them.
+    [Theory]
+    [InlineData("play:plot:files:", "pl")]
+    [InlineData("--local-address:files:", "watch", "--local-")]
+    [InlineData("tcp://:files:", "watch", "tc")]
+    [InlineData("files:", "info", "nothing-that-is-there")]
+    public async Task Zsh_completes_with_its_script(string words, params string[] typed)
+    {
+        string completed = await RunAsync("zsh", $$"""
+            words=(neuron-mocap {{string.Join(' ', typed)}})
+            CURRENT={{typed.Length + 1}}
+            PREFIX={{typed[^1]}}
+            BUFFER="ls; $words"
+            CURSOR=$#BUFFER
+            _neuron_mocap
+            """, before: """
+            compdef() { }
+            compadd() { while [[ $1 != -- ]] { shift }; shift; for word in $@; do [[ $word == $PREFIX* ]] && print -n -- "$word:"; done }
+            _files() { print -n files: }
+            """);
+
+        Assert.Equal(words, completed);
+    }
+
+    [Theory]
+    [InlineData("neuron-mocap pl", "play\nplot\n")]
+    [InlineData("neuron-mocap watch --local-", "--local-address\n")]
+    [InlineData("ls | neuron-mocap com", "command\ncompletion\n")]
+    [InlineData("neuron-mocap command studio ze", "zero-out\n")]
+    public async Task Fish_completes_with_its_script(string line, string words) =>
+        Assert.Equal(words, await RunAsync("fish", $"complete -C '{line}'"));
+
+    // Runs a script behind the one of the shell.
+    private static async Task<string> RunAsync(string shell, string script, string before = "")
+    {
+        Assert.SkipUnless(
+            (Environment.GetEnvironmentVariable("PATH") ?? string.Empty).Split(Path.PathSeparator).Any(folder => File.Exists(Path.Combine(folder, shell))),
+            $"There is no {shell}.");
+        string completion = string.Join('\n', (await ToolRunner.RunAsync("completion", shell)).Output);
+        string host = Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet";
+        string program = $"'{host}' '{ToolProcess.PathOf("neuron-mocap")}'";
+        string function = shell == "fish" ? $"function neuron-mocap; {program} $argv; end" : $"neuron-mocap() {{ {program} \"$@\"; }}";
+        var start = new ProcessStartInfo(shell, [NoStartFiles(shell), "-c", string.Join('\n', before, function, completion, script)])
+        {
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+            UseShellExecute = false,
+        };
+        using Process process = Process.Start(start)!;
+        Task<string> errors = process.StandardError.ReadToEndAsync(TestContext.Current.CancellationToken);
+        string output = await process.StandardOutput.ReadToEndAsync(TestContext.Current.CancellationToken);
+        await process.WaitForExitAsync(TestContext.Current.CancellationToken);
+        Assert.Empty(await errors);
+        return output;
+    }
+
+    private static string NoStartFiles(string shell) => shell switch
+    {
+        "bash" => "--norc",
+        "zsh" => "-f",
+        _ => "--no-config",
+    };
 
     [Fact]
     public void The_page_of_the_program_names_every_verb_and_every_exit_code()

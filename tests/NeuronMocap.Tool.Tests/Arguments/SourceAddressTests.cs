@@ -1,0 +1,50 @@
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Tool.Arguments;
+
+namespace NeuronMocap.Tool.Tests.Arguments;
+
+public sealed class SourceAddressTests : AddressContract
+{
+    [Theory]
+    [InlineData("studio")]
+    [InlineData("tcp://[fe80::1%2]:7003")]
+    [InlineData("udp://:7012")]
+    [InlineData("udp://192.168.1.5:7012")]
+    [InlineData("udp://[::1]:7012")]
+    public void The_text_of_a_source_means_the_same_source(string text)
+    {
+        Source source = Read(text);
+        Assert.Equal(source, Read(source.ToString()));
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData(" ")]
+    [InlineData("ftp://studio")]
+    [InlineData("http://studio/take.nmrec")]
+    public void What_is_no_source_is_told_every_form_of_one(string text)
+    {
+        string message = Assert.Throws<FormatException>(() => Read(text)).Message;
+        Assert.Equal($"'{text}' is not a source. Use HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, a file, or demo.", message);
+    }
+
+    // The library takes any free port; nobody could send to it here.
+    [Theory]
+    [InlineData("udp://:0")]
+    [InlineData("udp://127.0.0.1:00")]
+    public void A_UDP_port_that_nobody_knows_is_refused(string text)
+    {
+        string message = Assert.Throws<FormatException>(() => Read(text)).Message;
+        Assert.Equal($"'{text}' has no port that a server could send to. Use udp://:PORT with a port from 1 to 65535.", message);
+    }
+
+    protected override Address Parse(string address)
+    {
+        Source source = Read(address);
+        return source.Server is { } server
+            ? new Address(TransportKind.Tcp, server.Host, server.Port, source.LocalAddress)
+            : new Address(TransportKind.Udp, string.Empty, source.UdpPort!.Value, source.LocalAddress);
+    }
+
+    private static Source Read(string text) => Source.TryParse(text, out Source? source, out string? error) ? source : throw new FormatException(error);
+}
