@@ -137,7 +137,7 @@ public sealed class SimulatorProcessTests
     {
         string folder = Path.GetTempPath();
         Assert.Contains("is a folder", await FailAsync(option, folder), StringComparison.Ordinal);
-        Assert.Contains("there is no file", await FailAsync(option, Path.Combine(folder, Path.GetRandomFileName())), StringComparison.Ordinal);
+        Assert.Contains("does not exist", await FailAsync(option, Path.Combine(folder, Path.GetRandomFileName())), StringComparison.Ordinal);
         string empty = Path.GetTempFileName();
         Assert.Contains("is empty", await FailAsync(option, empty), StringComparison.Ordinal);
         File.Delete(empty);

@@ -109,7 +109,7 @@ public sealed class HumanoidDriverTests : SourceFixture
         WaitForPose(source);
         Loop.RunUntil(() => source.State == SourceState.Receiving);
         Loop.Frame();
-        Assert.Equal("There is no performer 3. Change Performer Index to one of these: Char00 (0).", driver.Problem);
+        Assert.Equal("No performer 3. Change Performer Index to one of these: Char00 (0).", driver.Problem);
         driver.PerformerChoice = PerformerChoice.ByName;
         driver.PerformerName = "Anna";
         Loop.Frame();
