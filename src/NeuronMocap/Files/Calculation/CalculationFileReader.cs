@@ -21,7 +21,7 @@ public sealed class CalculationFileReader : IDisposable
     private readonly CalculationRepairLog _repairs;
     private readonly float[] _values = new float[CalculationFrame.FullValueCount];
     private readonly byte[] _rowEnd;
-    private readonly int MinDecimals;
+    private readonly int _minDecimals;
     private bool _isFirst = true;
     private bool _isDisposed;
 
@@ -45,7 +45,7 @@ public sealed class CalculationFileReader : IDisposable
         ValueCount = row.Count;
         DeclaredFrameRate = CalculationHeaderText.ReadFrameRate(header);
         InitialDirection = CalculationHeaderText.ReadDirection(header);
-        MinDecimals = CalculationRow.FindLeastDecimals(_lines.Text);
+        _minDecimals = CalculationRow.FindLeastDecimals(_lines.Text);
         TextFormat = DescribeText(header, row);
         _rowEnd = Encoding.ASCII.GetBytes(TextFormat.RowEnd);
     }
@@ -211,7 +211,7 @@ public sealed class CalculationFileReader : IDisposable
     // a flag, which has none.
     private bool IsCutInNumber(in CalculationRow row) =>
         FrameCount > 0 && ValueCount == CalculationFrame.FullValueCount && row.Length == _lines.TextAndEnd.Length
-        && CalculationRow.CountDecimals(row.LastWord) < MinDecimals;
+        && CalculationRow.CountDecimals(row.LastWord) < _minDecimals;
 
     private void AddWrongRow(in CalculationRow row, string expected)
     {
