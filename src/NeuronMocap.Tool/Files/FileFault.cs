@@ -29,7 +29,7 @@ internal static class FileFault
         FileNotFoundException or DirectoryNotFoundException when Directory.Exists(path) => IsAFolder(path),
         FileNotFoundException or DirectoryNotFoundException => $"{Quote(path)} does not exist.",
         UnauthorizedAccessException when Directory.Exists(path) => IsAFolder(path),
-        UnauthorizedAccessException => $"{Quote(path)} cannot be read: permission denied.",
+        UnauthorizedAccessException => $"{Quote(path)} cannot be read: this user has no permission.",
         _ => OfSystem(exception, path) ?? $"{Quote(path)} cannot be read.",
     };
 
@@ -39,7 +39,7 @@ internal static class FileFault
         DirectoryNotFoundException when !Directory.Exists(FolderOf(path)) => $"{Quote(FolderOf(path))}, the folder for {Quote(Path.GetFileName(path))}, does not exist.",
         UnauthorizedAccessException or IOException when Directory.Exists(path) => IsAFolder(path),
         FileNotFoundException or DirectoryNotFoundException => $"{Quote(FolderOf(path))} does not accept new files.",
-        UnauthorizedAccessException => $"{Quote(path)} cannot be written: permission denied.",
+        UnauthorizedAccessException => $"{Quote(path)} cannot be written: this user has no permission.",
         IOException when IsExisting(exception) && InputFile.FindOddKind(path) is { } kind => $"{Quote(path)} is {kind}; only regular files are written.",
         IOException { HResult: WindowsSharing } => $"{Quote(path)} is being written already, by this program or another one. Choose another name, or end the other one first.",
         _ => OfSystem(exception, path) ?? $"{Quote(path)} cannot be written.",
@@ -72,7 +72,7 @@ internal static class FileFault
             IsFolder => IsAFolder(path),
             NotAFolder => $"{Quote(path)} does not exist: a part of the path is a file, not a folder.",
             NotThere => $"{Quote(path)} does not exist.",
-            NotAllowed => $"{Quote(path)} cannot be used: permission denied.",
+            NotAllowed => $"{Quote(path)} cannot be used: this user has no permission.",
             DiskFull or WindowsDiskFull => $"{Quote(path)}: the disk is full.",
             ReadOnly => $"{Quote(path)} is on a read-only disk.",
             DeviceMissing or Invalid => $"{Quote(path)} is not a regular file.",
