@@ -17,7 +17,7 @@ public sealed class LintTests
         { $"{Definition}.meta", "Runtime/NeuronMocap.Unity.asmdef has no meta", "a file without a meta" },
         { "Runtime.meta", "Runtime has no meta", "a folder without a meta" },
         { "Samples~/QuickStart.meta", "Samples~/QuickStart has no meta", "a sample without a meta" },
-        { "CHANGELOG.md", "CHANGELOG.md.meta: there is no CHANGELOG.md", "a meta without its file" },
+        { "CHANGELOG.md", "CHANGELOG.md.meta: CHANGELOG.md does not exist", "a meta without its file" },
         { "LICENSE.md", "LICENSE.md is missing", "no licence" },
         { Library, "Runtime/Libraries/NeuronMocap.dll is missing", "no library" },
         { Library, "the library NeuronMocap.dll does not exist", "a reference to a library that is not there" },
