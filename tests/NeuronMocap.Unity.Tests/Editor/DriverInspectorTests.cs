@@ -47,7 +47,7 @@ public sealed class DriverInspectorTests : IDisposable
 
         Assert.Equal(Dot(Severity.Error), EditorWorld.DotOf("The figure does not move"));
         string advice = Assert.Single(EditorWorld.Labels("HelpBox"));
-        Assert.Contains("no performer 7", advice, StringComparison.Ordinal);
+        Assert.Contains("No performer 7", advice, StringComparison.Ordinal);
         Assert.All(driver.Source.Performers, performer => Assert.Contains($"{performer}", advice, StringComparison.Ordinal));
     }
 
