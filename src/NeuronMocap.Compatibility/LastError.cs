@@ -8,7 +8,7 @@ internal static class LastError
 {
     private const int Capacity = 1024;
 
-    private const string NoMemory = "There is no memory left, or no thread can be started.";
+    private const string NoMemory = "Out of memory, or no thread can be started.";
 
     private static readonly object Lock = new();
 

@@ -61,7 +61,7 @@ internal static class ReaderSettings
     private static string? Find(string key, string text, NeuronReaderOptions options)
     {
         if (!Settings.TryGetValue(WithoutIndex(key), out Action<NeuronReaderOptions, string>? set))
-            return $"{key} is no setting of a reader; there are {string.Join(", ", Keys)}.";
+            return $"{key} is not a setting of a reader; use one of {string.Join(", ", Keys)}.";
 
         try
         {

@@ -15,6 +15,6 @@ internal static unsafe partial class Exports
         if (layout is (int)HeaderLayout.New or (int)HeaderLayout.Old)
             Library.Callbacks.FrameHeaders = (HeaderLayout)layout;
         else
-            LastError.Set($"There is no header layout {layout}.");
+            LastError.Set($"Header layout {layout} does not exist.");
     });
 }

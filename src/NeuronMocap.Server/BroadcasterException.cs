@@ -54,6 +54,6 @@ public sealed class BroadcasterException : NeuronException
 
     internal static BroadcasterException CannotSend(IPEndPoint destination, SocketException cause) => new(
         nameof(BroadcasterOptions.UdpDestinations),
-        $"There is no way from this machine to {destination}; look at UdpDestinations and at the network ({cause.SocketErrorCode}).",
+        $"This machine has no route to {destination}; check UdpDestinations and the network ({cause.SocketErrorCode}).",
         cause);
 }

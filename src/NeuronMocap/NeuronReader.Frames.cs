@@ -42,7 +42,7 @@ public sealed partial class NeuronReader
     public FrameQueue OpenQueue(int capacity = FrameQueue.DefaultCapacity, string name = FrameQueue.DefaultName)
     {
         if (string.IsNullOrWhiteSpace(name))
-            throw new ArgumentException("A queue has a name, or is opened without one.", nameof(name));
+            throw new ArgumentException("The name must not be empty.", nameof(name));
 
         return _pipeline.OpenQueue(capacity, name);
     }

@@ -89,7 +89,7 @@ public sealed class HostTests
     [InlineData("ConnectTimeout", "0", "ConnectTimeout is 00:00:00; it must be more than zero and at most 5 minutes.")]
     [InlineData("Host", " ", "Host is empty; give the name or address of the computer that runs Axis Neuron.")]
     [InlineData("Reconnect:MaxDelay", "0.001", "Reconnect.MaxDelay is 00:00:00.0010000; it must not be less than InitialDelay, 00:00:00.2500000.")]
-    [InlineData("Prot", "7001", "Prot is no setting of a reader; there are")]
+    [InlineData("Prot", "7001", "Prot is not a setting of a reader; use one of")]
     public async Task Options_out_of_range_keep_the_host_from_starting(string key, string value, string expected)
     {
         using IHost host = Build(builder => builder.Services.AddNeuronReader(), ($"NeuronReader:{key}", value));

@@ -43,8 +43,8 @@ public sealed class ReaderSettingsTests
     }
 
     [Theory]
-    [InlineData("Prot", "7001", "Prot is no setting of a reader; there are Name, Transport, Host, Port")]
-    [InlineData("Reconnect:Delay", "1", "Reconnect:Delay is no setting")]
+    [InlineData("Prot", "7001", "Prot is not a setting of a reader; use one of Name, Transport, Host, Port")]
+    [InlineData("Reconnect:Delay", "1", "Reconnect:Delay is not a setting")]
     [InlineData("Port", "seven", "Port is 'seven'; it must be a whole number.")]
     [InlineData("Transport", "1", "Transport is '1'; it must be one of Tcp, Udp.")]
     [InlineData("RotationOrder", "", "RotationOrder is ''; it must be one of X")]

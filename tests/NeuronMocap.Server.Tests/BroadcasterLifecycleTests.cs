@@ -208,7 +208,7 @@ public sealed class BroadcasterLifecycleTests
         BroadcasterOptions options = Expect.Options();
         options.Sources = [new FailingSource(0, own)];
         options.FrameRate = null;
-        Assert.Throws<ArgumentException>("Rate", () => new Broadcaster(options));
+        Assert.Throws<ArgumentException>("FrameRate", () => new Broadcaster(options));
         options.FrameRate = 50;
         Assert.Equal(50, new Broadcaster(options).FrameRate);
     }

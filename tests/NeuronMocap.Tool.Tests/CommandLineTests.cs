@@ -15,7 +15,7 @@ public sealed partial class CommandLineTests
     [InlineData("--frames", "watch", "--frames", "-1")]
     [InlineData("--frames", "watch", "--frames", "1.5")]
     [InlineData("--frames needs a value, N.", "watch", "--frames")]
-    [InlineData("--frames is given twice.", "watch", "--frames", "1", "--frames", "2")]
+    [InlineData("--frames is given more than once.", "watch", "--frames", "1", "--frames", "2")]
     [InlineData("--duration", "watch", "--duration", "0")]
     [InlineData("--duration", "watch", "--duration", "NaN")]
     [InlineData("--duration", "watch", "--duration", "1,5")]

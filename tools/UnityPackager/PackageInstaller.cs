@@ -11,7 +11,7 @@ internal static class PackageInstaller
     public static string InstallInto(string project, StagedPackage package)
     {
         if (!Directory.Exists(Path.Combine(project, "Assets")) || !Directory.Exists(Path.Combine(project, "Packages")))
-            throw new PackagerException($"{project} is no Unity project: it has no folders Assets and Packages.");
+            throw new PackagerException($"{project} is not a Unity project: it has no folders Assets and Packages.");
 
         string target = Path.Combine(project, "Packages", package.Name);
         if (Directory.Exists(target))

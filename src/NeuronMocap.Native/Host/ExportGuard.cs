@@ -19,7 +19,7 @@ internal static unsafe class ExportGuard
     }
 
     // What there is to say where not even a last error can be made. A constant: its memory stays where it is.
-    public static IntPtr NoMemory => (IntPtr)Unsafe.AsPointer(ref MemoryMarshal.GetReference("There is no memory left.\0"u8));
+    public static IntPtr NoMemory => (IntPtr)Unsafe.AsPointer(ref MemoryMarshal.GetReference("Out of memory.\0"u8));
 
     public static TResult Call<TArguments, TResult>(
         TArguments arguments, Func<TArguments, TResult> function, TResult failure, [CallerMemberName] string name = "")

@@ -1,6 +1,5 @@
 using System.Buffers.Binary;
 using System.Text;
-using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Server.Sources;

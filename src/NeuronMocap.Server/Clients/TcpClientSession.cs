@@ -1,5 +1,4 @@
 using System.Net.Sockets;
-using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Transport;

@@ -17,17 +17,17 @@ internal static class BroadcasterOptionsCheck
 
         CheckNetwork(options);
         CheckCalculationPort(options);
-        Require(options.QueueCapacity is >= 1 and <= 65_536, nameof(options.QueueCapacity), "is 1 to 65,536 frames", options.QueueCapacity);
+        Require(options.QueueCapacity is >= 1 and <= 65_536, nameof(options.QueueCapacity), "must be 1 to 65,536 frames", options.QueueCapacity);
         Require(
             options.ClientTimeout == Timeout.InfiniteTimeSpan
                 || (options.ClientTimeout >= TimeSpan.FromSeconds(1) && options.ClientTimeout <= TimeSpan.FromMinutes(10)),
             nameof(options.ClientTimeout),
-            "is 1 second to 10 minutes, or infinite",
+            "must be 1 second to 10 minutes, or infinite",
             options.ClientTimeout);
         Require(
             options.CloseTimeout >= TimeSpan.Zero && options.CloseTimeout <= TimeSpan.FromMinutes(10),
             nameof(options.CloseTimeout),
-            "is 0 to 10 minutes",
+            "must be 0 to 10 minutes",
             options.CloseTimeout);
     }
 
@@ -50,9 +50,9 @@ internal static class BroadcasterOptionsCheck
             options.AvatarNames.Count);
         CheckFormat(options);
         CheckRate(options);
-        Require(options.MaxFrames is null or >= 1, nameof(options.MaxFrames), "is at least 1 frame", options.MaxFrames);
+        Require(options.MaxFrames is null or >= 1, nameof(options.MaxFrames), "must be at least 1 frame", options.MaxFrames);
         Require(options.RecordingSpeed == 1, nameof(options.RecordingSpeed), "needs a RecordingPath; set FrameRate to change the speed of a source", options.RecordingSpeed);
-        Require(!options.LoopRecording, nameof(options.LoopRecording), "needs a RecordingPath; of sources there is LoopedSource", true);
+        Require(!options.LoopRecording, nameof(options.LoopRecording), "needs a RecordingPath; use LoopedSource to loop a source", true);
     }
 
     // What would change packets has no meaning for those of a recording.
@@ -78,14 +78,14 @@ internal static class BroadcasterOptionsCheck
             (nameof(options.DataCommandLength), options.DataCommandLength, null),
         ];
         foreach ((string setting, object? value, object? usual) in settings)
-            Require(Equals(value, usual), setting, "has no meaning for a Recording, whose bytes are sent as they are", value);
+            Require(Equals(value, usual), setting, "has no effect on a recording, whose bytes are sent unchanged", value);
 
         Require(
             options.FrameRate is null or (>= 0.01 and <= 100_000) or BroadcasterOptions.MaxFrameRate,
             nameof(options.FrameRate),
             "must be 0.01 to 100,000 Hz, or MaxFrameRate",
             options.FrameRate);
-        Require(options.RecordingSpeed is >= 0.01 and <= 100, nameof(options.RecordingSpeed), "is 0.01 to 100", options.RecordingSpeed);
+        Require(options.RecordingSpeed is >= 0.01 and <= 100, nameof(options.RecordingSpeed), "must be 0.01 to 100", options.RecordingSpeed);
         Require(
             options.RecordingSpeed == 1 || options.FrameRate is null or < BroadcasterOptions.MaxFrameRate,
             nameof(options.RecordingSpeed),
@@ -104,15 +104,15 @@ internal static class BroadcasterOptionsCheck
         Require(
             options.FrameRate is not null || own is >= 0.01 and <= 100_000,
             nameof(options.FrameRate),
-            "has to be set when the first source's own is not 0.01 to 100,000 Hz",
+            "must be set when the first source's own is not 0.01 to 100,000 Hz",
             own);
     }
 
     private static void CheckNetwork(BroadcasterOptions options)
     {
-        Require(options.Port is null or (>= 0 and <= 65_535), nameof(options.Port), "is 0 to 65535", options.Port);
-        Require(options.BindAddress is not null, nameof(options.BindAddress), "is an address of this machine", "null");
-        Require(options.MaxClients is >= 1 and <= 4096, nameof(options.MaxClients), "is 1 to 4096 clients", options.MaxClients);
+        Require(options.Port is null or (>= 0 and <= 65_535), nameof(options.Port), "must be 0 to 65535", options.Port);
+        Require(options.BindAddress is not null, nameof(options.BindAddress), "must be an address of this machine", "null");
+        Require(options.MaxClients is >= 1 and <= 4096, nameof(options.MaxClients), "must be 1 to 4096 clients", options.MaxClients);
         Require(
             options.UdpDestinations.All(destination => destination is not null),
             nameof(options.UdpDestinations),
@@ -133,23 +133,23 @@ internal static class BroadcasterOptionsCheck
             nameof(options.WaitForClient),
             "needs a Port that TCP clients can connect to",
             true);
-        Require(options.Fragment is null or (>= 1 and <= 1_048_576), nameof(options.Fragment), "is 1 to 1,048,576 bytes", options.Fragment);
+        Require(options.Fragment is null or (>= 1 and <= 1_048_576), nameof(options.Fragment), "must be 1 to 1,048,576 bytes", options.Fragment);
     }
 
     private static void CheckCalculationPort(BroadcasterOptions options)
     {
         int? port = options.CalculationPort;
         bool hasCalculation = options.Calculation is not null || options.StudioCalculation is not null;
-        Require(port is null or (>= 0 and <= 65_535), nameof(options.CalculationPort), "is 0 to 65535", port);
+        Require(port is null or (>= 0 and <= 65_535), nameof(options.CalculationPort), "must be 0 to 65535", port);
         Require(port is null || hasCalculation || options.RecordingPath is not null, nameof(options.CalculationPort), "needs Calculation, StudioCalculation or a Recording", port);
-        Require(port is null || options.SendMotion, nameof(options.CalculationPort), "is null without SendMotion: calculation alone goes to Port and UdpDestinations", port);
-        Require(port is null or 0 || port != options.Port, nameof(options.CalculationPort), "is another one than Port", port);
+        Require(port is null || options.SendMotion, nameof(options.CalculationPort), "must be null without SendMotion: calculation alone goes to Port and UdpDestinations", port);
+        Require(port is null or 0 || port != options.Port, nameof(options.CalculationPort), "must differ from Port", port);
         Require(
             port != 0 || options.UdpDestinations.Count == 0,
             nameof(options.CalculationPort),
-            "is 1 to 65535 with UdpDestinations, which are not asked for a free one",
+            "must be 1 to 65535 with UdpDestinations, which cannot offer a free port",
             port);
-        Require(options.SendMotion || hasCalculation, nameof(options.SendMotion), "is true without Calculation or StudioCalculation: nothing would be sent", false);
+        Require(options.SendMotion || hasCalculation, nameof(options.SendMotion), "must be true without Calculation or StudioCalculation: nothing would be sent", false);
     }
 
     private static void CheckFormat(BroadcasterOptions options)
@@ -157,41 +157,41 @@ internal static class BroadcasterOptionsCheck
         Require(
             (int)options.RotationOrder is >= 0 and <= 5,
             nameof(options.RotationOrder),
-            "is one of the six orders",
+            "must be one of the six orders",
             options.RotationOrder);
-        Require(options.Format is >= BroadcastFormat.Binary and <= BroadcastFormat.Studio, nameof(options.Format), "is Binary, Text or Studio", options.Format);
-        Require(options.DataVersion?.TryGetLayout(out _) ?? true, nameof(options.DataVersion), "is 1.0 or 1.1", options.DataVersion);
+        Require(options.Format is >= BroadcastFormat.Binary and <= BroadcastFormat.Studio, nameof(options.Format), "must be Binary, Text or Studio", options.Format);
+        Require(options.DataVersion?.TryGetLayout(out _) ?? true, nameof(options.DataVersion), "must be 1.0 or 1.1", options.DataVersion);
         Require(
             options.Format != BroadcastFormat.Text || options.DataVersion is null,
             nameof(options.DataVersion),
-            "is null for text, which carries no version",
+            "must be null for text, which carries no version",
             options.DataVersion);
         Require(
             options.Format != BroadcastFormat.Studio || options.DataVersion is null || options.DataVersion == DataVersion.Studio,
             nameof(options.DataVersion),
-            "is null or 1.1.0.1 in the format Studio; its old header is Binary with the version 1.0.0.2",
+            "must be null or 1.1.0.1 when Format is Studio; its old header is Binary with the version 1.0.0.2",
             options.DataVersion);
         Require(
             options.Format != BroadcastFormat.Studio || options.Calculation is null,
             nameof(options.Calculation),
-            "is null in the format Studio, which sends StudioCalculation",
+            "must be null when Format is Studio, which sends StudioCalculation",
             "set");
         Require(
             options.Format == BroadcastFormat.Studio || options.StudioCalculation is null,
             nameof(options.StudioCalculation),
-            "is null but for the format Studio",
+            "must be null unless Format is Studio",
             "set");
         Require(
-            options.TextDecimals is >= 0 and <= TextEncoder.MaxDecimals, nameof(options.TextDecimals), "is 0 to 6 digits", options.TextDecimals);
+            options.TextDecimals is >= 0 and <= TextEncoder.MaxDecimals, nameof(options.TextDecimals), "must be 0 to 6 digits", options.TextDecimals);
         Require(
             (options.TextQuirks | TextQuirks.LineFeedOnly | TextQuirks.StrayZeros) == (TextQuirks.LineFeedOnly | TextQuirks.StrayZeros),
             nameof(options.TextQuirks),
-            "is made of LineFeedOnly and StrayZeros",
+            "must be a combination of LineFeedOnly and StrayZeros",
             options.TextQuirks);
         Require(
             options.CalculationValueCount is CalculationFrame.BodyValueCount or CalculationFrame.FullValueCount,
             nameof(options.CalculationValueCount),
-            "is 338 or 946 values",
+            "must be 338 or 946 values",
             options.CalculationValueCount);
     }
 

@@ -36,22 +36,22 @@ public sealed class CommandServerOptions
     internal CommandServerOptions CopyChecked()
     {
         var copy = (CommandServerOptions)MemberwiseClone();
-        Require(Port is >= 0 and <= IPEndPoint.MaxPort, nameof(Port), "is 0 to 65535", Port);
-        Require(BindAddress is not null, nameof(BindAddress), "is an address", BindAddress);
-        Require(MaxClients is >= 1 and <= 1024, nameof(MaxClients), "is 1 to 1024", MaxClients);
+        Require(Port is >= 0 and <= IPEndPoint.MaxPort, nameof(Port), "must be 0 to 65535", Port);
+        Require(BindAddress is not null, nameof(BindAddress), "must be an address", BindAddress);
+        Require(MaxClients is >= 1 and <= 1024, nameof(MaxClients), "must be 1 to 1024", MaxClients);
         Require(
             IdleTimeout == Timeout.InfiniteTimeSpan || (IdleTimeout >= TimeSpan.FromSeconds(1) && IdleTimeout <= TimeSpan.FromDays(1)),
             nameof(IdleTimeout),
-            "is 1 second to 1 day, or infinite",
+            "must be 1 second to 1 day, or infinite",
             IdleTimeout);
-        Require(Quirks is not null, nameof(Quirks), "is not null", Quirks);
+        Require(Quirks is not null, nameof(Quirks), "must not be null", Quirks);
         copy.Quirks = Quirks!.Copy();
         CommandReplyQuirks quirks = copy.Quirks;
-        Require(quirks.ReplyId is null or (>= 0 and <= ushort.MaxValue), "Quirks.ReplyId", "is 0 to 65535", quirks.ReplyId);
-        Require(quirks.PayloadSize is null or (>= 0 and <= 1_048_576), "Quirks.PayloadSize", "is 0 to 1,048,576", quirks.PayloadSize);
-        Require(quirks.Answers is >= 0 and <= 16, "Quirks.Answers", "is 0 to 16", quirks.Answers);
-        Require(quirks.Fragment is null or >= 1, "Quirks.Fragment", "is at least 1", quirks.Fragment);
-        Require(quirks.Delay >= TimeSpan.Zero && quirks.Delay <= TimeSpan.FromMinutes(5), "Quirks.Delay", "is 0 to 5 minutes", quirks.Delay);
+        Require(quirks.ReplyId is null or (>= 0 and <= ushort.MaxValue), "Quirks.ReplyId", "must be 0 to 65535", quirks.ReplyId);
+        Require(quirks.PayloadSize is null or (>= 0 and <= 1_048_576), "Quirks.PayloadSize", "must be 0 to 1,048,576", quirks.PayloadSize);
+        Require(quirks.Answers is >= 0 and <= 16, "Quirks.Answers", "must be 0 to 16", quirks.Answers);
+        Require(quirks.Fragment is null or >= 1, "Quirks.Fragment", "must be at least 1", quirks.Fragment);
+        Require(quirks.Delay >= TimeSpan.Zero && quirks.Delay <= TimeSpan.FromMinutes(5), "Quirks.Delay", "must be 0 to 5 minutes", quirks.Delay);
         return copy;
     }
 

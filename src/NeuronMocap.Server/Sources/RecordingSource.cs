@@ -166,8 +166,8 @@ public sealed class RecordingSource : MotionSource
     }
 
     private static string DescribeLack(RecordedTakeBuilder builder) => builder.Others.Count == 0
-        ? "There is no pose in it: no motion frame of the 59 bones."
-        : $"There is no pose of avatar {builder.AvatarIndex} in it; there {(builder.Others.Count == 1 ? "is" : "are")} "
+        ? "It has no pose: no motion frame of the 59 bones."
+        : $"It has no pose of avatar {builder.AvatarIndex}; there {(builder.Others.Count == 1 ? "is" : "are")} "
             + string.Join(", ", builder.Others.Select(static other => $"{other.Key} ({other.Value})")) + ".";
 
     private SkeletonBody FindBody()

@@ -40,7 +40,7 @@ public sealed class SyntheticSource : MotionSource
         if (!(frameRate > 0) || double.IsInfinity(frameRate))
             throw new ArgumentOutOfRangeException(nameof(frameRate), frameRate, "A frame rate is a positive number.");
         if (avatarIndex < 0)
-            throw new ArgumentOutOfRangeException(nameof(avatarIndex), avatarIndex, "Avatars are counted from 0.");
+            throw new ArgumentOutOfRangeException(nameof(avatarIndex), avatarIndex, "The avatar number must not be negative.");
 
         FrameRate = frameRate;
         _avatar = avatarIndex;
@@ -64,7 +64,7 @@ public sealed class SyntheticSource : MotionSource
     public override void GetPose(long frame, Span<BoneTransform> pose)
     {
         if (pose.Length < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is room for each of the 59 bones.", nameof(pose));
+            throw new ArgumentException("There must be room for each of the 59 bones.", nameof(pose));
 
         double seconds = SecondsInLap(frame);
         var moment = new GaitMoment(seconds);

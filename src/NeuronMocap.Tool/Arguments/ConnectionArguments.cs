@@ -10,7 +10,7 @@ internal sealed class ConnectionArguments
 {
     public Option<IPAddress[]> AllowSender { get; } = CommonOptions.Addresses(
         "--allow-sender",
-        "With udp://: let only this address send, and drop the datagrams of all others; may be repeated. Default: everyone may.");
+        "With udp://: let only this address send, and drop the datagrams of all others; may be repeated. Default: all may send.");
 
     public Option<IPAddress?> LocalAddress { get; } = CommonOptions.Address(
         "--local-address",

@@ -11,8 +11,8 @@ internal static class ProgramHelp
     [
         new(string.Empty, "a moving skeleton, without suit or server"),
         new("watch 192.168.1.20", "Axis Neuron on another computer, TCP port 7001"),
-        new("diagnose 192.168.1.20", "no data? What is wrong, and which setting to change"),
-        new("simulate --avatars 2", "be the server for programs of this computer"),
+        new("diagnose 192.168.1.20", "no data? Finds what is wrong and which setting to change"),
+        new("simulate --avatars 2", "serve programs on this computer"),
         new("convert take.nmrec take.bvh", "a recording as BVH"),
     ];
 
@@ -21,6 +21,6 @@ internal static class ProgramHelp
         (CommandLine.Done, "done as asked"),
         (CommandLine.NothingReceived, "nothing was received, or something could not be read or written; standard error says what to look at"),
         (CommandLine.BadUsage, "wrong command line"),
-        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before there was a result"),
+        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before a result"),
     ];
 }

@@ -23,7 +23,7 @@ internal static class UsageFault
         if (FindSwallowed(result.CommandResult) is { } swallowed)
             return WithHelp(help, $"{swallowed.Option} needs a value, and {swallowed.Value} is another option.");
         if (result.UnmatchedTokens.Count > 0)
-            return WithHelp(help, $"'{result.UnmatchedTokens[0]}' is one word too many.");
+            return WithHelp(help, $"'{result.UnmatchedTokens[0]}' is one argument too many.");
         if (FindMiscounted(result.CommandResult) is { } miscounted)
             return WithHelp(help, miscounted);
 
@@ -92,7 +92,7 @@ internal static class UsageFault
             if (option.Tokens.Count < option.Option.Arity.MinimumNumberOfValues)
                 return $"{option.Option.Name} needs a value, {option.Option.HelpName}.";
             if (option.Option.Arity.MaximumNumberOfValues == 1 && option.IdentifierTokenCount > 1)
-                return $"{option.Option.Name} is given twice.";
+                return $"{option.Option.Name} is given more than once.";
         }
 
         Argument? missing = command.Command.Arguments.FirstOrDefault(

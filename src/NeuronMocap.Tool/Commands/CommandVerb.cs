@@ -31,12 +31,12 @@ internal sealed class CommandVerb : Verb
     };
 
     private readonly Option<int?> _avatar = CommonOptions.Avatar(
-        "The avatar that the question is about, by its number, from 0. Default: the first; zero-out: all of them.");
+        "Number of the avatar to ask about, from 0. Default: the first; for zero-out: all.");
 
     private readonly Option<bool> _json = CommonOptions.Json("Print the answer as one JSON object.");
 
     public CommandVerb()
-        : base("command", "Ask a server's command channel. It tells what most streams do not say: the rotation order and the avatars' bodies.")
+        : base("command", "Ask a server's command channel. It knows what most streams lack: the rotation order and the avatars' bodies.")
     {
         _server.CompletionSources.Add(Source.Demo.ToString());
         _question.CompletionSources.Clear();

@@ -76,10 +76,10 @@ internal static class CalculationCopy
 
         summary.AddRepairs(reader.Repairs, reader.RepairCount, reader.SkippedRowCount);
         if (reader is { DeclaredFrameRate: null, FrameRate: CalculationReadOptions.DefaultFrameRate })
-            summary.AddWarning("the export does not say its rate, and 120 Hz is assumed; --rate tells another one");
+            summary.AddWarning("the export does not say its rate, and 120 Hz is assumed; set --rate if it differs");
 
         (summary.Frames, summary.FrameRate, summary.Seconds) = (rows - first, reader.FrameRate, (rows - first) / reader.FrameRate);
         if (rows <= first)
-            throw new NeuronException(Quantity.Format($"Nothing is left: the take ends at {rows / reader.FrameRate:0.###} s."));
+            throw new NeuronException(Quantity.Format($"No frames remain: the take ends at {rows / reader.FrameRate:0.###} s."));
     }
 }

@@ -32,7 +32,7 @@ internal static class CalculationRows
 
         (summary.FrameRate, summary.Seconds, summary.Gaps, summary.MissingFrames) = (rate, summary.Frames / rate, gaps, missing);
         if (missing > 0)
-            summary.AddWarning("rows have no times, so that what follows a gap comes too early");
+            summary.AddWarning("rows have no times, so frames after a gap come too early");
 
         summary.AddLoss("times of arrival, and the avatar's name and number");
         StreamWarnings.AddRest(

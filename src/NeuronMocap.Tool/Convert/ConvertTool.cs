@@ -17,7 +17,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         FileKind to = FileKinds.OfName(settings.Output!)!.Value;
         FileKind from = settings.RecognizeInput();
         if (from == FileKind.Raw && settings.InputRate is null)
-            _summary.AddWarning("the bytes have no times, and the rate of their timecodes, or 120 Hz, is assumed; --rate tells another one");
+            _summary.AddWarning("the bytes have no times, and the rate of their timecodes, or 120 Hz, is assumed; set --rate if it differs");
 
         output.Write(path =>
         {
@@ -91,7 +91,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     private void AddLossOfRaw(FileKind to)
     {
         if (to == FileKind.Raw)
-            _summary.AddLoss("times, rotation order and body: the bytes have no place for them, so --rate and --input-order tell when they are read");
+            _summary.AddLoss("times, rotation order and body: raw bytes cannot hold them; give --rate and --input-order when reading");
     }
 
     private void CopyStream(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancellationToken)
@@ -130,7 +130,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         }
 
         if (copy.Pieces == 0)
-            throw new NeuronException(Quantity.Format($"Nothing is left: the recording ends at {reader.Duration.TotalSeconds:0.###} s."));
+            throw new NeuronException(Quantity.Format($"No frames remain: the recording ends at {reader.Duration.TotalSeconds:0.###} s."));
     }
 
     private void RejectForCopy(string why)

@@ -24,7 +24,7 @@ internal static class StreamWarnings
         if (!reader.IsComplete)
             summary.AddWarning("the recording was not closed: its last part may be missing");
         if (lost > 0)
-            summary.AddWarning($"{Quantity.Bytes(lost)} arrived that were not recorded, for the disk was too slow");
+            summary.AddWarning($"{Quantity.Bytes(lost)} arrived that were not recorded because the disk was too slow");
     }
 
     /// <summary>Counts the frames of a file that was written, as whoever reads it will.</summary>
@@ -33,7 +33,7 @@ internal static class StreamWarnings
         using RecordedFrameReader? reader = TryOpen(path);
         if (reader is null)
         {
-            summary.AddWarning("there is no frame in it");
+            summary.AddWarning("it has no frames");
             return;
         }
 
@@ -46,9 +46,9 @@ internal static class StreamWarnings
         summary.MissingFrames = statistics.Lost;
         summary.Gaps = statistics.Gaps;
         if (statistics.BytesSkipped > 0)
-            summary.AddWarning($"{Quantity.Bytes(statistics.BytesSkipped)} are no frames");
+            summary.AddWarning($"{Quantity.Bytes(statistics.BytesSkipped)} are not frames");
         if (!hasTimes)
-            summary.AddLoss("times, rotation order and body: the bytes have no place for them, so --rate and --input-order tell when they are read");
+            summary.AddLoss("times, rotation order and body: raw bytes cannot hold them; give --rate and --input-order when reading");
     }
 
     /// <summary>Looks at what a take of one avatar leaves behind.</summary>
@@ -74,9 +74,9 @@ internal static class StreamWarnings
         }
 
         if (reader.GetStatistics().BytesSkipped > 0)
-            summary.AddWarning($"{Quantity.Bytes(reader.GetStatistics().BytesSkipped)} are no frames");
+            summary.AddWarning($"{Quantity.Bytes(reader.GetStatistics().BytesSkipped)} are not frames");
         if (hasMotion && !isStudio && settings.InputOrder is null && !KnowsOrder(settings.Input))
-            summary.AddWarning("the rotation order of the stream is not known, and YXZ is assumed; --input-order tells another one");
+            summary.AddWarning("the rotation order of the stream is not known, and YXZ is assumed; set --input-order if it differs");
         if (others > 0)
             summary.AddLoss(Quantity.Format($"{others:#,0} frames of other avatars or kinds"));
     }

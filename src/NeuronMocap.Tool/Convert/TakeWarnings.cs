@@ -29,7 +29,7 @@ internal static class TakeWarnings
             summary.AddWarning(warning);
 
         if (take.Calculation is { DeclaredFrameRate: null } && settings.InputRate is null && FileKinds.Recognize(settings.Input) == FileKind.Calculation)
-            summary.AddWarning("the export does not say its rate, and 120 Hz is assumed; --rate tells another one");
+            summary.AddWarning("the export does not say its rate, and 120 Hz is assumed; set --rate if it differs");
 
         summary.AddLoss("what the sensors measured");
     }
@@ -47,11 +47,11 @@ internal static class TakeWarnings
             summary.MissingFrames += gap.Missing ?? 0;
             summary.InterpolatedFrames += gap.IsFilled ? gap.Missing ?? 0 : 0;
             if (!gap.IsFilled)
-                summary.AddWarning(Quantity.Format($"at {gap.Time.TotalSeconds:0.000} s the take goes on behind a gap at once"));
+                summary.AddWarning(Quantity.Format($"at {gap.Time.TotalSeconds:0.000} s the take continues directly after a gap"));
         }
 
         if (!source.HasOwnBody)
-            summary.AddWarning("the stream does not tell the lengths of the bones, and the default body's are written");
+            summary.AddWarning("the stream has no bone lengths; those of the default body are written");
 
         StreamWarnings.AddRest(
             summary, settings, frame => frame is MotionFrame { HasSkeleton: true } && frame.AvatarIndex == source.AvatarIndex, cancellationToken);

@@ -27,6 +27,6 @@ internal readonly record struct TimeRange(double? From, double? To)
         long end = To is { } to ? Math.Min(count, (long)Math.Ceiling((to * rate) - Tolerance)) : count;
         return first < end
             ? (first, end - first)
-            : throw new NeuronException(Quantity.Format($"Nothing is left: the take ends at {count / rate:0.###} s."));
+            : throw new NeuronException(Quantity.Format($"No frames remain: the take ends at {count / rate:0.###} s."));
     }
 }

@@ -27,19 +27,19 @@ internal static class FileFault
     public static string OfReading(Exception exception, string path) => exception switch
     {
         FileNotFoundException or DirectoryNotFoundException when Directory.Exists(path) => IsAFolder(path),
-        FileNotFoundException or DirectoryNotFoundException => $"{Quote(path)} is not there.",
+        FileNotFoundException or DirectoryNotFoundException => $"{Quote(path)} does not exist.",
         UnauthorizedAccessException when Directory.Exists(path) => IsAFolder(path),
-        UnauthorizedAccessException => $"{Quote(path)} may not be read by this user.",
+        UnauthorizedAccessException => $"{Quote(path)} cannot be read: this user has no permission.",
         _ => OfSystem(exception, path) ?? $"{Quote(path)} cannot be read.",
     };
 
     /// <summary>Says why a file could not be made or opened to write.</summary>
     public static string OfWriting(Exception exception, string path) => exception switch
     {
-        DirectoryNotFoundException when !Directory.Exists(FolderOf(path)) => $"{Quote(FolderOf(path))}, the folder for {Quote(Path.GetFileName(path))}, is not there.",
+        DirectoryNotFoundException when !Directory.Exists(FolderOf(path)) => $"{Quote(FolderOf(path))}, the folder for {Quote(Path.GetFileName(path))}, does not exist.",
         UnauthorizedAccessException or IOException when Directory.Exists(path) => IsAFolder(path),
-        FileNotFoundException or DirectoryNotFoundException => $"{Quote(FolderOf(path))} takes no new files.",
-        UnauthorizedAccessException => $"{Quote(path)} may not be written by this user.",
+        FileNotFoundException or DirectoryNotFoundException => $"{Quote(FolderOf(path))} does not accept new files.",
+        UnauthorizedAccessException => $"{Quote(path)} cannot be written: this user has no permission.",
         IOException when IsExisting(exception) && InputFile.FindOddKind(path) is { } kind => $"{Quote(path)} is {kind}; only regular files are written.",
         IOException { HResult: WindowsSharing } => $"{Quote(path)} is being written already, by this program or another one. Choose another name, or end the other one first.",
         _ => OfSystem(exception, path) ?? $"{Quote(path)} cannot be written.",
@@ -63,19 +63,19 @@ internal static class FileFault
         IOException { HResult: NotOfSystem } when exception.GetType() == typeof(IOException) => exception.Message,
         PathTooLongException => TooLong(),
         ArgumentException when string.IsNullOrWhiteSpace(path) => "The name of the file is empty.",
-        ArgumentException fault => path.Contains('\0', StringComparison.Ordinal) ? "The name has a character that no file name may have." : OptionNames.Translate(fault),
-        NotSupportedException => $"{Quote(path)} is no ordinary file.",
+        ArgumentException fault => path.Contains('\0', StringComparison.Ordinal) ? "The name has a character that is not allowed in file names." : OptionNames.Translate(fault),
+        NotSupportedException => $"{Quote(path)} is not a regular file.",
         _ => exception.HResult switch
         {
             NameTooLongLinux or NameTooLongMac => TooLong(),
-            IsThere or WindowsIsThere => $"{Quote(path)} is there already.",
+            IsThere or WindowsIsThere => $"{Quote(path)} already exists.",
             IsFolder => IsAFolder(path),
-            NotAFolder => $"{Quote(path)} is not there: a part of it is a file and no folder.",
-            NotThere => $"{Quote(path)} is not there.",
-            NotAllowed => $"{Quote(path)} may not be used by this user.",
+            NotAFolder => $"{Quote(path)} does not exist: a part of the path is a file, not a folder.",
+            NotThere => $"{Quote(path)} does not exist.",
+            NotAllowed => $"{Quote(path)} cannot be used: this user has no permission.",
             DiskFull or WindowsDiskFull => $"{Quote(path)}: the disk is full.",
-            ReadOnly => $"{Quote(path)} is on a disk that cannot be written.",
-            DeviceMissing or Invalid => $"{Quote(path)} is no ordinary file.",
+            ReadOnly => $"{Quote(path)} is on a read-only disk.",
+            DeviceMissing or Invalid => $"{Quote(path)} is not a regular file.",
             WindowsSharing => $"{Quote(path)} is in use by another program.",
             _ => null,
         },

@@ -92,7 +92,7 @@ internal static class FileKinds
         }
         catch (PlaybackException exception)
         {
-            throw new NeuronException($"{exception.Message} Nor is it a BVH file or a calculation export.", exception);
+            throw new NeuronException($"{exception.Message} It is not a BVH file or a calculation export either.", exception);
         }
     }
 }

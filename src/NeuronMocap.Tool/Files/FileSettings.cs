@@ -80,7 +80,7 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
             return kind;
 
         if (InputOrder is not null || (Task != FileTask.Convert && RotationOrder is not null))
-            throw new NeuronException($"{(InputOrder is null ? "--order" : "--input-order")}: {name} needs none; it is for streams, whose values do not tell their order.");
+            throw new NeuronException($"{(InputOrder is null ? "--order" : "--input-order")}: {name} needs none; the option is for streams, which do not carry their order.");
         if (Avatar is not null)
             throw new NeuronException($"--avatar: {name} holds one avatar; --avatar is for streams.");
 

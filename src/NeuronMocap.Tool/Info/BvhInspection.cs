@@ -96,7 +96,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
             map.Format.Variant.ToString());
         section.Add("rotationOrder", "rotation order", map.Format.RotationOrder.ToString());
         section.Add("displacement", "displacement", map.Layout.HasDisplacement ? "on: a position for every bone" : "off: a position for the hips alone", map.Layout.HasDisplacement);
-        section.Add("reference", "reference", map.Layout.HasReference ? "on: the hips hang from a Reference node" : "off", map.Layout.HasReference);
+        section.Add("reference", "reference", map.Layout.HasReference ? "on: a Reference node is the parent of the hips" : "off", map.Layout.HasReference);
     }
 
     private static int Depth(BvhDocument document)

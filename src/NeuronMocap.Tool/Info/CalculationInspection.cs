@@ -108,7 +108,7 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
         if (reader.RepairCount > reader.Repairs.Count)
             oddities.Remark("repairs", $"{reader.RepairCount - reader.Repairs.Count} more repairs");
         if (notNumbers > 0)
-            oddities.Remark("notNumbers", Quantity.Format($"{notNumbers:#,0} values are no finite numbers"));
+            oddities.Remark("notNumbers", Quantity.Format($"{notNumbers:#,0} values are not finite numbers"));
         if (changes.Count(static changes => !changes) is > 0 and var constant)
             oddities.Remark("constantColumns", $"{constant} of the {values.Length} values never change");
 

@@ -38,7 +38,7 @@ internal sealed class InfoVerb : Verb
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
     [
         (CommandLine.Done, "done"),
-        (CommandLine.NothingReceived, "a file could not be read; the others are told all the same"),
+        (CommandLine.NothingReceived, "a file could not be read; the others are shown"),
         (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM"),
     ];
 

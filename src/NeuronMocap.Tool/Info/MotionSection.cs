@@ -10,7 +10,7 @@ internal static class MotionSection
 {
     public static void Add(InfoReport report, PointMotion motion, TakeCurves curves)
     {
-        InfoSection section = report.Section("walk", motion.IsInCentimetres ? "Walk" : "Way of the root");
+        InfoSection section = report.Section("walk", motion.IsInCentimetres ? "Walk" : "Root motion");
         (double unit, string name) = motion.IsInCentimetres ? (0.01, "m") : (1, "units of the file");
         Vector3 size = curves.Highest - curves.Lowest;
         if (!SampledPose.IsFinite(size))

@@ -25,7 +25,7 @@ internal static class RecordingSections
         recording.Add("seconds", "duration", Quantity.Format($"{reader.Duration.TotalSeconds:0.000} s"), reader.Duration.TotalSeconds);
         recording.Add("payloadBytes", "received", Quantity.Format($"{Quantity.Bytes(bytes)} in {pieces:#,0} pieces, kept in {Quantity.Bytes(size)}"), bytes);
         recording.Add("pieces", string.Empty, null, pieces).Add("lostBytes", string.Empty, null, lost);
-        recording.Add("complete", "closed", reader.IsComplete ? "yes" : "no: the recording program was killed or could not write any more, or it still runs", reader.IsComplete);
+        recording.Add("complete", "closed", reader.IsComplete ? "yes" : "no: the recording program was killed, could not write, or is still running", reader.IsComplete);
         if (reader.FileNumber > 1)
             recording.Add("fileNumber", "file", Quantity.Format($"number {reader.FileNumber} of recording {reader.RecordingId}"), reader.FileNumber);
 
@@ -39,7 +39,7 @@ internal static class RecordingSections
 
         recording.Add("metadata", string.Empty, null, metadata);
         if (lost > 0)
-            damage.Remark("lostBytes", $"{Quantity.Bytes(lost)} arrived that could not be written fast enough");
+            damage.Remark("lostBytes", $"{Quantity.Bytes(lost)} arrived faster than they could be written");
         foreach (RecordingProblem problem in reader.Problems)
         {
             damage.Item(

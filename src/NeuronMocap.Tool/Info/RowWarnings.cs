@@ -12,7 +12,7 @@ internal static class RowWarnings
     public static void Add(InfoSection section, RowScan scan, double frameRate, int columns)
     {
         if (scan.NotNumbers > 0)
-            section.Remark("notNumbers", Quantity.Format($"{scan.NotNumbers:#,0} values are no finite numbers, the first in frame {scan.FirstNotNumber}"));
+            section.Remark("notNumbers", Quantity.Format($"{scan.NotNumbers:#,0} values are not finite numbers, the first in frame {scan.FirstNotNumber}"));
         if (scan.StartsAtRest)
             section.Remark("restPose", "the first frame is the rest pose, a T, and the take jumps away from it: leave it out when the motion counts");
         if (scan.Flips > 0)

@@ -43,7 +43,7 @@ internal sealed class StreamContents
     {
         InfoSection stream = report.Section("stream", "Stream");
         if (!hasTimes)
-            stream.Add("seconds", "duration", Quantity.Format($"{_duration.TotalSeconds:0.000} s at the rate of its frames, for the bytes have no times"), _duration.TotalSeconds);
+            stream.Add("seconds", "duration", Quantity.Format($"{_duration.TotalSeconds:0.000} s at the rate of its frames, because the bytes have no times"), _duration.TotalSeconds);
 
         stream.Add("formats", "formats", string.Join(", ", _formats), new JsonArray([.. _formats.Select(static format => (JsonNode)format)]));
         stream.Add(
@@ -52,7 +52,7 @@ internal sealed class StreamContents
             Quantity.Format($"{_statistics.MotionFrames:#,0} motion, {_statistics.CalculationFrames + _statistics.StudioCalculationFrames:#,0} calculation"),
             _statistics.MotionFrames);
         stream.Add("calculationFrames", string.Empty, null, _statistics.CalculationFrames + _statistics.StudioCalculationFrames);
-        stream.Add("lostFrames", "lost", Quantity.Format($"{_statistics.Lost:#,0} frames, as the frame index tells"), _statistics.Lost);
+        stream.Add("lostFrames", "lost", Quantity.Format($"{_statistics.Lost:#,0} frames, by the frame index"), _statistics.Lost);
         stream.Add("skippedBytes", "skipped", Skipped(), SkippedJson());
 
         InfoSection avatars = report.Section("avatars", "Avatars");
@@ -98,11 +98,11 @@ internal sealed class StreamContents
 
     private static string Describe(SkipReason reason) => reason switch
     {
-        SkipReason.NoTokens => "that are no packets",
+        SkipReason.NoTokens => "that are not packets",
         SkipReason.UnknownVersion => "of an unknown version",
         SkipReason.TooLarge => "of packets that are too large",
-        SkipReason.Incomplete => "of packets whose rest never came",
-        SkipReason.MalformedLine => "of lines that are no frames",
+        SkipReason.Incomplete => "of incomplete packets",
+        SkipReason.MalformedLine => "of lines that are not frames",
         SkipReason.MissingAvatar => "of lines without the avatar's number and name",
         SkipReason.TooManySenders => "of more senders than 64 at a time",
         SkipReason.NotCalculation => "of motion on the port of calculation data",

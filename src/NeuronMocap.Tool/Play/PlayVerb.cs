@@ -65,7 +65,7 @@ internal sealed class PlayVerb : Verb
         _output.RejectContradictions(result);
         _export.RejectContradictions(result);
         if (IsGiven(result, _overwrite) && !IsGiven(result, _export.File))
-            result.AddError("--overwrite needs --export: there is no other file to replace.");
+            result.AddError("--overwrite needs --export: nothing else can be replaced.");
 
         SameFile.Reject(result, result.GetResult(_file) is { Tokens: [var file, ..] } ? ("FILE", file.Value) : null, _export.File);
     }

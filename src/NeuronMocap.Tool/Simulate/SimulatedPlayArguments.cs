@@ -55,7 +55,7 @@ internal sealed class SimulatedPlayArguments
         double? speed = result.GetValue(_speed);
         bool isMax = rate is { } hertz && double.IsPositiveInfinity(hertz);
         if (isMax && speed is not null)
-            throw new UsageException("--speed and --rate max exclude each other: as fast as clients read is no speed.");
+            throw new UsageException("--speed and --rate max exclude each other: with --rate max clients set the speed.");
 
         return SourceFile.Read(_play.Name, file, () => Open(file, rate, speed, isMax, loop));
     }

@@ -38,7 +38,7 @@ internal static class SourceFile
 
         FileSystemInfo? target = file.Exists ? file.ResolveLinkTarget(returnFinalTarget: true) ?? file : null;
         if (target is not FileInfo { Exists: true } content)
-            throw new SimulatorException($"{option}: there is no file {file.FullName}.");
+            throw new SimulatorException($"{option}: the file {file.FullName} does not exist.");
         if (content.Length == 0)
             throw new SimulatorException($"{option}: {file.FullName} is empty; give a file with a take.");
     }

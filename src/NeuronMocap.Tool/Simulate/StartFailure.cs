@@ -15,7 +15,7 @@ internal static class StartFailure
         nameof(BroadcasterOptions.Port) => DescribePort("--port", options.Port, options.BindAddress, exception),
         nameof(BroadcasterOptions.CalculationPort) => DescribePort("--calculation-port", options.CalculationPort, options.BindAddress, exception),
         nameof(BroadcasterOptions.BindAddress) => DescribeAddress(options.BindAddress, exception),
-        _ => $"--udp: there is no way from this machine to {string.Join(" or ", options.UdpDestinations)} ({CodeOf(exception)}).",
+        _ => $"--udp: this machine has no route to {string.Join(" or ", options.UdpDestinations)} ({CodeOf(exception)}).",
     };
 
     /// <summary>Describes what kept the command channel from starting.</summary>

@@ -65,7 +65,7 @@ internal sealed class WatchVerb : Verb
         new("watch [::1]:7003 --order XYZ", "IPv6, another port, another rotation order"),
         new("watch udp://:7012", "Axis Neuron set to UDP, with this computer as destination"),
         new("watch udp://192.168.1.5:7012", "the same on one network of several; 192.168.1.5 is this computer"),
-        new("watch udp://:7012 --allow-sender 192.168.1.20", "the same, and nobody else may send"),
+        new("watch udp://:7012 --allow-sender 192.168.1.20", "the same, only from this sender"),
         new("watch 192.168.1.20 --calculation-port 7003", "calculation data as well, from their own port"),
         new("watch take.nmrec", "a recording, as play does"),
         new("watch studio --record take.nmrec", "show it and keep every byte of it"),
@@ -115,7 +115,7 @@ internal sealed class WatchVerb : Verb
 
         SameFile.Reject(result, null, _export.File, _recording.File);
         if (IsGiven(result, _overwrite) && !IsGiven(result, _export.File) && !IsGiven(result, _recording.File))
-            result.AddError("--overwrite needs --export or --record: there is no other file to replace.");
+            result.AddError("--overwrite needs --export or --record: nothing else can be replaced.");
     }
 
     private void RejectForFile(CommandResult result, string file)

@@ -7,7 +7,7 @@ namespace NeuronMocap.Commands;
 internal static class CommandMessages
 {
     private const string WhichPort =
-        "Check the command port: on the server it is a setting of its own, and not the port of the stream.";
+        "Check the command port: on the server it is a separate setting, not the port of the stream.";
 
     public static NeuronCommandException NotConnected(ConnectionReason reason, LinkOptions link, Exception? cause) => reason switch
     {

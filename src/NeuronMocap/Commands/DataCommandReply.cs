@@ -20,7 +20,7 @@ public sealed class DataCommandReply
     public DataCommandReply(ReadOnlySpan<byte> packet)
     {
         if (!DataCommandHeader.TryRead(packet, out DataCommandHeader header) || packet.Length != ProtocolConstants.HeaderSize + header.PayloadSize)
-            throw new ArgumentException("The bytes are not one whole command packet.", nameof(packet));
+            throw new ArgumentException("The bytes are not exactly one command packet.", nameof(packet));
 
         _packet = packet.ToArray();
         Header = header;

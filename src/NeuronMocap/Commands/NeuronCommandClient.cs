@@ -150,7 +150,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
 
     private static int Checked(int avatarIndex) => avatarIndex >= 0
         ? avatarIndex
-        : throw new ArgumentOutOfRangeException(nameof(avatarIndex), avatarIndex, "Avatars are counted from 0.");
+        : throw new ArgumentOutOfRangeException(nameof(avatarIndex), avatarIndex, "The avatar number must not be negative.");
 
     private static ObjectDisposedException Disposed() => new(nameof(NeuronCommandClient), "The command client was disposed.");
 

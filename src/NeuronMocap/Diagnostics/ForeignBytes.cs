@@ -9,7 +9,7 @@ internal static class ForeignBytes
         "Check the port against the one in the server's broadcasting settings; it is usually 7001.";
 
     private const string TooManyAdvice =
-        "No Perception Neuron server sends so many; check the port. If it is right, raise MaxValues.";
+        "No Perception Neuron server sends that many; check the port. If it is right, raise MaxValues.";
 
     public static Conclusion Judge(StepLog log, StreamSample sample, StreamEndpoint endpoint)
     {

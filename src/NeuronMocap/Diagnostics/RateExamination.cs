@@ -17,7 +17,7 @@ internal static class RateExamination
         {
             verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.Motionless,
-                $"The frames of {StreamPhrases.NameOf(still)} are all the same.",
+                $"All frames of {StreamPhrases.NameOf(still)} are the same.",
                 "If nobody stands still on purpose, the take is paused or at its end, or the suit is no longer connected: see the server's window."));
         }
 
@@ -58,7 +58,7 @@ internal static class RateExamination
             : Fraction(avatar.FrameRate) is { } fraction ? $"the server seems to send {fraction}" : "a suit measures 60, 96 or 120 times a second";
         return new ExplainedVerdict(
             DiagnosisVerdict.LowRate,
-            StreamPhrases.Invariant($"{avatar.FrameRate:0.0} frames per second are few: {reason}."),
+            StreamPhrases.Invariant($"{avatar.FrameRate:0.0} frames per second is too few: {reason}."),
             ServerSettings.FullRate);
     }
 

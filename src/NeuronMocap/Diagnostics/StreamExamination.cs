@@ -6,11 +6,11 @@ internal static class StreamExamination
     // So many bytes between the frames are no accident of joining in the middle of one.
     private const long FewForeignBytes = 4096;
 
-    private const string NoProblems = "All is well.";
+    private const string NoProblems = "Everything is in order.";
 
-    private const string OrderUnknown = "Not in the stream is the rotation order: it must be the same in the program and on the server (default YXZ).";
+    private const string OrderUnknown = "The stream does not carry the rotation order: set the same order in the program and on the server (default YXZ).";
 
-    private const string OrderKnown = "The stream says its rotation order, which the reader follows.";
+    private const string OrderKnown = "The stream carries its rotation order, and the reader follows it.";
 
     public static Conclusion Judge(DiagnosisContext context, StreamSample sample, StreamEndpoint endpoint)
     {
@@ -53,7 +53,7 @@ internal static class StreamExamination
             (_, true) => DiagnosisVerdict.CalculationOnly,
             _ => DiagnosisVerdict.StudioCalculationOnly,
         };
-        string text = $"Frames arrive on {endpoint}, but they are {StreamPhrases.KindsOf(sample)}; no {StreamPhrases.NameOf(context.Expected)} among them.";
+        string text = $"Frames arrive on {endpoint}, but they are {StreamPhrases.KindsOf(sample)}; none is {StreamPhrases.NameOf(context.Expected)}.";
         string advice = ServerSettings.Enable(context.Expected);
         if (context.Expected == PacketKind.Motion)
             advice += $" To receive these calculation data beside the motion, set CalculationPort to {endpoint.Port}.";
@@ -68,11 +68,11 @@ internal static class StreamExamination
             log.Failed("token", "0xAAFF: commands, no data");
             return new Conclusion(
                 DiagnosisVerdict.CommandPort,
-                $"{Capital(endpoint)} sends commands and no frames.",
+                $"{Capital(endpoint)} sends commands, not frames.",
                 ServerSettings.DataPort);
         }
 
-        log.Failed("format", $"{sample.Packets} packets of no values");
+        log.Failed("format", $"{sample.Packets} packets without values");
         return new Conclusion(
             DiagnosisVerdict.NoValues, $"Packets arrive on {endpoint}, but none of them carries a pose.", ServerSettings.Play);
     }

@@ -15,7 +15,7 @@ internal static class TcpConclusions
             "give the IP address of the computer that runs Axis Neuron or Axis Studio (there, ipconfig in a command window shows it).";
         if (host.Contains(':', StringComparison.Ordinal) || host.Contains('/', StringComparison.Ordinal))
         {
-            context.Log.Failed("name", $"'{host}' is no host name");
+            context.Log.Failed("name", $"'{host}' is not a host name");
             return new Conclusion(
                 DiagnosisVerdict.HostNotFound,
                 $"'{host}' is neither a host name nor an address.",
@@ -44,7 +44,7 @@ internal static class TcpConclusions
             return new Conclusion(
                 DiagnosisVerdict.AccessDenied,
                 $"This computer does not allow a connection to {context.Link.Host}.",
-                "Check the address: one that stands for a whole network (such as 192.168.1.255) is no server's. Then check this computer's firewall.");
+                "Check the address: an address of a whole network (such as 192.168.1.255) is not a server's. Then check this computer's firewall.");
         }
 
         if (context.Link.LocalAddress is { } local && reason != ConnectionReason.Unreachable)
@@ -65,7 +65,7 @@ internal static class TcpConclusions
                 "Check the address: one of IPv6 needs IPv6 on this computer, and a link-local one (fe80::…) the number of its network (%2).");
         }
 
-        context.Log.Failed("route", "there is none");
+        context.Log.Failed("route", "none found");
         return new Conclusion(
             DiagnosisVerdict.Unreachable,
             $"This computer has no route to {context.Link.Host}.",
@@ -169,7 +169,7 @@ internal static class TcpConclusions
         context.Log.Failed("question", $"asked who it is, it sends {answers}{quoted}");
         return new Conclusion(
             DiagnosisVerdict.OtherProgram,
-            $"On {context.Link.Target} another program listens: it says nothing by itself and sends {answers}{quoted} when asked.",
+            $"On {context.Link.Target} another program listens: it sends nothing until asked, then {answers}{quoted} when asked.",
             $"Check the port against the one in the server's broadcasting settings; it is usually {ProtocolConstants.DefaultPort}.");
     }
 

@@ -51,7 +51,7 @@ internal sealed class TcpExamination(DiagnosisContext context)
             if (literal.AddressFamily == AddressFamily.InterNetwork && !text.Equals(_link.Host, StringComparison.Ordinal))
                 context.Log.Warning("name", $"{_link.Host} is read as the address {text}");
             else
-                context.Log.Ok("name", $"{text} is an address; there is no name to look up");
+                context.Log.Ok("name", $"{text} is an address; no name to look up");
             return ([literal], null);
         }
 

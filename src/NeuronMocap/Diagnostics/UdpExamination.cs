@@ -51,7 +51,7 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
     private Conclusion NotAllowed(SenderFilter filter, StreamEndpoint endpoint)
     {
         string senders = string.Join(", ", filter.RefusedSenders);
-        context.Log.Failed("first bytes", StreamPhrases.Invariant($"none that may be looked at: {filter.RefusedDatagrams} datagrams from {senders}"));
+        context.Log.Failed("first bytes", StreamPhrases.Invariant($"none from an allowed sender: {filter.RefusedDatagrams} datagrams from {senders}"));
         return new Conclusion(
             DiagnosisVerdict.SenderNotAllowed,
             $"Datagrams arrive on {endpoint}, but only from {senders}, which AllowedSenders does not list.",
@@ -70,7 +70,7 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
                 + "destination's port."),
             ConnectionReason.AddressUnavailable => (
                 DiagnosisVerdict.LocalAddressUnavailable,
-                $"{_link.LocalAddress} is no address of this computer",
+                $"{_link.LocalAddress} is not an address of this computer",
                 $"The local address {_link.LocalAddress} does not belong to this computer.",
                 "Set LocalAddress to one that does, or leave it out to receive on all."),
             ConnectionReason.AccessDenied => (

@@ -84,6 +84,6 @@ internal struct FrameData
     {
         _wasReadLate = true;
         return new InvalidOperationException(
-            "The frame is no longer valid. A frame is lent until its handler returns or the next frame is taken. To keep it, call Clone() before.");
+            "The frame is no longer valid. Its data is reused when the handler returns or the next frame is taken. Call Clone() before that to keep it.");
     }
 }

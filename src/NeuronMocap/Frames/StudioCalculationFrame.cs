@@ -144,7 +144,7 @@ public sealed class StudioCalculationFrame : AvatarFrame
     private ReadOnlySpan<float> Read(Bone bone, int field, int count)
     {
         if ((uint)bone >= BoneHierarchy.BoneCount)
-            throw new ArgumentOutOfRangeException(nameof(bone), bone, "There is no such bone.");
+            throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone does not exist.");
         if (!HasSkeleton)
             throw new InvalidOperationException("The frame does not hold the 59 bones; see HasSkeleton.");
 

@@ -10,7 +10,7 @@ internal readonly struct CubicWeights
         double h1 = third - second;
         double h2 = fourth - third;
         if (!(h0 > 0 && h1 > 0 && h2 > 0))
-            throw new ArgumentException("Each of four frames is later than the one before.", nameof(seconds));
+            throw new ArgumentException("Each frame must be later than the one before.", nameof(seconds));
 
         double t = Math.Max(0, Math.Min(1, (seconds - second) / h1));
         double slope1 = t * (1 - t) * (1 - t) * h1;

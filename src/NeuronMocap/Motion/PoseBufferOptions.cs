@@ -25,11 +25,11 @@ public sealed class PoseBufferOptions
     {
         options ??= new PoseBufferOptions();
         if (options.Delay < TimeSpan.Zero)
-            throw new ArgumentOutOfRangeException(nameof(options), options.Delay, "A delay is not negative.");
+            throw new ArgumentOutOfRangeException(nameof(options), options.Delay, "The delay must not be negative.");
         if (options.MaxExtrapolation < TimeSpan.Zero)
-            throw new ArgumentOutOfRangeException(nameof(options), options.MaxExtrapolation, "The motion goes on for no negative time.");
+            throw new ArgumentOutOfRangeException(nameof(options), options.MaxExtrapolation, "The extrapolation time must not be negative.");
         if (options.Capacity is < 8 or > 4096)
-            throw new ArgumentOutOfRangeException(nameof(options), options.Capacity, "There is room for 8 to 4096 frames.");
+            throw new ArgumentOutOfRangeException(nameof(options), options.Capacity, "There must be room for 8 to 4096 frames.");
 
         return (PoseBufferOptions)options.MemberwiseClone();
     }

@@ -87,8 +87,8 @@ public static class PoseInterpolation
     private static void Check(ReadOnlySpan<BoneTransform> pose, ReadOnlySpan<BoneTransform> other, Span<BoneTransform> destination)
     {
         if (other.Length < pose.Length)
-            throw new ArgumentException("A neighbouring pose has fewer transforms.", nameof(other));
+            throw new ArgumentException("The neighbouring pose has fewer transforms.", nameof(other));
         if (destination.Length < pose.Length)
-            throw new ArgumentException("There is room for each transform.", nameof(destination));
+            throw new ArgumentException("There must be room for each transform.", nameof(destination));
     }
 }

@@ -68,8 +68,8 @@ public static class PoseVelocity
     private static void Check(ReadOnlySpan<BoneTransform> neighbour, ReadOnlySpan<BoneTransform> pose, Span<BoneVelocity> velocities)
     {
         if (neighbour.Length < pose.Length)
-            throw new ArgumentException("A neighbouring pose has fewer transforms.", nameof(neighbour));
+            throw new ArgumentException("The neighbouring pose has fewer transforms.", nameof(neighbour));
         if (velocities.Length < pose.Length)
-            throw new ArgumentException("There is room for a velocity of each transform.", nameof(velocities));
+            throw new ArgumentException("There must be room for a velocity of each transform.", nameof(velocities));
     }
 }

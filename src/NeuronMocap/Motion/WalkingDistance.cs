@@ -22,7 +22,7 @@ public sealed class WalkingDistance
     public WalkingDistance(float slack = 10)
     {
         if (!(slack > 0) || float.IsInfinity(slack))
-            throw new ArgumentOutOfRangeException(nameof(slack), slack, "A slack is a positive number of centimetres.");
+            throw new ArgumentOutOfRangeException(nameof(slack), slack, "The slack must be a positive number of centimetres.");
 
         Slack = slack;
     }

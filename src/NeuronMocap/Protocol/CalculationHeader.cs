@@ -56,7 +56,7 @@ public readonly record struct CalculationHeader
     public void Write(Span<byte> destination)
     {
         if (ValueCount < 0)
-            throw new InvalidOperationException("A packet cannot carry fewer than no values.");
+            throw new InvalidOperationException("The number of values must not be negative.");
 
         Span<byte> target = destination[..ProtocolConstants.HeaderSize];
         PacketTokens.Write(target, PacketKind.Calculation);

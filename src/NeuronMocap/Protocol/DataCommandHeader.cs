@@ -1,5 +1,4 @@
 using System.Buffers.Binary;
-using NeuronMocap.Commands;
 
 namespace NeuronMocap.Protocol;
 

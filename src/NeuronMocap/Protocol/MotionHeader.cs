@@ -164,7 +164,7 @@ public readonly record struct MotionHeader
     private void WriteOld(Span<byte> target)
     {
         if (ValueCount < 0)
-            throw new InvalidOperationException("A packet cannot carry fewer than no values.");
+            throw new InvalidOperationException("The number of values must not be negative.");
 
         BinaryPrimitives.WriteUInt32LittleEndian(target[6..], (uint)ValueCount);
         BinaryPrimitives.WriteUInt32LittleEndian(target[10..], HasDisplacement ? 1u : 0u);

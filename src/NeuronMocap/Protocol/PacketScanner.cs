@@ -25,7 +25,7 @@ public sealed class PacketScanner
     public PacketScanner(int maxValues = ProtocolConstants.DefaultMaxValues)
     {
         if (maxValues is < 1 or > 1_000_000)
-            throw new ArgumentOutOfRangeException(nameof(maxValues), maxValues, "The limit is 1 to 1,000,000 values.");
+            throw new ArgumentOutOfRangeException(nameof(maxValues), maxValues, "The limit must be 1 to 1,000,000 values.");
 
         _maxValues = maxValues;
     }

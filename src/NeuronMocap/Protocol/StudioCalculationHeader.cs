@@ -63,7 +63,7 @@ public readonly record struct StudioCalculationHeader
     public void Write(Span<byte> destination)
     {
         if (ByteCount < 0)
-            throw new InvalidOperationException("A packet cannot carry fewer than no bytes.");
+            throw new InvalidOperationException("The number of bytes must not be negative.");
 
         Span<byte> target = destination[..ProtocolConstants.HeaderSize];
         PacketTokens.Write(target, PacketKind.StudioCalculation);

@@ -92,7 +92,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
         {
             return (
                 ConnectionReason.RotationOrderMismatch,
-                $" But {teller} says {told}: one of them is wrong. Leave RotationOrder out to use {told}.");
+                $" But {teller} says {told}: one of them is wrong. Leave RotationOrder unset to use {told}.");
         }
 
         if (format.OptionVariant is { } variant && discovered.Variant is { } learnt && learnt != variant)

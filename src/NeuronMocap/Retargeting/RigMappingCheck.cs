@@ -48,7 +48,7 @@ internal sealed class RigMappingCheck
 
             IsUsable = false;
             Add(RigFault.InvalidTransform, RigSeverity.Error, null,
-                $"The transform {node.Name} has a position, rotation or scale that is no number, or a scale of zero. Repair it where the rig was made.");
+                $"The transform {node.Name} has a position, rotation or scale that is not a number, or a scale of zero. Repair it in the program that made the rig.");
         }
     }
 
@@ -87,7 +87,7 @@ internal sealed class RigMappingCheck
         {
             IsUsable = false;
             Add(RigFault.InvalidHierarchy, RigSeverity.Error, bone,
-                $"{name} is mapped to {_nodes[node].Name}, which does not hang from {_nodes[_nodeOf[(int)ancestor]].Name}, the {HumanoidBones.GetName(ancestor)}. Map the bones from the hips outwards.");
+                $"{name} is mapped to {_nodes[node].Name}, which is not below {_nodes[_nodeOf[(int)ancestor]].Name}, the {HumanoidBones.GetName(ancestor)}. Map the bones from the hips outwards.");
         }
 
         if (SideOf(bone) is { } side && side != BodySide.None && NodeName.Read(_nodes[node].Name).Side is not BodySide.None and var said && said != side)

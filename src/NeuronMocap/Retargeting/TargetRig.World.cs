@@ -111,6 +111,6 @@ public sealed partial class TargetRig
             above *= matrix;
         }
 
-        return Matrix4x4.Invert(above, out Matrix4x4 back) ? back : throw new ArgumentException("The hips hang from a scale of zero.", nodes);
+        return Matrix4x4.Invert(above, out Matrix4x4 back) ? back : throw new ArgumentException("An ancestor of the hips has a scale of zero.", nodes);
     }
 }

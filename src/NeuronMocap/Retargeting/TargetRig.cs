@@ -163,7 +163,7 @@ public sealed partial class TargetRig
         foreach (int node in nodeByBone)
         {
             if (node < None || node >= nodeCount)
-                throw new ArgumentException($"There is no node {node}.", nameof(nodeByBone));
+                throw new ArgumentException($"Node {node} does not exist.", nameof(nodeByBone));
         }
 
         return nodeByBone[0] != None ? nodeByBone.ToArray() : throw new ArgumentException("The hips have no node.", nameof(nodeByBone));
@@ -178,7 +178,7 @@ public sealed partial class TargetRig
             if (node.Parent < None || node.Parent >= i)
                 throw new ArgumentException($"Node {i}, {node.Name}, stands before its parent.", nameof(nodes));
             if (!FiniteValues.IsFinite(node.Position) || !FiniteValues.IsFinite(node.Rotation) || !FiniteValues.IsFinite(node.Scale))
-                throw new ArgumentException($"Node {i}, {node.Name}, has a value that is no number.", nameof(nodes));
+                throw new ArgumentException($"Node {i}, {node.Name}, has a value that is not a number.", nameof(nodes));
             if (node.Rotation.LengthSquared() < 1e-6f)
                 throw new ArgumentException($"Node {i}, {node.Name}, has a rotation of length zero.", nameof(nodes));
 
@@ -210,7 +210,7 @@ public sealed partial class TargetRig
         for (int node = _nodes[HipsNode].Parent; node != None; node = _nodes[node].Parent)
         {
             if (IsMapped(node))
-                throw new ArgumentException($"The hips hang from another bone, {_nodes[node].Name}.", nodes);
+                throw new ArgumentException($"The hips must not be below another bone, {_nodes[node].Name}.", nodes);
         }
     }
 

@@ -63,6 +63,6 @@ internal static class BodyScaling
         Span<byte> wire = stackalloc byte[BoneDimensions.Size];
         sizes.Write(wire);
         if (!BoneDimensions.TryRead(wire, out _))
-            throw new ArgumentException("Every size is a number of metres, 0 or more.", nameof(sizes));
+            throw new ArgumentException("Every size must be a number of metres, 0 or more.", nameof(sizes));
     }
 }

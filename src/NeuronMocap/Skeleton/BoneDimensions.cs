@@ -82,9 +82,9 @@ public readonly record struct BoneDimensions
         ReadOnlySpan<Vector3> endSites = default)
     {
         if (pose.Length < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is a transform for each of the 59 bones.", nameof(pose));
+            throw new ArgumentException("There must be a transform for each of the 59 bones.", nameof(pose));
         if (endSites.Length is > 0 and < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is an End Site for each of the 59 bones, or none at all.", nameof(endSites));
+            throw new ArgumentException("There must be an End Site for each of the 59 bones, or none at all.", nameof(endSites));
 
         Bone neck = variant == SkeletonVariant.Spine3 ? Bone.Neck1 : Bone.Neck;
         Vector3 rightFoot = EndSite(Bone.RightFoot, endSites);
@@ -152,7 +152,7 @@ public readonly record struct BoneDimensions
     public void Write(Span<byte> destination)
     {
         if (destination.Length < Size)
-            throw new ArgumentException("There is room for 48 bytes.", nameof(destination));
+            throw new ArgumentException("There must be room for 48 bytes.", nameof(destination));
 
         ReadOnlySpan<float> sizes =
         [

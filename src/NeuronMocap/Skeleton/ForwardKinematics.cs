@@ -51,12 +51,12 @@ public static class ForwardKinematics
     internal static void CheckPose(ReadOnlySpan<BoneTransform> pose, string name)
     {
         if (pose.Length < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is a transform for each of the 59 bones.", name);
+            throw new ArgumentException("There must be a transform for each of the 59 bones.", name);
     }
 
     internal static void CheckRoom(Span<BoneTransform> pose, string name)
     {
         if (pose.Length < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is room for each of the 59 bones.", name);
+            throw new ArgumentException("There must be room for each of the 59 bones.", name);
     }
 }

@@ -39,7 +39,7 @@ public static class JointPositions
         ArgumentNullException.ThrowIfNull(body);
         ForwardKinematics.CheckPose(world, nameof(world));
         if (positions.Length < Count)
-            throw new ArgumentException("There is room for 72 points.", nameof(positions));
+            throw new ArgumentException("There must be room for 72 points.", nameof(positions));
 
         for (int bone = 0; bone < BoneHierarchy.BoneCount; bone++)
             positions[bone] = world[bone].Position;

@@ -28,9 +28,9 @@ public sealed class SkeletonBody
         SkeletonVariant variant = SkeletonVariant.Neck1)
     {
         if (offsets.Length < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is an offset for each of the 59 bones.", nameof(offsets));
+            throw new ArgumentException("There must be an offset for each of the 59 bones.", nameof(offsets));
         if (endSites.Length is > 0 and < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is an End Site for each of the 59 bones, or none at all.", nameof(endSites));
+            throw new ArgumentException("There must be an End Site for each of the 59 bones, or none at all.", nameof(endSites));
 
         Variant = variant;
         _offsets = offsets[..BoneHierarchy.BoneCount].ToArray();

@@ -64,7 +64,7 @@ internal static class ConnectionMessages
                 $"{target} did not answer within {options.ConnectTimeout.TotalSeconds:0.#} s. Check the address, that both computers are on the "
                 + "same network, and that no firewall blocks the port.",
             ConnectionReason.HostNotFound => HostNotFound(options.Host),
-            ConnectionReason.Unreachable => $"There is no route to {target}. Check the address and that the network is connected.",
+            ConnectionReason.Unreachable => $"No route to {target}. Check the address and that the network is connected.",
             ConnectionReason.Reset => $"{target} cut the connection off: Axis Neuron was closed, or something between resets connections.",
             ConnectionReason.AddressUnavailable when options.LocalAddress is null =>
                 $"This computer has no address from which {target} can be reached. Check the address and the network.",

@@ -18,7 +18,7 @@ internal enum ForeignFormat
     OtherProgram,
 }
 
-// What bytes that are no packets probably are, and which setting makes them packets. Text completes a sentence that begins with "it is".
+// What bytes that are not packets probably are, and which setting makes them packets. Text completes a sentence that begins with "it is".
 internal readonly record struct FormatGuess(ForeignFormat Format, string Text, string Advice)
 {
     // What other programs say first, or answer to a client that speaks first: the name in the sentence, and how the bytes begin.
@@ -77,7 +77,7 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
         {
             return new(
                 ForeignFormat.AmbiguousName,
-                "text, but with some words too many: the avatar's name has spaces and numbers in it, which cannot be told from the values",
+                "text, but with too many words: the avatar's name has spaces and numbers, which cannot be distinguished from the values",
                 "Rename the avatar on the server, without spaces. If it has none, set Skeleton to \"Axis Studio\"; or set the format (block type) to Binary.");
         }
 

@@ -109,7 +109,7 @@ internal sealed class LinkActivity(
 
     private string MessageOf(in StreamDescription stream) => $"Receiving from {_target}{stream.Text ?? "."}";
 
-    // Receive loop, for bytes that are no packets.
+    // Receive loop, for bytes that are not packets.
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
     {
         int length = _skippedLength;

@@ -1,5 +1,4 @@
 using System.Text;
-using NeuronMocap.Commands;
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;

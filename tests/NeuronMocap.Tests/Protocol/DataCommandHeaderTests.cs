@@ -1,4 +1,3 @@
-using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Protocol;

@@ -1,5 +1,4 @@
 using System.Buffers.Binary;
-using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Tests.Network;

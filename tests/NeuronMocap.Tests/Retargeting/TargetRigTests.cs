@@ -107,7 +107,7 @@ public sealed class TargetRigTests
         AssertRefused("no node 55", change: null, nodeByBone => nodeByBone[5] = 55);
         AssertRefused("no node -2", change: null, nodeByBone => nodeByBone[5] = -2);
         AssertRefused("hips have no node", change: null, nodeByBone => nodeByBone[0] = -1);
-        AssertRefused("hang from another bone", change: null, nodeByBone => (nodeByBone[0], nodeByBone[7]) = (nodeByBone[7], nodeByBone[0]));
+        AssertRefused("below another bone", change: null, nodeByBone => (nodeByBone[0], nodeByBone[7]) = (nodeByBone[7], nodeByBone[0]));
         RigNode[] flat = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, Quaternion.Identity, Vector3.Zero), TestRigs.HumanoidNodes());
         ArgumentException error = Assert.Throws<ArgumentException>(() => TargetRig.CreateHumanoid(flat, TestRigs.Under(TestRigs.NodeOf())));
         Assert.Contains("scale of zero", error.Message, StringComparison.Ordinal);

@@ -97,7 +97,7 @@ public sealed partial class OptionNamesTests
 
     // What only another program than this one can ask for: other data than motion, and what a server of its own is made of.
     private static bool IsOfDeveloper(string text) => text.Contains("StudioCalculation", StringComparison.Ordinal)
-        || text.StartsWith("is ", StringComparison.Ordinal) || text.StartsWith("needs ", StringComparison.Ordinal) || text.StartsWith("may be ", StringComparison.Ordinal);
+        || text.StartsWith("must ", StringComparison.Ordinal) || text.StartsWith("needs ", StringComparison.Ordinal) || text.StartsWith("may be ", StringComparison.Ordinal);
 
     private static List<string> TextsOf(Assembly assembly)
     {

@@ -92,7 +92,7 @@ public sealed class ConvertRefusalTests : IDisposable
         {
             ToolResult result = await ToolRunner.RunAsync("convert", _folder[input], _folder["b" + Path.GetExtension(input)], "--from", "9");
             Assert.Equal(1, result.ExitCode);
-            Assert.Contains("Nothing is left", Assert.Single(result.Error), StringComparison.Ordinal);
+            Assert.Contains("No frames remain", Assert.Single(result.Error), StringComparison.Ordinal);
         }
 
         Assert.Equal(["a.bvh", "a.calc", "a.nmrec"], _folder.Names);

@@ -8,16 +8,16 @@ public sealed class FileFaultTests
     private static readonly string LongName = new('x', 300);
 
     [Theory]
-    [InlineData("play", "/nowhere/take.nmrec", "is not there")]
+    [InlineData("play", "/nowhere/take.nmrec", "does not exist")]
     [InlineData("play", "/proc", "is a folder")]
     [InlineData("play", "LONG", "longer than this file system allows")]
-    [InlineData("--record", "/nowhere/take.nmrec", "'/nowhere', the folder for 'take.nmrec', is not there")]
+    [InlineData("--record", "/nowhere/take.nmrec", "'/nowhere', the folder for 'take.nmrec', does not exist")]
     [InlineData("--record", "/proc", "is a folder")]
     [InlineData("--record", "/proc/take.nmrec", "")]
     [InlineData("--record", "/sys/take.nmrec", "")]
     [InlineData("--record", "/dev/full", "only regular files are written.")]
     [InlineData("--record", "LONG", "longer than this file system allows")]
-    [InlineData("--export", "/nowhere/take.bvh", "'/nowhere', the folder for 'take.bvh', is not there")]
+    [InlineData("--export", "/nowhere/take.bvh", "'/nowhere', the folder for 'take.bvh', does not exist")]
     [InlineData("--export", "/proc", "is a folder")]
     [InlineData("--export", "/proc/take.bvh", "")]
     [InlineData("--export", "/sys/take.bvh", "")]
@@ -40,8 +40,8 @@ public sealed class FileFaultTests
     }
 
     [Theory]
-    [InlineData("'/nowhere/take.bvh' is not there.", "info", "/nowhere/take.bvh")]
-    [InlineData("'/nowhere/take.bvh' is not there.", "convert", "/nowhere/take.bvh", "out.nmrec")]
+    [InlineData("'/nowhere/take.bvh' does not exist.", "info", "/nowhere/take.bvh")]
+    [InlineData("'/nowhere/take.bvh' does not exist.", "convert", "/nowhere/take.bvh", "out.nmrec")]
     [InlineData("longer than this file system allows.", "info", "LONG")]
     public async Task A_tool_says_what_is_wrong_with_its_file(string said, params string[] args)
     {

@@ -30,7 +30,7 @@ public sealed class RecordingInfoTests : InfoPages
         Assert.Equal("studio:7001", Fact(page, "server"));
         Assert.Contains(page, static line => line.EndsWith("connection 0: TCP from 10.0.0.1:7001 to 10.0.0.2:50000", StringComparison.Ordinal));
         Assert.Contains(page, static line => line.EndsWith("connection 0: closed: the server has gone", StringComparison.Ordinal));
-        Assert.Equal("5 bytes that are no packets", Fact(page, "skipped"));
+        Assert.Equal("5 bytes that are not packets", Fact(page, "skipped"));
         Assert.Contains(page, static line => line.StartsWith("  0 Anna: 97 motion frames, ", StringComparison.Ordinal) && line.EndsWith("3 lost in 1 gap", StringComparison.Ordinal));
         Assert.Contains("Take of avatar 0, Anna", page);
         Assert.Equal("100: 97 received and 3 interpolated", Fact(page, "frames", after: "Take of avatar 0, Anna"));

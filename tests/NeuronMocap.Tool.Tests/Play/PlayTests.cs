@@ -70,7 +70,7 @@ public sealed class PlayTests : IDisposable
         ToolResult other = await ToolRunner.RunAsync("play", _dump);
         Assert.Equal((1, $"neuron-mocap: {_dump} is a BVH file, not a recording of a stream. neuron-mocap convert makes one of it."), (other.ExitCode, Assert.Single(other.Error)));
         ToolResult missing = await ToolRunner.RunAsync("play", _dump + "x");
-        Assert.Equal((1, true), (missing.ExitCode, Assert.Single(missing.Error) == $"neuron-mocap: '{_dump}x' is not there."));
+        Assert.Equal((1, true), (missing.ExitCode, Assert.Single(missing.Error) == $"neuron-mocap: '{_dump}x' does not exist."));
         ToolResult timed = await ToolRunner.RunAsync("play", _recording, "--rate", "60");
         Assert.Equal((1, true), (timed.ExitCode, Assert.Single(timed.Error).Contains("--rate", StringComparison.Ordinal)));
     }

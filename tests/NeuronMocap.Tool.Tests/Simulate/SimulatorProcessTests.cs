@@ -3,7 +3,6 @@ using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
-using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Tests.Infrastructure;
@@ -137,7 +136,7 @@ public sealed class SimulatorProcessTests
     {
         string folder = Path.GetTempPath();
         Assert.Contains("is a folder", await FailAsync(option, folder), StringComparison.Ordinal);
-        Assert.Contains("there is no file", await FailAsync(option, Path.Combine(folder, Path.GetRandomFileName())), StringComparison.Ordinal);
+        Assert.Contains("does not exist", await FailAsync(option, Path.Combine(folder, Path.GetRandomFileName())), StringComparison.Ordinal);
         string empty = Path.GetTempFileName();
         Assert.Contains("is empty", await FailAsync(option, empty), StringComparison.Ordinal);
         File.Delete(empty);

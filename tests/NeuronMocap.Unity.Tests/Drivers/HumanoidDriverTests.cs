@@ -92,7 +92,7 @@ public sealed class HumanoidDriverTests : SourceFixture
     {
         HumanoidDriver driver = new GameObject("Empty").AddComponent<HumanoidDriver>();
         Loop.Frame();
-        Assert.Contains("no Animator", driver.Problem, StringComparison.Ordinal);
+        Assert.Contains("No Animator", driver.Problem, StringComparison.Ordinal);
 
         TestFigure figure = TestFigure.Build("Figure");
         driver.Animator = figure.Animator;
@@ -109,7 +109,7 @@ public sealed class HumanoidDriverTests : SourceFixture
         WaitForPose(source);
         Loop.RunUntil(() => source.State == SourceState.Receiving);
         Loop.Frame();
-        Assert.Equal("There is no performer 3. Change Performer Index to one of these: Char00 (0).", driver.Problem);
+        Assert.Equal("No performer 3. Change Performer Index to one of these: Char00 (0).", driver.Problem);
         driver.PerformerChoice = PerformerChoice.ByName;
         driver.PerformerName = "Anna";
         Loop.Frame();
@@ -265,7 +265,7 @@ public sealed class HumanoidDriverTests : SourceFixture
         Object.Destroy(first.Root);
         Loop.Frames(2);
         Assert.False(driver.IsDriving);
-        Assert.Contains("no Animator", driver.Problem, StringComparison.Ordinal);
+        Assert.Contains("No Animator", driver.Problem, StringComparison.Ordinal);
 
         TestFigure second = TestFigure.Build("Second");
         second.Root.transform.SetParent(driver.transform, false);

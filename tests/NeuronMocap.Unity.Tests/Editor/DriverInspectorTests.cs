@@ -20,7 +20,7 @@ public sealed class DriverInspectorTests : IDisposable
         _world.Loop.Frame();
         ImmediateGui.Draw(inspector.OnInspectorGUI);
         Assert.Equal(Dot(Severity.Error), EditorWorld.DotOf("The figure does not move"));
-        Assert.Contains("There is no mocap source", Assert.Single(EditorWorld.Labels("HelpBox")), StringComparison.Ordinal);
+        Assert.Contains("No mocap source found", Assert.Single(EditorWorld.Labels("HelpBox")), StringComparison.Ordinal);
 
         driver.Source = Stage.AddSimulator();
         _world.Loop.RunUntil(() => driver.IsDriving);
@@ -47,7 +47,7 @@ public sealed class DriverInspectorTests : IDisposable
 
         Assert.Equal(Dot(Severity.Error), EditorWorld.DotOf("The figure does not move"));
         string advice = Assert.Single(EditorWorld.Labels("HelpBox"));
-        Assert.Contains("no performer 7", advice, StringComparison.Ordinal);
+        Assert.Contains("No performer 7", advice, StringComparison.Ordinal);
         Assert.All(driver.Source.Performers, performer => Assert.Contains($"{performer}", advice, StringComparison.Ordinal));
     }
 

@@ -27,7 +27,7 @@ public sealed class SourcesWindowTests : IDisposable
     {
         ImmediateGui.Draw(_draw);
 
-        Assert.Contains("GameObject, NeuronMocap, Source", Assert.Single(EditorWorld.Labels("HelpBox")), StringComparison.Ordinal);
+        Assert.Contains("GameObject > NeuronMocap > Source", Assert.Single(EditorWorld.Labels("HelpBox")), StringComparison.Ordinal);
         Assert.Empty(ImmediateGui.Lines);
     }
 

@@ -31,13 +31,13 @@ internal static class AssemblyDefinitionCheck
         if (all.Count(other => other.Name == definition.Name) > 1)
             yield return $"{path}: another assembly has this name, too";
         if (!definition.OverrideReferences)
-            yield return $"{path}: would be given every library of a project (overrideReferences)";
+            yield return $"{path}: would reference every library of a project (overrideReferences)";
 
         foreach (string reference in definition.References)
         {
             AssemblyDefinition? target = all.FirstOrDefault(other => other.Name == reference);
             if (target is null && !(definition.IsTest && TestAssemblies.Contains(reference)))
-                yield return $"{path}: there is no assembly {reference}";
+                yield return $"{path}: the assembly {reference} does not exist";
             if (target is { IsEditorOnly: true } && !definition.IsEditorOnly)
                 yield return $"{path}: {reference} is there only in the editor";
             if (target is { IsTest: true })
@@ -47,7 +47,7 @@ internal static class AssemblyDefinitionCheck
         foreach (string library in definition.PrecompiledReferences)
         {
             if (!package.Files.ContainsKey($"{MirroredFile.Libraries}/{library}") && !(definition.IsTest && library == TestLibrary))
-                yield return $"{path}: there is no library {library}";
+                yield return $"{path}: the library {library} does not exist";
         }
 
         if (definition.IsTest && (definition.AutoReferenced || !definition.PrecompiledReferences.Contains(TestLibrary)))

@@ -97,6 +97,6 @@ internal static class LibraryCheck
             .Select(handle => metadata.GetString(metadata.GetDocument(handle).Name))
             .Where(static name => !name.StartsWith(MappedRoot, StringComparison.Ordinal))
             .Take(1)
-            .Select(static name => $"tells of {name}, a path of the machine it was built on")];
+            .Select(static name => $"contains {name}, a path of the machine it was built on")];
     }
 }

@@ -46,7 +46,7 @@ internal static partial class ManifestCheck
         if (manifest.TryGetProperty("dependencies", out JsonElement dependencies))
         {
             foreach (JsonProperty dependency in dependencies.EnumerateObject().Where(static dependency => !dependency.Name.StartsWith("com.unity.modules.", StringComparison.Ordinal)))
-                yield return $"package.json: {dependency.Name} is no module of Unity's own";
+                yield return $"package.json: {dependency.Name} is not a module of Unity";
         }
     }
 
@@ -60,7 +60,7 @@ internal static partial class ManifestCheck
             if (GetText(sample, "displayName").Length == 0 || GetText(sample, "description").Length == 0)
                 yield return $"package.json: the sample {path} lacks its name or description";
             if (!package.AssetFolders.Contains(path) || AssetPath.ParentOf(path) != AssetPath.Samples)
-                yield return $"package.json: there is no sample {path}";
+                yield return $"package.json: the sample {path} does not exist";
         }
 
         foreach (string folder in package.AssetFolders.Where(folder => AssetPath.ParentOf(folder) == AssetPath.Samples).Except(listed))

@@ -36,6 +36,6 @@ internal static class MetaCheck
             yield return $"{string.Join(" and ", same.Order(StringComparer.Ordinal))}: one file on Windows and macOS";
 
         foreach (string meta in package.Files.Keys.Where(AssetPath.IsMeta).Where(meta => !assets.Contains(AssetPath.AssetOf(meta))))
-            yield return $"{meta}: there is no {AssetPath.AssetOf(meta)}, or it needs no meta";
+            yield return $"{meta}: {AssetPath.AssetOf(meta)} does not exist or needs no meta";
     }
 }

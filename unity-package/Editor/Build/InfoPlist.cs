@@ -38,7 +38,7 @@ namespace NeuronMocap.Unity.EditorTools
         {
             entries = document.Root is { Name: { LocalName: "plist" } } root && root.Element("dict") is { } dict
                 ? dict
-                : throw new FormatException("It is no property list: it has no plist with a dict.");
+                : throw new FormatException("This is not a property list: it has no plist with a dict.");
             XElement? key = entries.Elements("key").FirstOrDefault(element => string.Equals(element.Value.Trim(), LocalNetworkKey, StringComparison.Ordinal));
             return key?.ElementsAfterSelf().FirstOrDefault();
         }
@@ -54,7 +54,7 @@ namespace NeuronMocap.Unity.EditorTools
             }
             catch (XmlException exception)
             {
-                throw new FormatException($"It is no XML: {exception.Message}", exception);
+                throw new FormatException($"This is not XML: {exception.Message}", exception);
             }
         }
 

@@ -15,18 +15,18 @@ namespace NeuronMocap.Unity.EditorTools
         /// <summary>The text that iOS shows unless another one is set.</summary>
         public const string DefaultLocalNetworkText = "Receives motion capture data from a computer in your network.";
 
-        [SerializeField, Tooltip("iOS 14 and newer let an app talk to other computers of the network only after asking, with this text. "
+        [SerializeField, Tooltip("iOS 14 and newer ask the user, with this text, before an app may talk to other computers on the network. "
             + "A text that is in the Info.plist already stays.")]
         private bool _addLocalNetworkText = true;
 
-        [SerializeField, TextArea(2, 4), Tooltip("Why the app wants the local network, in words for the person who holds the device.")]
+        [SerializeField, TextArea(2, 4), Tooltip("Why the app needs the local network, in words for the user of the device.")]
         private string _localNetworkText = DefaultLocalNetworkText;
 
         [SerializeField, Tooltip("Sets Internet Access to Require in the Android player settings when a build begins. Without that "
             + "permission every connection fails on the device.")]
         private bool _requireInternetPermission = true;
 
-        [SerializeField, Tooltip("What to do when a scene with a source is built for WebGL, where browsers allow no TCP or UDP socket.")]
+        [SerializeField, Tooltip("What to do when a scene with a source is built for WebGL: browsers do not allow TCP or UDP sockets.")]
         private BuildProblem _webGL = BuildProblem.Warn;
 
         /// <summary>Whether the text for the local network is put into the Info.plist of an iOS build. On unless set.</summary>

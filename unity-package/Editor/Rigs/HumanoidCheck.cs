@@ -37,12 +37,12 @@ namespace NeuronMocap.Unity.EditorTools
             return above != null
                 ? new RigProblem(
                     Severity.Error,
-                    $"The Animator of this figure is on {above.name}, above this object, where the driver does not look by itself.",
+                    $"The Animator of this figure is on {above.name}, above this object, where the driver does not search.",
                     $"Assign {above.name}",
                     () => RigFixes.SetReference(driver, "_animator", above))
                 : new RigProblem(
                     Severity.Error,
-                    "There is no Animator. Put this component on the figure, or assign the figure's Animator.",
+                    "No Animator found. Put this component on the figure, or assign the figure's Animator.",
                     "Add an Animator",
                     () => Undo.AddComponent<Animator>(driver.gameObject));
         }

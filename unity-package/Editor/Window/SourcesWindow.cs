@@ -65,7 +65,7 @@ namespace NeuronMocap.Unity.EditorTools
             }
 
             if (_sources.Count == 0)
-                EditorGUILayout.HelpBox("There is no source in the open scenes. GameObject, NeuronMocap, Source makes one.", MessageType.Info);
+                EditorGUILayout.HelpBox("The open scenes have no source. Add one with GameObject > NeuronMocap > Source.", MessageType.Info);
 
             EditorGUILayout.EndScrollView();
             DrawPreview();

@@ -9,7 +9,7 @@ namespace NeuronMocap.Unity
     public abstract partial class FigureDriver
     {
         private const string NoSource =
-            "There is no mocap source. Add one to the scene (GameObject > NeuronMocap > Mocap Source), or assign one to Source.";
+            "No mocap source found. Add one to the scene (GameObject > NeuronMocap > Mocap Source), or assign one to Source.";
 
         private const string SourceDisabled = "The source of this figure is disabled. Enable its component and its object, or assign another one to Source.";
 
@@ -46,7 +46,7 @@ namespace NeuronMocap.Unity
             if (_performerChoice == PerformerChoice.ByName)
                 text.Append("No performer is called \"").Append(_performerName).Append("\". Change Performer Name");
             else
-                text.Append("There is no performer ").Append(_performerIndex).Append(". Change Performer Index");
+                text.Append("No performer ").Append(_performerIndex).Append(". Change Performer Index");
 
             text.Append(source.Performers.Count == 0 ? "; none has sent a frame yet" : " to one of these: ");
             for (int i = 0; i < source.Performers.Count; i++)

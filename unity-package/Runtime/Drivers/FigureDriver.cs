@@ -34,26 +34,26 @@ namespace NeuronMocap.Unity
         private DriveTime _driveTime;
 
         [Header("Body")]
-        [Tooltip("Full: the figure goes where the performer goes. Horizontal: it keeps its height. In Place: it stays where it stands.")]
+        [Tooltip("Full: the figure follows the performer. Horizontal: it keeps its height. In Place: it does not move.")]
         [SerializeField]
         private RootMotion _rootMotion;
 
-        [Tooltip("Measure ways by the length of the legs, so that feet do not slide. Off: by Scale.")]
+        [Tooltip("Scale root motion by leg length to prevent foot sliding. Off: use Scale.")]
         [SerializeField]
         private bool _automaticScale = true;
 
-        [Tooltip("How far the figure goes for one metre of the performer.")]
+        [Tooltip("Distance that the figure moves for one metre of the performer.")]
         [Range(0, 10)]
         [SerializeField]
         private float _scale = 1;
 
-        [Tooltip("How much higher the hips are, in metres.")]
+        [Tooltip("Raises the hips, in metres.")]
         [Range(-1, 1)]
         [SerializeField]
         private float _heightOffset;
 
         [Header("Feet")]
-        [Tooltip("Hold feet where they touch the ground, and keep them from sinking in. Not with root motion In Place.")]
+        [Tooltip("Hold feet where they touch the ground, and keep them above it. No effect with root motion In Place.")]
         [SerializeField]
         private bool _footPlanting;
 
@@ -61,31 +61,31 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private float _groundHeight;
 
-        [Tooltip("How long a foot takes to be held, and to be let go, in seconds.")]
+        [Tooltip("Seconds to blend into and out of foot planting.")]
         [Range(0, 1)]
         [SerializeField]
         private float _footBlendTime = 0.15f;
 
-        [Tooltip("Keep: a foot that stands rolls as the performer's does. Flatten: its whole sole is on the ground.")]
+        [Tooltip("Keep: a planted foot rolls like the performer's. Flatten: its whole sole stays on the ground.")]
         [SerializeField]
         private FootRotation _footRotation;
 
         [Header("Weights")]
-        [Tooltip("How much of the motion the figure takes over; the rest is its rest pose, or what an Animator plays.")]
+        [Tooltip("How much of the motion the figure follows. The rest comes from its rest pose or its Animator.")]
         [Range(0, 1)]
         [SerializeField]
         private float _weight = 1;
 
-        [Tooltip("How much each part of the body takes over. A part at 0 is left alone.")]
+        [Tooltip("How much of the motion each body part follows. A part at 0 is not changed.")]
         [SerializeField]
         private PartWeights _partWeights = new PartWeights();
 
         [Header("When data stops")]
-        [Tooltip("Keep the last pose, or go over to the rest pose (or to what an Animator plays).")]
+        [Tooltip("Keep the last pose, or blend to the rest pose (or to the Animator's pose).")]
         [SerializeField]
         private IdleBehaviour _whenIdle;
 
-        [Tooltip("How long that takes, and the way back when data comes again, in seconds.")]
+        [Tooltip("Seconds to blend to the idle pose, and back when data resumes.")]
         [Range(0, 10)]
         [SerializeField]
         private float _idleBlendTime = 1;

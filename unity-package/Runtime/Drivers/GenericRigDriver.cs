@@ -16,15 +16,15 @@ namespace NeuronMocap.Unity
     public sealed class GenericRigDriver : FigureDriver
     {
         [Header("Rig")]
-        [Tooltip("The transform that the rig hangs from. Empty: this object.")]
+        [Tooltip("The root transform of the rig. Empty: this object.")]
         [SerializeField]
         private Transform? _root;
 
-        [Tooltip("What the names of the transforms begin with, such as Robot_ or mixamorig:. Empty: found out.")]
+        [Tooltip("Prefix of the transforms' names, such as Robot_ or mixamorig:. Empty: detected automatically.")]
         [SerializeField]
         private string _prefix = string.Empty;
 
-        [Tooltip("Transforms of single bones, before any that are found by name.")]
+        [Tooltip("Transforms of single bones. They take precedence over those found by name.")]
         [SerializeField]
         private List<BoneBinding> _bindings = new List<BoneBinding>();
 

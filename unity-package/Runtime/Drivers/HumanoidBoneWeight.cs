@@ -15,7 +15,7 @@ namespace NeuronMocap.Unity
         public HumanoidBone Bone;
 
         /// <summary>How much of the motion it takes over, 0 to 1. At 0 it is left alone.</summary>
-        [Tooltip("How much of the motion it takes over. At 0 it is left alone.")]
+        [Tooltip("How much of the motion it follows. At 0 it is not changed.")]
         [Range(0, 1)]
         public float Weight;
     }

@@ -94,7 +94,7 @@ namespace NeuronMocap.Unity
         private static string FindFault(Animator? animator)
         {
             if (animator == null)
-                return "There is no Animator. Put this component on the figure, or assign the figure's Animator to Animator.";
+                return "No Animator found. Put this component on the figure, or assign the figure's Animator to Animator.";
             if (animator.avatar == null)
                 return "The Animator has no avatar. In the model's import settings, tab Rig, choose Humanoid, and assign the avatar to the Animator.";
             if (!animator.avatar.isValid)

@@ -12,7 +12,7 @@ namespace NeuronMocap.Unity
         public const string FromBindPose = "The avatar does not say how the figure stands at rest; its bind pose is taken instead.";
 
         public const string FromPresent =
-            "The figure's rest pose is not known: it has no avatar that tells it, and no skin. How it stood at first is taken, which has to be the T-pose.";
+            "The figure's rest pose is not known: it has no avatar and no skin. The initial pose is used instead; it must be the T-pose.";
 
         private readonly Dictionary<string, SkeletonBone> _skeleton = new Dictionary<string, SkeletonBone>(StringComparer.Ordinal);
         private readonly Dictionary<Transform, Matrix4x4> _bound = new Dictionary<Transform, Matrix4x4>();

@@ -20,12 +20,12 @@ namespace NeuronMocap.Unity
         private MocapSource? _source;
 
         [SerializeField]
-        [Tooltip("A character with an Animator and a humanoid avatar, or with a driver of its own. Empty: a figure of simple shapes in each performer's sizes.")]
+        [Tooltip("A character with an Animator and a humanoid avatar, or with its own driver. Empty: a figure of simple shapes in each performer's sizes.")]
         private GameObject? _prefab;
 
         [SerializeField]
         [Range(1, 64)]
-        [Tooltip("Most figures at a time. Further performers have to wait.")]
+        [Tooltip("Maximum number of figures at a time. More performers have to wait.")]
         private int _maxFigures = 16;
 
         [SerializeField]
@@ -48,12 +48,12 @@ namespace NeuronMocap.Unity
 
         [SerializeField]
         [Range(0, 5)]
-        [Tooltip("How long a figure takes to the idle pose and back; seconds.")]
+        [Tooltip("Seconds that a figure takes to blend to the idle pose and back.")]
         private float _blendSeconds = 0.5f;
 
         [SerializeField]
         [Min(0)]
-        [Tooltip("Destroy figures that were idle for so long; seconds. 0: never.")]
+        [Tooltip("Destroy a figure after this many idle seconds. 0: never.")]
         private float _despawnSeconds = 10;
 
         [SerializeField]

@@ -44,7 +44,7 @@ namespace NeuronMocap.Unity
         private Material? _groundMaterial;
 
         [SerializeField]
-        [Tooltip("A light like the sun's.")]
+        [Tooltip("Add a directional light.")]
         private bool _light = true;
 
         [SerializeField]
@@ -52,7 +52,7 @@ namespace NeuronMocap.Unity
         private bool _camera = true;
 
         [SerializeField]
-        [Tooltip("What the camera looks at and goes along with; of a Figure Builder, the figure. Empty: this object.")]
+        [Tooltip("The target that the camera looks at and follows; for a Figure Builder, its figure. Empty: this object.")]
         private Transform? _target;
 
         [SerializeField]

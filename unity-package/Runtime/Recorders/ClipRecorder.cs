@@ -31,12 +31,12 @@ namespace NeuronMocap.Unity
 
         [SerializeField]
         [Range(1, 240)]
-        [Tooltip("Most frames per second in the clip. There are never more than the game renders.")]
+        [Tooltip("Maximum frame rate of the clip. It never exceeds the rate of the game.")]
         private float _frameRate = 60;
 
         [SerializeField]
         [Range(0, 1)]
-        [Tooltip("Leaves keys out that the others give with this error: percent of a muscle's range, degrees, or centimetres. 0 keeps all.")]
+        [Tooltip("Removes keys that interpolation restores within this error: percent of a muscle's range, degrees, or centimetres. 0 keeps all.")]
         private float _keyTolerance = 0.1f;
 
         [SerializeField]
@@ -220,7 +220,7 @@ namespace NeuronMocap.Unity
                 return new HumanoidSampler(animator);
 
             Refuse(animator == null
-                ? "There is no Animator on this object or below it: set Animator."
+                ? "This object and its children have no Animator: set Animator."
                 : $"The Animator of \"{animator.name}\" has no human avatar: set the model's Animation Type to Humanoid, or Kind to Generic.");
             return null;
         }

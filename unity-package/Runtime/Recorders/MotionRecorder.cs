@@ -27,7 +27,7 @@ namespace NeuronMocap.Unity
         private TakeFormats _formats = TakeFormats.Bvh;
 
         [SerializeField]
-        [Tooltip("Where the files go. Empty: the application's own folder for data. A relative path begins there.")]
+        [Tooltip("Folder of the files. Empty: the application's data folder. A relative path begins there.")]
         private string _folder = "";
 
         [SerializeField]
@@ -40,7 +40,7 @@ namespace NeuronMocap.Unity
 
         [SerializeField]
         [Min(0)]
-        [Tooltip("The performer to export to BVH when not every one is: its number on the server.")]
+        [Tooltip("Number on the server of the performer to export to BVH, unless all are exported.")]
         private int _avatarIndex;
 
         [SerializeField]

@@ -19,7 +19,7 @@ namespace NeuronMocap.Unity
     [DisallowMultipleComponent]
     public sealed partial class MocapSource : MonoBehaviour
     {
-        [Tooltip("Where the motion comes from: the network, performers that the package makes up, a BVH file, or a recording.")]
+        [Tooltip("Where the motion comes from: the network, simulated performers, a BVH file, or a recording.")]
         [SerializeField]
         private SourceKind _kind;
 
@@ -39,7 +39,7 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private int _calculationPort;
 
-        [Tooltip("TCP or UDP, as the server is set.")]
+        [Tooltip("TCP or UDP, as set on the server.")]
         [SerializeField]
         private TransportKind _transport;
 
@@ -74,7 +74,7 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private int _performerCount = 1;
 
-        [Tooltip("What they do.")]
+        [Tooltip("What the simulated performers do.")]
         [SerializeField]
         private SimulatedMotion _motion;
 
@@ -89,45 +89,45 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private string _file = string.Empty;
 
-        [Tooltip("A BVH file as a text asset (give it the ending .txt or .bytes); goes before File. For platforms where StreamingAssets are no files, such as Android.")]
+        [Tooltip("A BVH file as a text asset (give it the ending .txt or .bytes); takes precedence over File. Use it where StreamingAssets are not files, such as on Android.")]
         [SerializeField]
         private TextAsset? _bvhAsset;
 
-        [Tooltip("Begin again at the end.")]
+        [Tooltip("Start again at the end.")]
         [SerializeField]
         private bool _loop = true;
 
-        [Tooltip("How many times as fast as it was recorded. A change begins the file again.")]
+        [Tooltip("Playback speed; 1 is the recorded speed. A change restarts the file.")]
         [Range(0.1f, 10)]
         [SerializeField]
         private float _speed = 1;
 
         [Header("Timing")]
-        [Tooltip("Show the motion at the moments of the rendered frames, a short delay behind, smooth whatever the network does. Off: the newest frame as it is.")]
+        [Tooltip("Resample the motion at the time of each rendered frame, with a short delay, so that network jitter does not show. Off: use the newest frame.")]
         [SerializeField]
         private bool _resample = true;
 
-        [Tooltip("How far behind the motion is shown, in milliseconds. One frame of the stream and its usual lateness is enough: 30 on a cable, 60 on Wi-Fi.")]
+        [Tooltip("Delay of the motion, in milliseconds. One frame of the stream plus its jitter is enough: 30 on a cable, 60 on Wi-Fi.")]
         [Range(0, 500)]
         [SerializeField]
         private float _delay = 30;
 
-        [Tooltip("How poses between two frames of the stream are made. Cubic keeps the speed steady.")]
+        [Tooltip("How to interpolate between two frames of the stream. Cubic keeps the speed steady.")]
         [SerializeField]
         private PoseInterpolationMethod _interpolation = PoseInterpolationMethod.Cubic;
 
-        [Tooltip("A performer without a frame for so many seconds counts as idle.")]
+        [Tooltip("A performer becomes idle after this many seconds without a frame.")]
         [Range(0.1f, 60)]
         [SerializeField]
         private float _idleTimeout = 1;
 
-        [Tooltip("A performer without a frame for so many seconds is gone. 0: never.")]
+        [Tooltip("A performer is removed after this many seconds without a frame. 0: never.")]
         [Range(0, 600)]
         [SerializeField]
         private float _leaveTimeout = 10;
 
         [Header("Scenes")]
-        [Tooltip("Keep the source, and its connection, when another scene is loaded. It has to be on an object of its own at the root of the scene.")]
+        [Tooltip("Keep the source, and its connection, when another scene is loaded. It must be on its own object at the root of the scene.")]
         [SerializeField]
         private bool _persistAcrossScenes;
 

@@ -158,7 +158,7 @@ namespace NeuronMocap.Unity
 
         private static int CheckedIndex(Bone bone) => (uint)bone < BoneHierarchy.BoneCount
             ? (int)bone
-            : throw new ArgumentOutOfRangeException(nameof(bone), bone, "There is no such bone.");
+            : throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone does not exist.");
 
         private void Resample(in SamplingSettings sampling)
         {

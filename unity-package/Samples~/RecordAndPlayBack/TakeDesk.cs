@@ -20,7 +20,7 @@ namespace NeuronMocap.Unity.Samples
 
         [SerializeField]
         [Range(0, 60)]
-        [Tooltip("Record so long at the beginning, without being asked; seconds. 0: not at all.")]
+        [Tooltip("Records automatically at the start for this many seconds. 0: never.")]
         private float _recordAtStart = 5;
 
         private string _take = "";

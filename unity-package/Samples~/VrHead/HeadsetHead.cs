@@ -19,11 +19,11 @@ namespace NeuronMocap.Unity.Samples
         private HumanoidDriver? _driver;
 
         [SerializeField]
-        [Tooltip("What the camera hangs from: the XR rig or XR origin. It is moved, and turned by Recenter only. Not below the figure.")]
+        [Tooltip("The camera's parent: the XR rig or XR origin. This component moves it; only Recenter turns it. It must not be below the figure.")]
         private Transform? _rig;
 
         [SerializeField]
-        [Tooltip("What the headset turns: the XR camera.")]
+        [Tooltip("The XR camera, which the headset turns.")]
         private Transform? _headset;
 
         private Animator? _bound;

@@ -10,7 +10,7 @@ namespace NeuronMocap.Unity.Samples
 
         [SerializeField]
         [Range(0.05f, 1)]
-        [Tooltip("Degrees for a pixel.")]
+        [Tooltip("Degrees per pixel.")]
         private float _speed = 0.25f;
 
         private float _yaw;

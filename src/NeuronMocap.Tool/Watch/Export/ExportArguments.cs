@@ -14,7 +14,7 @@ internal sealed class ExportArguments
     private readonly Option<string?> _export = new("--export")
     {
         HelpName = "FILE.bvh",
-        Description = "Write the motion frames into this BVH file as well, whatever is shown. A file that is there already is an error unless --overwrite is given. "
+        Description = "Write the motion frames into this BVH file as well, in addition to the output. An existing file is an error unless --overwrite is given. "
             + "The bones' lengths are those of the stream (displacement on), or those that the server's command channel tells, or those of the manual's Appendix B.",
         Arity = ArgumentArity.ExactlyOne,
     };

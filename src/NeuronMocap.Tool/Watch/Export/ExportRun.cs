@@ -74,7 +74,7 @@ internal sealed class ExportRun : IDisposable
         {
             BvhBodyOrigin.Stream => "lengths of the bones from the stream",
             BvhBodyOrigin.Header => "lengths of the bones from the command channel",
-            BvhBodyOrigin.Dimensions => "lengths of the bones from the sizes that the command channel told",
+            BvhBodyOrigin.Dimensions => "bone lengths from the sizes of the command channel",
             _ => "lengths of the bones of the default body",
         };
         string repeated = file.RepeatedFrames == 0 ? "" : $" {file.RepeatedFrames} of them stand in for lost ones;";

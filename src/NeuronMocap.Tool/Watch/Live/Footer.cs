@@ -34,7 +34,7 @@ internal static class Footer
     private static IEnumerable<(string Key, string Action)> KeysOf(LiveState state)
     {
         if (!state.HasKeyboard)
-            return [("Ctrl-C", "quits; standard input is no keyboard")];
+            return [("Ctrl-C", "quits; standard input is not a keyboard")];
         if (state.HelpPage is not null)
             return [("?", "next page"), ("esc", "close"), ("q", "quit")];
 

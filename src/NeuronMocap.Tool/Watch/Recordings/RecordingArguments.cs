@@ -27,7 +27,7 @@ internal sealed class RecordingArguments
     private readonly Option<int?> _size = new("--record-size")
     {
         HelpName = "MB",
-        Description = $"With --record: begin another file before one grows past so many megabytes, {SmallestFile} to {LargestFile}. The files have numbers: "
+        Description = $"With --record: begin another file before one grows past this many megabytes, {SmallestFile} to {LargestFile}. The files have numbers: "
             + "take.0001.nmrec and so on.",
         CustomParser = result => Parse(result, SmallestFile, LargestFile, "megabytes"),
         Arity = ArgumentArity.ExactlyOne,
@@ -36,7 +36,7 @@ internal sealed class RecordingArguments
     private readonly Option<int?> _time = new("--record-time")
     {
         HelpName = "SECONDS",
-        Description = $"With --record: begin another file after so many seconds, 1 to {LongestFile}.",
+        Description = $"With --record: begin another file after this many seconds, 1 to {LongestFile}.",
         CustomParser = result => Parse(result, 1, LongestFile, "seconds"),
         Arity = ArgumentArity.ExactlyOne,
     };

@@ -34,6 +34,6 @@ internal sealed record RecordingSettings(string Path, RecordingOptions Options)
 
         return Options.MaxFileSize is null && Options.MaxFileDuration is null
             ? $"{FileFault.OfWriting(exception, Path)} --overwrite replaces it."
-            : $"files with numbers of '{TerminalText.Clean(Path)}' are there already. --overwrite replaces them.";
+            : $"files with numbers of '{TerminalText.Clean(Path)}' already exist. --overwrite replaces them.";
     }
 }

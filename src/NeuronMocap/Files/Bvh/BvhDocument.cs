@@ -40,9 +40,9 @@ public sealed class BvhDocument
         ArgumentNullException.ThrowIfNull(hierarchy);
         ArgumentNullException.ThrowIfNull(values);
         if (frameTime == default)
-            throw new ArgumentException("A frame lasts more than 0 s.", nameof(frameTime));
+            throw new ArgumentException("The frame time must be more than 0 s.", nameof(frameTime));
         if (hierarchy.ChannelCount == 0 ? values.Length > 0 : values.Length % hierarchy.ChannelCount != 0)
-            throw new ArgumentException($"{values.Length} values do not make rows of {hierarchy.ChannelCount}.", nameof(values));
+            throw new ArgumentException($"{values.Length} values are not a multiple of {hierarchy.ChannelCount}, the length of a row.", nameof(values));
 
         Hierarchy = hierarchy;
         FrameTime = frameTime;

@@ -21,9 +21,9 @@ public readonly record struct BvhFrameTime
     public BvhFrameTime(long numerator, long denominator)
     {
         if (numerator <= 0)
-            throw new ArgumentOutOfRangeException(nameof(numerator), numerator, "A frame lasts more than 0 s.");
+            throw new ArgumentOutOfRangeException(nameof(numerator), numerator, "The frame time must be more than 0 s.");
         if (denominator <= 0)
-            throw new ArgumentOutOfRangeException(nameof(denominator), denominator, "A denominator is above 0.");
+            throw new ArgumentOutOfRangeException(nameof(denominator), denominator, "The denominator must be more than 0.");
 
         long divisor = GreatestDivisor(numerator, denominator);
         Numerator = numerator / divisor;
@@ -55,7 +55,7 @@ public readonly record struct BvhFrameTime
     public static BvhFrameTime FromFrameRate(double frameRate)
     {
         if (frameRate is not (>= SlowestRate and <= FastestRate))
-            throw new ArgumentOutOfRangeException(nameof(frameRate), frameRate, "A rate is 1/3600 to a million frames per second.");
+            throw new ArgumentOutOfRangeException(nameof(frameRate), frameRate, "The rate must be 1/3600 to a million frames per second.");
 
         decimal rate = (decimal)frameRate;
         (long numerator, long denominator) = SimplestFraction(rate - (rate * RateTolerance), rate + (rate * RateTolerance));

@@ -28,20 +28,20 @@ public sealed class BvhHierarchyBuilder
     {
         ArgumentNullException.ThrowIfNull(name);
         if (_isBuilt)
-            throw new InvalidOperationException("The hierarchy is built.");
+            throw new InvalidOperationException("The hierarchy is built already.");
         if (_joints.Count == BvhDocument.MaxJoints)
             throw new InvalidOperationException($"There are {BvhDocument.MaxJoints} joints already.");
         if (name.AsSpan().IndexOfAny("{}\r\n") >= 0 || name.Trim().Length != name.Length || name.Length == 0)
-            throw new ArgumentException("A name is not empty and has no braces, no line ends, and no white space around it.", nameof(name));
+            throw new ArgumentException("The name must not be empty, and must not have braces, line ends, or white space around it.", nameof(name));
 
         foreach (BvhChannel channel in channels)
         {
             if (channel is not (>= BvhChannel.Xposition and <= BvhChannel.Zrotation))
-                throw new ArgumentException($"{channel} is no channel.", nameof(channels));
+                throw new ArgumentException($"{channel} is not a channel.", nameof(channels));
         }
 
         if (_channelCount + channels.Length > BvhDocument.MaxChannels)
-            throw new InvalidOperationException($"There would be more than {BvhDocument.MaxChannels} channels.");
+            throw new InvalidOperationException($"The hierarchy must not have more than {BvhDocument.MaxChannels} channels.");
 
         CloseUpTo(parent);
         if (_open.Count == BvhDocument.MaxDepth)
@@ -63,9 +63,9 @@ public sealed class BvhHierarchyBuilder
     public BvhHierarchy Build()
     {
         if (_joints.Count == 0)
-            throw new InvalidOperationException("A hierarchy has a joint.");
+            throw new InvalidOperationException("The hierarchy needs at least one joint.");
         if (_isBuilt)
-            throw new InvalidOperationException("The hierarchy is built.");
+            throw new InvalidOperationException("The hierarchy is built already.");
 
         _isBuilt = true;
         return new BvhHierarchy(_joints, _channelCount);
@@ -74,7 +74,7 @@ public sealed class BvhHierarchyBuilder
     private void CloseUpTo(BvhJoint? parent)
     {
         if (parent is not null && !_open.Contains(parent))
-            throw new ArgumentException("A joint hangs from the one before it, or from one that that one hangs from.", nameof(parent));
+            throw new ArgumentException("The parent must be the previous joint or one of its ancestors.", nameof(parent));
 
         while (_open.Count > 0 && _open.Peek() != parent)
             _open.Pop();

@@ -48,7 +48,7 @@ internal ref struct BvhHierarchyReader
         if (_joints.Count == 0)
             throw Refuse("The hierarchy has no joints.");
         if (_open is not null)
-            _repairs.Add(_place, $"The hierarchy ends inside {Describe(_open)}", $"what is open is closed here");
+            _repairs.Add(_place, $"The hierarchy ends inside {Describe(_open)}", $"open blocks are closed here");
 
         while (_open is not null)
             CloseJoint();
@@ -74,7 +74,7 @@ internal ref struct BvhHierarchyReader
         while (!_text.TryReadWord("HIERARCHY"u8))
         {
             if (_text.ReadWord().IsEmpty)
-                throw new BvhFormatException($"There is no HIERARCHY; the file begins with {quote}.", _place.Line, _place.Column);
+                throw new BvhFormatException($"The file has no HIERARCHY; it begins with {quote}.", _place.Line, _place.Column);
         }
 
         _repairs.Add(_place, $"The file begins with {quote}", $"what comes before HIERARCHY is ignored");
@@ -117,7 +117,7 @@ internal ref struct BvhHierarchyReader
         _joints.Add(_open);
         _depth++;
         if (_open.Name.Length == 0)
-            _repairs.Add(_place, $"Joint number {_joints.Count} has no name", $"it is read without");
+            _repairs.Add(_place, $"Joint number {_joints.Count} has no name", $"it gets an empty name");
 
         ReadOpeningBrace();
     }
@@ -125,9 +125,9 @@ internal ref struct BvhHierarchyReader
     private readonly void ReportKind(bool isRoot)
     {
         if (isRoot)
-            _repairs.Add(_place, $"There is a ROOT inside {Describe(_open!)}", $"it is read as a JOINT");
+            _repairs.Add(_place, $"A ROOT is inside {Describe(_open!)}", $"it is read as a JOINT");
         else
-            _repairs.Add(_place, $"There is a JOINT outside of any other", $"it is read as a ROOT");
+            _repairs.Add(_place, $"A JOINT is outside of any other", $"it is read as a ROOT");
     }
 
     // Names may hold spaces, and may stand on the line after.
@@ -146,7 +146,7 @@ internal ref struct BvhHierarchyReader
         _text.SkipToBrace();
         LeaveEndSite();
         if (_open!.EndSite is not null)
-            _repairs.Add(_place, $"There is a further End Site of {Describe(_open)}", $"it takes the place of the one before");
+            _repairs.Add(_place, $"Another End Site of {Describe(_open)}", $"it replaces the one before");
 
         _inEndSite = true;
         _open.EndSite = Vector3.Zero;
@@ -164,7 +164,7 @@ internal ref struct BvhHierarchyReader
     private void ReadOpeningBrace()
     {
         if (!_text.TryReadWord("{"u8))
-            _repairs.Add(_place, $"There is no {{ after {(_inEndSite ? "End Site" : Describe(_open!))}", $"it is read as if there were");
+            _repairs.Add(_place, $"There is no {{ after {(_inEndSite ? "End Site" : Describe(_open!))}", $"it is added");
     }
 
     private void Close()
@@ -201,7 +201,7 @@ internal ref struct BvhHierarchyReader
         }
 
         if (_open!.HasOffset)
-            _repairs.Add(_place, $"There is a further OFFSET of {Describe(_open)}", $"it takes the place of the one before");
+            _repairs.Add(_place, $"Another OFFSET of {Describe(_open)}", $"it replaces the one before");
 
         _open.Offset = offset;
         _open.HasOffset = true;
@@ -218,7 +218,7 @@ internal ref struct BvhHierarchyReader
         }
 
         if (!float.IsFinite(value))
-            _repairs.Add(_text.Place, $"The OFFSET in {Describe(_open!)} holds {word}", $"it is kept as that");
+            _repairs.Add(_text.Place, $"The OFFSET in {Describe(_open!)} holds {word}", $"it is kept");
 
         _format.AddOffset(word);
         _text.Advance(word.Length);
@@ -255,7 +255,7 @@ internal ref struct BvhHierarchyReader
             return;
 
         string announced = hasCount ? Quote(count.ToString(CultureInfo.InvariantCulture)) : "no number";
-        _repairs.Add(_place, $"CHANNELS of {Describe(_open)} announces {announced} and names {read}", $"the names are followed");
+        _repairs.Add(_place, $"CHANNELS of {Describe(_open)} announces {announced} and names {read}", $"the names are used");
     }
 
     private bool TryReadChannel(bool isKnownOnly, out BvhChannel channel)
@@ -298,7 +298,7 @@ internal ref struct BvhHierarchyReader
     {
         ReadOnlySpan<byte> word = _text.PeekWord();
         bool isBrace = word[0] == '{';
-        _repairs.Add(_place, $"{word} has no place here", $"it is ignored, and so is the rest of its line");
+        _repairs.Add(_place, $"{word} is not expected here", $"it is ignored with the rest of its line");
         _text.Advance(word.Length);
         if (!isBrace)
             _text.SkipToBrace();

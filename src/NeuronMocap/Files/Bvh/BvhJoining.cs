@@ -7,7 +7,7 @@ internal static class BvhJoining
     {
         ArgumentNullException.ThrowIfNull(takes);
         if (takes.Count == 0 || takes.Contains(null!))
-            throw new ArgumentException("There is a take at least, and none is null.", nameof(takes));
+            throw new ArgumentException("At least one take is needed, and none may be null.", nameof(takes));
 
         BvhDocument first = takes[0];
         for (int i = 1; i < takes.Count; i++)
@@ -51,7 +51,7 @@ internal static class BvhJoining
         if (!string.Equals(next.Name, first.Name, StringComparison.Ordinal))
             return $"joint {next.Index + 1} is {next.Name} instead of {first.Name}.";
         if (next.Parent?.Index != first.Parent?.Index)
-            return $"{next.Name} hangs from {next.Parent?.Name ?? "nothing"} instead of {first.Parent?.Name ?? "nothing"}.";
+            return $"{next.Name} is a child of {next.Parent?.Name ?? "nothing"} instead of {first.Parent?.Name ?? "nothing"}.";
         if (!next.Channels.SequenceEqual(first.Channels) || next.FirstChannel != first.FirstChannel)
             return $"{next.Name} has the channels {string.Join(' ', next.Channels)} instead of {string.Join(' ', first.Channels)}.";
 

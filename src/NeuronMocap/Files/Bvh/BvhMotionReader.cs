@@ -48,7 +48,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         if (text.TryReadWord("MOTION"u8))
             format.HasBlankLineAfterMotion = text.SkipSpace() && text.Place.Line > _start.Line + 1;
         else
-            repairs.Add(_start, $"The word MOTION is missing", $"it is read as if it stood here");
+            repairs.Add(_start, $"The word MOTION is missing", $"it is added here");
 
         BeginBlock(_start);
         MoveToRow(ref text);
@@ -102,7 +102,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         {
             EndBlock();
             BeginBlock(place);
-            repairs.Add(place, $"A further MOTION begins here", $"its rows follow those before it");
+            repairs.Add(place, $"Another MOTION begins here", $"its rows follow those before it");
             return true;
         }
 
@@ -152,7 +152,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         }
         else
         {
-            repairs.Add(place, $"There is a further number of frames", $"it is ignored");
+            repairs.Add(place, $"The number of frames is given again", $"it is ignored");
         }
 
         text.Advance(word.Length);
@@ -167,7 +167,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
             if (_isFrameTimeReported)
                 repairs.Add(text.Place, $"{word} is not a frame time", $"it is ignored");
             else
-                repairs.Add(text.Place, $"{word} is not a frame time", $"120 Hz is assumed unless another one follows");
+                repairs.Add(text.Place, $"{word} is not a frame time", $"120 Hz is assumed unless a valid one follows");
 
             _isFrameTimeReported = true;
         }
@@ -180,7 +180,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         }
         else if (declared != DeclaredFrameTime)
         {
-            repairs.Add(text.Place, $"There is a further frame time, {word}", $"it is ignored");
+            repairs.Add(text.Place, $"Another frame time is given, {word}", $"it is ignored");
         }
 
         text.Advance(word.Length);
@@ -191,7 +191,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         BvhTextPosition start = text.Place;
         if (channelCount == 0)
         {
-            repairs.AddLeftOut(start, $"The joints have no channels", $"the line is left out");
+            repairs.AddLeftOut(start, $"The joints have no channels", $"the line is skipped");
             text.SkipLine();
             return false;
         }
@@ -244,7 +244,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
 
         _isInLongLine = false;
         if (count > 0)
-            repairs.AddLeftOut(start, $"A row has {count} values instead of {channelCount}", $"it is left out");
+            repairs.AddLeftOut(start, $"A row has {count} values instead of {channelCount}", $"it is skipped");
         if (!text.IsAtLineEnd())
             ReportNoNumber(ref text);
 
@@ -271,12 +271,12 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
     private void ReportNotFinite(BvhTextPosition place)
     {
         if (place != default)
-            repairs.Add(place, $"Some values are not finite", $"they are read as they stand");
+            repairs.Add(place, $"Some values are not finite", $"they are kept");
     }
 
     private void ReportNoNumber(ref BvhText text)
     {
-        repairs.AddLeftOut(text.Place, $"{text.PeekLineWord()} is not a number", $"the line is left out");
+        repairs.AddLeftOut(text.Place, $"{text.PeekLineWord()} is not a number", $"the line is skipped");
         text.SkipLine();
     }
 }

@@ -81,7 +81,7 @@ internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
     public void EndLongLine()
     {
         LeaveOutOlder();
-        repairs.Add(_linePlace, $"More than {MaxRows} rows stand on a line", $"every {channelCount} values are read as one");
+        repairs.Add(_linePlace, $"More than {MaxRows} rows are on one line", $"every {channelCount} values are read as one");
         _whole = _end;
     }
 
@@ -96,7 +96,7 @@ internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
     public void LeaveOut()
     {
         if (IsAnyOpen)
-            repairs.AddLeftOut(_openPlace, $"A row has {_end} values instead of {channelCount}", $"it is left out");
+            repairs.AddLeftOut(_openPlace, $"A row has {_end} values instead of {channelCount}", $"it is skipped");
 
         Clear();
     }
@@ -105,7 +105,7 @@ internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
     {
         int older = _line;
         if (older > 0)
-            repairs.AddLeftOut(_openPlace, $"A row has {older} values instead of {channelCount}", $"it is left out");
+            repairs.AddLeftOut(_openPlace, $"A row has {older} values instead of {channelCount}", $"it is skipped");
 
         _values.AsSpan(older, _end - older).CopyTo(_values);
         _end -= older;

@@ -112,9 +112,9 @@ public sealed class BvhReader : IDisposable
     {
         ObjectDisposedException.ThrowIf(_isDisposed, this);
         if (_isBroken)
-            throw new InvalidOperationException("An exception ended the reading.");
+            throw new InvalidOperationException("An earlier exception ended the reading.");
         if (values.Length < Hierarchy.ChannelCount)
-            throw new ArgumentException($"There is room for the row's {Hierarchy.ChannelCount} values.", nameof(values));
+            throw new ArgumentException($"There must be room for the row's {Hierarchy.ChannelCount} values.", nameof(values));
 
         _isBroken = true;
         var text = new BvhText(_source);

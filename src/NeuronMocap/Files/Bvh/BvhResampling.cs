@@ -9,7 +9,7 @@ internal static class BvhResampling
     {
         ArgumentNullException.ThrowIfNull(document);
         if (frameTime == default)
-            throw new ArgumentException("A frame lasts more than 0 s.", nameof(frameTime));
+            throw new ArgumentException("The frame time must be more than 0 s.", nameof(frameTime));
         if (frameTime == document.FrameTime || document.FrameCount < 2)
             return new BvhDocument(document.Hierarchy, frameTime, document.CopyValues()) { TextFormat = document.TextFormat };
 
@@ -19,7 +19,7 @@ internal static class BvhResampling
         BigInteger last = (document.FrameCount - 1) * unit;
         BigInteger count = ((last + step - 1) / step) + 1;
         if (count * document.ChannelCount > int.MaxValue)
-            throw new ArgumentException($"There would be {count} frames, which is more than a document can have.", nameof(frameTime));
+            throw new ArgumentException($"The result has {count} frames, more than a document can have.", nameof(frameTime));
 
         float[] values = new float[(int)count * document.ChannelCount];
         BvhJointValues[] joints = [.. document.Hierarchy.GetJointValues().Where(static joint => joint.TurnsFreely)];

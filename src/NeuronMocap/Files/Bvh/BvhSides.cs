@@ -52,7 +52,7 @@ internal static class BvhSides
         BvhJoint? partner = found.FirstOrDefault(other => other != joint && names.Contains(other.Name, StringComparer.Ordinal))
             ?? (joint.Parent == otherParent ? joint : found.FirstOrDefault(other => string.Equals(other.Name, joint.Name, StringComparison.Ordinal)));
         return partner
-            ?? throw new NeuronException($"The sides do not correspond: {joint.Name} hangs from {joint.Parent!.Name}, and nothing like it from {otherParent!.Name}.");
+            ?? throw new NeuronException($"The sides do not correspond: {joint.Name} is a child of {joint.Parent!.Name}, and {otherParent!.Name} has no child like it.");
     }
 
     // A letter that stands for a side: at the beginning or the end of the name or next to a sign, and set off from the letters beside it: lArm, LArm, Arm_L,

@@ -101,7 +101,7 @@ public sealed class BvhSkeletonMap
     {
         CheckRow(row);
         if (destination.Length < _columns.Length)
-            throw new ArgumentException($"There is room for {_columns.Length} values.", nameof(destination));
+            throw new ArgumentException($"There must be room for {_columns.Length} values.", nameof(destination));
 
         for (int i = 0; i < _columns.Length; i++)
             destination[i] = row[_columns[i]];
@@ -185,19 +185,19 @@ public sealed class BvhSkeletonMap
     {
         string name = BoneHierarchy.GetName(bone, variant);
         if (joints[(int)bone] is not { } joint)
-            return $"There is no joint named {name}; the file's first joint is named {root.Name}.";
+            return $"The file has no joint named {name}; its first joint is named {root.Name}.";
 
         Bone? parent = BoneHierarchy.GetParent(bone, variant);
         string? expected = parent is { } known ? BoneHierarchy.GetName(known, variant) : null;
         if (string.Equals(joint.Parent?.Name, expected, StringComparison.Ordinal) || (parent is null && IsReference(joint.Parent)))
             return null;
 
-        return $"Joint {name} should {Hang(expected)}, and does {Hang(joint.Parent?.Name)}.";
+        return $"The parent of joint {name} must be {NameOf(expected)}, not {NameOf(joint.Parent?.Name)}.";
     }
 
     private static bool IsReference(BvhJoint? joint) => joint is { Parent: null, Name: ReferenceName };
 
-    private static string Hang(string? parent) => parent is null ? "hang from nothing" : $"hang from {parent}";
+    private static string NameOf(string? parent) => parent ?? "nothing";
 
     private void CheckRow(ReadOnlySpan<float> row)
     {

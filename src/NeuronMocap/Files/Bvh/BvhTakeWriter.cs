@@ -45,7 +45,7 @@ public sealed class BvhTakeWriter : IDisposable
         _options = options?.Copy() ?? new BvhTakeOptions();
         _sequence = new FrameSequence(_options.GapHandling);
         if (!stream.CanSeek && _options.FrameTime is null)
-            throw new ArgumentException("The frame time is measured and known at the end only; a stream that cannot seek needs it at the beginning.", nameof(stream));
+            throw new ArgumentException("A stream that cannot seek needs FrameTime: a measured frame time is known at the end only.", nameof(stream));
     }
 
     /// <summary>Number of rows that were written, repeated ones included; once the stream has failed, of those that it holds.</summary>
@@ -75,7 +75,7 @@ public sealed class BvhTakeWriter : IDisposable
     public void Write(MotionFrame frame)
     {
         if (!Accepts(frame))
-            throw new InvalidOperationException("The frame does not fit into this file: it needs another one.");
+            throw new InvalidOperationException("The frame has another layout than the file.");
 
         _writer ??= Begin(frame);
         if (frame.Origin != _origin)

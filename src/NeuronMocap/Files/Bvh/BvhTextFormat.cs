@@ -16,7 +16,7 @@ public sealed record BvhTextFormat
     public string LineEnd
     {
         get;
-        init => field = value is "\r\n" or "\n" or "\r" ? value : throw new ArgumentException("A line ends with CR LF, LF or CR.", nameof(value));
+        init => field = value is "\r\n" or "\n" or "\r" ? value : throw new ArgumentException("The line end must be CR LF, LF or CR.", nameof(value));
     } = "\r\n";
 
     /// <summary>What a line is indented by for each level: at most 16 spaces or tabs, or nothing.</summary>
@@ -24,7 +24,7 @@ public sealed record BvhTextFormat
     public string Indentation
     {
         get;
-        init => field = IsBlank(value) ? value : throw new ArgumentException("A line is indented by at most 16 spaces or tabs.", nameof(value));
+        init => field = IsBlank(value) ? value : throw new ArgumentException("The indentation must be at most 16 spaces or tabs.", nameof(value));
     } = "    ";
 
     /// <summary>What stands between the values of a row: 1 to 16 spaces or tabs.</summary>
@@ -32,7 +32,7 @@ public sealed record BvhTextFormat
     public string Separator
     {
         get;
-        init => field = value.Length > 0 && IsBlank(value) ? value : throw new ArgumentException("Between two values stand 1 to 16 spaces or tabs.", nameof(value));
+        init => field = value.Length > 0 && IsBlank(value) ? value : throw new ArgumentException("The separator must be 1 to 16 spaces or tabs.", nameof(value));
     } = " ";
 
     /// <summary>
@@ -42,7 +42,7 @@ public sealed record BvhTextFormat
     public int OffsetDecimals
     {
         get;
-        init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "There are 0 decimals or more.");
+        init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "The number of decimals must not be negative.");
     } = 3;
 
     /// <summary>
@@ -52,7 +52,7 @@ public sealed record BvhTextFormat
     public int ValueDecimals
     {
         get;
-        init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "There are 0 decimals or more.");
+        init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "The number of decimals must not be negative.");
     } = 6;
 
     /// <summary>Whether <see cref="Separator"/> also stands after the last value of a row.</summary>

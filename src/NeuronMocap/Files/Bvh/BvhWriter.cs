@@ -125,11 +125,11 @@ public sealed class BvhWriter : IDisposable
         set
         {
             if (value == default)
-                throw new ArgumentException("A frame lasts more than 0 s.", nameof(value));
+                throw new ArgumentException("The frame time must be more than 0 s.", nameof(value));
             if (value == _frameTime)
                 return;
             if (_timePlace < 0 || _isDisposed)
-                throw new InvalidOperationException("The frame time is written already, and cannot be changed any more.");
+                throw new InvalidOperationException("The frame time is written already and cannot change.");
 
             _frameTime = value;
             _isTimeStale = true;
@@ -209,7 +209,7 @@ public sealed class BvhWriter : IDisposable
     {
         ArgumentNullException.ThrowIfNull(hierarchy);
         if (frameTime == default)
-            throw new ArgumentException("A frame lasts more than 0 s.", nameof(frameTime));
+            throw new ArgumentException("The frame time must be more than 0 s.", nameof(frameTime));
     }
 
     // A reader of any file takes the columns in the order of the CHANNELS lines, which may differ from that of the joints: written they stand in

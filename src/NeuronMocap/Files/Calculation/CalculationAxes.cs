@@ -31,7 +31,7 @@ public sealed class CalculationAxes
         (_x, _y, _z) = (Direct(x), Direct(y), Direct(z));
         _handedness = Vector3.Dot(Vector3.Cross(_x, _y), _z);
         if (_handedness == 0)
-            throw new ArgumentException("The three axes stand upright on each other.", nameof(z));
+            throw new ArgumentException("The three axes must be perpendicular to each other.", nameof(z));
     }
 
     /// <summary>
@@ -107,7 +107,7 @@ public sealed class CalculationAxes
         BodyDirection.Down => -Vector3.UnitY,
         BodyDirection.Forward => Vector3.UnitZ,
         BodyDirection.Backward => -Vector3.UnitZ,
-        _ => throw new ArgumentOutOfRangeException(nameof(direction), direction, "There is no such direction."),
+        _ => throw new ArgumentOutOfRangeException(nameof(direction), direction, "The direction is not one of the six."),
     };
 
     private void Convert(Span<float> values, bool fromBvh)

@@ -21,7 +21,7 @@ public sealed class CalculationFileReader : IDisposable
     private readonly CalculationRepairLog _repairs;
     private readonly float[] _values = new float[CalculationFrame.FullValueCount];
     private readonly byte[] _rowEnd;
-    private readonly int MinDecimals;
+    private readonly int _minDecimals;
     private bool _isFirst = true;
     private bool _isDisposed;
 
@@ -45,7 +45,7 @@ public sealed class CalculationFileReader : IDisposable
         ValueCount = row.Count;
         DeclaredFrameRate = CalculationHeaderText.ReadFrameRate(header);
         InitialDirection = CalculationHeaderText.ReadDirection(header);
-        MinDecimals = CalculationRow.FindLeastDecimals(_lines.Text);
+        _minDecimals = CalculationRow.FindLeastDecimals(_lines.Text);
         TextFormat = DescribeText(header, row);
         _rowEnd = Encoding.ASCII.GetBytes(TextFormat.RowEnd);
     }
@@ -177,7 +177,7 @@ public sealed class CalculationFileReader : IDisposable
         }
 
         throw new CalculationFormatException(
-            "This is no calculation export: there is no line of 946 numbers, or of 338.", Math.Max(_lines.Number, 1), 1);
+            "This is not a calculation export: it has no line of 946 or 338 numbers.", Math.Max(_lines.Number, 1), 1);
     }
 
     private bool TryReadRow(Span<float> values)
@@ -194,14 +194,14 @@ public sealed class CalculationFileReader : IDisposable
 
         if (IsCutInNumber(row))
         {
-            _repairs.Add(_lines.Number, row.Column, "The file ends within a number", "the row is left out", isLeftOut: true);
+            _repairs.Add(_lines.Number, row.Column, "The file ends within a number", "the row is skipped", isLeftOut: true);
             return false;
         }
 
         if (row.Count > ValueCount)
             _repairs.Add(_lines.Number, 1, $"A row has {row.Count} values instead of {ValueCount}", $"the first {ValueCount} are read");
         if (row.NotFiniteColumn > 0)
-            _repairs.Add(_lines.Number, row.NotFiniteColumn, "A value is not finite", "it is read as it stands");
+            _repairs.Add(_lines.Number, row.NotFiniteColumn, "A value is not finite", "it is kept");
 
         NoteEnd(_lines.TextAndEnd[row.Length..]);
         return true;
@@ -211,16 +211,16 @@ public sealed class CalculationFileReader : IDisposable
     // a flag, which has none.
     private bool IsCutInNumber(in CalculationRow row) =>
         FrameCount > 0 && ValueCount == CalculationFrame.FullValueCount && row.Length == _lines.TextAndEnd.Length
-        && CalculationRow.CountDecimals(row.LastWord) < MinDecimals;
+        && CalculationRow.CountDecimals(row.LastWord) < _minDecimals;
 
     private void AddWrongRow(in CalculationRow row, string expected)
     {
         if (!row.WrongWord.IsEmpty)
-            _repairs.Add(_lines.Number, row.Column, $"{Quote(row.WrongWord)} is not a number", "the line is left out", isLeftOut: true);
+            _repairs.Add(_lines.Number, row.Column, $"{Quote(row.WrongWord)} is not a number", "the line is skipped", isLeftOut: true);
         else if (!_lines.HasEnd)
-            _repairs.Add(_lines.Number, row.Column, $"The file ends after {row.Count} values of a row", "the row is left out", isLeftOut: true);
+            _repairs.Add(_lines.Number, row.Column, $"The file ends after {row.Count} values of a row", "the row is skipped", isLeftOut: true);
         else
-            _repairs.Add(_lines.Number, 1, $"A row has {row.Count} values instead of {expected}", "it is left out", isLeftOut: true);
+            _repairs.Add(_lines.Number, 1, $"A row has {row.Count} values instead of {expected}", "it is skipped", isLeftOut: true);
     }
 
     private void NoteEnd(ReadOnlySpan<byte> end)

@@ -145,7 +145,7 @@ public sealed class CalculationFileWriter : IDisposable
         if (_length + text.Length > _buffer.Length)
             Flush();
         if (text.Length > _buffer.Length)
-            throw new ArgumentException("Separators are short.", nameof(text));
+            throw new ArgumentException("The separator is too long.", nameof(text));
 
         text.CopyTo(_buffer.AsSpan(_length));
         _length += text.Length;

@@ -28,7 +28,7 @@ public sealed class CalculationReadOptions
         get;
         set => field = value is null || (value > 0 && double.IsFinite(value.Value))
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, "The frame rate is a positive number.");
+            : throw new ArgumentOutOfRangeException(nameof(value), value, "The frame rate must be a positive number.");
     }
 
     /// <summary>Name that the frames get; what does not fit into 32 bytes of UTF-8 is cut off. Default: Char00, as Axis Neuron calls its first avatar.</summary>
@@ -39,7 +39,7 @@ public sealed class CalculationReadOptions
     public int AvatarIndex
     {
         get;
-        set => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "Avatars are counted from 0.");
+        set => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "The avatar number must not be negative.");
     }
 
     internal CalculationReadOptions Copy() => (CalculationReadOptions)MemberwiseClone();

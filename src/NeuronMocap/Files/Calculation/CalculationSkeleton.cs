@@ -78,7 +78,7 @@ public sealed class CalculationSkeleton
         if (values.Length is not (CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount))
             throw new ArgumentException("A frame has 946 values or 338.", nameof(values));
         if (pose.Length < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There is room for each of the 59 bones.", nameof(pose));
+            throw new ArgumentException("There must be room for each of the 59 bones.", nameof(pose));
 
         var frame = new SensorFrame(values, _axes);
         Span<BoneTransform> world = stackalloc BoneTransform[BoneHierarchy.BoneCount];

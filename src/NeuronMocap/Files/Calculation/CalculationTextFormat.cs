@@ -24,7 +24,7 @@ public sealed record CalculationTextFormat
         get;
         init => field = IsSpace(value) && value.Length > 0 && !HasLineEnd(value)
             ? value
-            : throw new ArgumentException("Between two values stands white space without a line end.", nameof(value));
+            : throw new ArgumentException("The separator must be white space without a line end.", nameof(value));
     } = "\t";
 
     /// <summary>
@@ -37,7 +37,7 @@ public sealed record CalculationTextFormat
         get;
         init => field = value is >= 0 and <= MaxDecimals
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, $"There are 0 to {MaxDecimals} decimals.");
+            : throw new ArgumentOutOfRangeException(nameof(value), value, $"The number of decimals must be 0 to {MaxDecimals}.");
     } = 4;
 
     /// <summary>What follows the last value of a row: white space with a line end. Default: a tab, CR LF.</summary>
@@ -47,7 +47,7 @@ public sealed record CalculationTextFormat
         get;
         init => field = IsSpace(value) && HasLineEnd(value)
             ? value
-            : throw new ArgumentException("A row ends with white space and a line end.", nameof(value));
+            : throw new ArgumentException("The row end must be white space and a line end.", nameof(value));
     } = "\t\r\n";
 
     /// <summary>What follows the last row's last value: white space, or nothing; null for the same as in all rows. Default: null.</summary>
@@ -57,7 +57,7 @@ public sealed record CalculationTextFormat
         get;
         init => field = value is null || IsSpace(value)
             ? value
-            : throw new ArgumentException("The last row ends with white space or nothing.", nameof(value));
+            : throw new ArgumentException("The last row must end with white space or nothing.", nameof(value));
     }
 
     /// <summary>
@@ -70,7 +70,7 @@ public sealed record CalculationTextFormat
     public CalculationTextFormat WithFrameRate(double frameRate)
     {
         if (!(frameRate > 0) || double.IsInfinity(frameRate))
-            throw new ArgumentOutOfRangeException(nameof(frameRate), frameRate, "The frame rate is a positive number.");
+            throw new ArgumentOutOfRangeException(nameof(frameRate), frameRate, "The frame rate must be a positive number.");
 
         return this with { Header = CalculationHeaderText.WithFrameRate(Header.Span, frameRate) };
     }

@@ -48,7 +48,7 @@ public sealed class RecordedFrameReader : IDisposable
     /// the start of the file, its age has no meaning.
     /// </summary>
     /// <exception cref="InvalidOperationException">There is none: nothing was read, or the end was.</exception>
-    public AvatarFrame Frame => _frame ?? throw new InvalidOperationException("There is no frame: Read was not called, or found the end.");
+    public AvatarFrame Frame => _frame ?? throw new InvalidOperationException("No frame is available: Read was not called, or it reached the end.");
 
     /// <summary>When the bytes that completed the frame arrived, since the recording's start.</summary>
     public TimeSpan Time { get; private set; }

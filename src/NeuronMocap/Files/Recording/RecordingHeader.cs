@@ -44,7 +44,7 @@ internal readonly record struct RecordingHeader(DateTimeOffset StartTime, Guid R
     {
         ReadOnlySpan<byte> magic = bytes[..Math.Min(bytes.Length, Magic.Length)];
         if (!magic.SequenceEqual(Magic[..magic.Length]))
-            throw new RecordingFormatException("This is no recording: it does not begin as one.");
+            throw new RecordingFormatException("This is not a recording: its header is missing.");
         if (bytes.Length < RecordingLayout.FileHeaderSize)
             throw new RecordingFormatException($"The recording is cut off inside its head, after {bytes.Length} bytes.");
 

@@ -88,7 +88,7 @@ public static class TextEncoder
         public Line(Span<byte> destination, int decimals)
         {
             if (decimals is < 0 or > MaxDecimals)
-                throw new ArgumentOutOfRangeException(nameof(decimals), decimals, "There are 0 to 6 decimals.");
+                throw new ArgumentOutOfRangeException(nameof(decimals), decimals, "The number of decimals must be 0 to 6.");
 
             _destination = destination;
             _decimals = decimals;

@@ -118,7 +118,7 @@ public class BvhMotionTests
         BvhDocument document = Parse($"{Hierarchy}Frames: 1\nFrame Time: 0.008\n{Row}");
 
         AssertBits(RowValues, document.GetFrame(0));
-        Assert.Equal(new BvhRepair(16, 1, "The word MOTION is missing; it is read as if it stood here."), OnlyRepair(document));
+        Assert.Equal(new BvhRepair(16, 1, "The word MOTION is missing; it is added here."), OnlyRepair(document));
     }
 
     [Fact]
@@ -149,7 +149,7 @@ public class BvhMotionTests
         BvhDocument document = ParseRows(1, rows);
 
         Assert.Equal(1, document.FrameCount);
-        Assert.EndsWith("values instead of 9; it is left out.", document.Repairs[0].Description, StringComparison.Ordinal);
+        Assert.EndsWith("values instead of 9; it is skipped.", document.Repairs[0].Description, StringComparison.Ordinal);
         Assert.Equal(line, document.Repairs[0].Line);
     }
 
@@ -192,9 +192,9 @@ public class BvhMotionTests
         Assert.Equal(0.008, document.DeclaredFrameTime);
         Assert.Equal(
             [
-                new BvhRepair(22, 1, "A further MOTION begins here; its rows follow those before it."),
+                new BvhRepair(22, 1, "Another MOTION begins here; its rows follow those before it."),
                 new BvhRepair(25, 13, "There is a further frame time, '0.017'; it is ignored."),
-                new BvhRepair(27, 1, "A further MOTION begins here; its rows follow those before it."),
+                new BvhRepair(27, 1, "Another MOTION begins here; its rows follow those before it."),
                 new BvhRepair(27, 1, "The number of frames is missing; 0 are there."),
             ],
             document.Repairs);
@@ -235,8 +235,8 @@ public class BvhMotionTests
 
         Assert.Equal(BvhDocument.MaxListedRepairs, document.Repairs.Count);
         Assert.Equal(5000, document.RepairCount);
-        Assert.Equal(new BvhRepair(19, 1, "'x' is not a number; the line is left out."), document.Repairs[0]);
-        Assert.Equal("line 118, column 1: 'x' is not a number; the line is left out.", document.Repairs[99].ToString());
+        Assert.Equal(new BvhRepair(19, 1, "'x' is not a number; the line is skipped."), document.Repairs[0]);
+        Assert.Equal("line 118, column 1: 'x' is not a number; the line is skipped.", document.Repairs[99].ToString());
     }
 
     [Fact]

@@ -140,12 +140,12 @@ public class BvhSkeletonMapTests
         string text = Neuron(SkeletonVariant.Spine3)
             .Replace("JOINT Neck\n", "JOINT Neck1\n", StringComparison.Ordinal)
             .Replace("JOINT Spine3\n", "JOINT Neck\n", StringComparison.Ordinal);
-        Assert.Equal("Joint RightShoulder should hang from Spine2, and does hang from Neck.", Refuse(text));
+        Assert.Equal("The parent of joint RightShoulder must be Spine2, not Neck.", Refuse(text));
     }
 
     [Fact]
     public void Hips_that_hang_from_another_joint_are_not_neurons() => Assert.Equal(
-        "Joint Hips should hang from nothing, and does hang from Stage.",
+        "The parent of joint Hips must be nothing, not Stage.",
         Refuse(UnderRoot("Stage", "6 Xposition Yposition Zposition Yrotation Xrotation Zrotation")));
 
     [Fact]

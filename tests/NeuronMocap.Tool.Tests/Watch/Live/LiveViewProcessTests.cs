@@ -67,7 +67,7 @@ public sealed class LiveViewProcessTests : IDisposable
         await terminal.WaitForAsync("> 0 Char00");
         gone.Delete();
         terminal.Press("r");
-        await terminal.WaitForAsync("RECORDING FAILED: '.' takes no new files.");
+        await terminal.WaitForAsync("RECORDING FAILED: '.' does not accept new files.");
         terminal.Press("q");
         Assert.Equal(0, await terminal.WaitForExitAsync());
     }
