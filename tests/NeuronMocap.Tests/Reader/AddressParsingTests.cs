@@ -47,7 +47,7 @@ public sealed class AddressParsingTests
     [InlineData("udp://7002", "'udp://7002' has no port.")]
     [InlineData("udp://studio:7002", "'studio' is not an address of this computer.")]
     [InlineData("udp://:65536", "'65536' in 'udp://:65536' is not a port. A port is a number from 0 to 65535.")]
-    public void What_is_not_an_address_is_refused_in_words(string address, string expected)
+    public void An_invalid_address_is_refused_with_a_reason(string address, string expected)
     {
         string message = Assert.Throws<FormatException>(() => NeuronReaderOptions.Parse(address)).Message;
         Assert.StartsWith(expected, message, StringComparison.Ordinal);
@@ -56,7 +56,7 @@ public sealed class AddressParsingTests
     [Theory]
     [InlineData("studio", "studio", 8013)]
     [InlineData("[::1]:8014", "::1", 8014)]
-    public void An_address_of_a_command_channel_has_another_usual_port(string address, string host, int port)
+    public void A_command_address_has_its_own_default_port(string address, string host, int port)
     {
         var options = NeuronCommandOptions.Parse(address);
         Assert.Equal((host, port), (options.Host, options.Port));

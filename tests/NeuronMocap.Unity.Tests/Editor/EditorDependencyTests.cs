@@ -28,5 +28,5 @@ public sealed class EditorDependencyTests
     }
 
     [Fact]
-    public void The_rules_allow_no_circle() => Assert.Empty(Editor.Circles());
+    public void The_rules_allow_no_cycle() => Assert.Empty(Editor.Circles());
 }

@@ -23,5 +23,5 @@ public sealed class RuntimeDependencyTests
     }
 
     [Fact]
-    public void The_rules_allow_no_circle() => Assert.Empty(Runtime.Circles());
+    public void The_rules_allow_no_cycle() => Assert.Empty(Runtime.Circles());
 }
