@@ -36,7 +36,7 @@ public sealed class ServerAddressTests
     [InlineData("a:b:c")]
     [InlineData("two words")]
     [InlineData("http://studio")]
-    public void What_is_no_server_is_refused_with_a_reason(string text)
+    public void An_invalid_server_is_refused_with_a_reason(string text)
     {
         Assert.False(ServerAddress.TryParse(text, out _, out string? error));
         Assert.NotEmpty(error);
@@ -45,7 +45,7 @@ public sealed class ServerAddressTests
     [Theory]
     [InlineData("studio")]
     [InlineData("[::1]:7003")]
-    public void The_text_of_an_address_means_the_same_address(string text)
+    public void The_text_of_an_address_round_trips(string text)
     {
         Assert.True(ServerAddress.TryParse(text, out ServerAddress address, out _));
         Assert.True(ServerAddress.TryParse(address.ToString(), out ServerAddress again, out _));

@@ -18,7 +18,7 @@ public sealed class SourceTests
     [InlineData("::1", "::1", 7001)]
     [InlineData("tcp://demo", "demo", 7001)]
     [InlineData("tcp://take.nmrec", "take.nmrec", 7001)]
-    public void A_server_is_named_with_and_without_the_transport(string text, string host, int port)
+    public void A_server_may_be_given_without_the_transport(string text, string host, int port)
     {
         Source source = Parse(text);
         Assert.Equal(Source.OfServer(new ServerAddress(host, port)), source);
@@ -47,10 +47,10 @@ public sealed class SourceTests
     [InlineData("/tmp/")]
     [InlineData(@"takes\monday")]
     [InlineData("./demo")]
-    public void A_name_of_a_file_is_a_file_there_or_not(string text) => Assert.Equal(Source.OfFile(text), Parse(text));
+    public void A_file_name_is_a_file_even_if_missing(string text) => Assert.Equal(Source.OfFile(text), Parse(text));
 
     [Fact]
-    public void A_file_that_is_there_is_one_whatever_its_name()
+    public void An_existing_file_may_have_any_name()
     {
         string path = Path.GetFileName(Path.GetTempFileName());
         string here = Path.Combine(Directory.GetCurrentDirectory(), path[..^4]);
@@ -69,7 +69,7 @@ public sealed class SourceTests
     [Theory]
     [InlineData("demo")]
     [InlineData("DEMO")]
-    public void Demo_is_the_simulator_inside_the_program(string text) => Assert.Equal(Source.Demo, Parse(text));
+    public void Demo_is_the_built_in_simulator(string text) => Assert.Equal(Source.Demo, Parse(text));
 
     [Theory]
     [InlineData("udp://")]
@@ -87,7 +87,7 @@ public sealed class SourceTests
     [InlineData("[::1")]
     [InlineData("")]
     [InlineData(" ")]
-    public void What_is_no_source_is_refused_with_a_reason(string text)
+    public void An_invalid_source_is_refused_with_a_reason(string text)
     {
         Assert.False(Source.TryParse(text, out _, out string? error));
         Assert.NotEmpty(error);

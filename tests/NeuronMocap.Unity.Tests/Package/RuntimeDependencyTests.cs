@@ -16,7 +16,7 @@ public sealed class RuntimeDependencyTests
     });
 
     [Fact]
-    public void The_folders_of_the_runtime_depend_on_each_other_as_designed()
+    public void Runtime_folders_depend_on_each_other_as_designed()
     {
         List<string> violations = Runtime.Violations(typeof(MocapSource).Assembly);
         Assert.True(violations.Count == 0, string.Join(Environment.NewLine, violations));
