@@ -129,7 +129,7 @@ public sealed class BroadcasterRecordingTests
     [Theory]
     [InlineData(null)]
     [InlineData(BroadcasterOptions.MaxRate)]
-    public async Task Calculation_of_a_recording_can_have_a_port_of_its_own(double? rate)
+    public async Task Calculation_of_a_recording_can_have_its_own_port(double? rate)
     {
         using TemporaryFile file = Recordings.OfTcp(
             [.. Enumerable.Range(0, 50).Select(static i => (i * 2.0, (byte[])[.. TestPackets.Motion(i), .. TestPackets.Calculation(i)]))]);

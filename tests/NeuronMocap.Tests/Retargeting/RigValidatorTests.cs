@@ -238,7 +238,7 @@ public sealed class RigValidatorTests
     }
 
     [Fact]
-    public void A_rig_in_t_pose_is_left_as_it_is()
+    public void A_rig_in_T_pose_is_unchanged()
     {
         TargetRig rig = StandingRig.Random(new Random(2)).Create();
         Assert.Same(rig, TPose.Enforce(rig));

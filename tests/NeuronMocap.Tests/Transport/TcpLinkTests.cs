@@ -47,7 +47,7 @@ public sealed class TcpLinkTests
     }
 
     [Fact]
-    public async Task Of_several_addresses_the_most_telling_failure_is_reported()
+    public async Task The_most_specific_failure_of_several_addresses_is_reported()
     {
         using var server = new TestServer();
         int port = server.Port;

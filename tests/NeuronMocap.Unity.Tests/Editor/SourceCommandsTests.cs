@@ -73,7 +73,7 @@ public sealed class SourceCommandsTests : IDisposable
     }
 
     [Fact]
-    public void What_a_source_receives_is_recorded_beside_Assets_with_two_clicks()
+    public void A_source_is_recorded_beside_Assets_with_two_clicks()
     {
         MocapSource source = AddClient(commandPort: 0);
 
