@@ -32,7 +32,7 @@ public sealed class HostTests
     }
 
     [Fact]
-    public async Task The_last_figures_can_be_exported_until_the_host_is_disposed_of()
+    public async Task Metrics_can_be_exported_until_the_host_is_disposed()
     {
         using var server = new TestServer();
         string name = $"last-figures-{Guid.NewGuid():N}";
@@ -66,7 +66,7 @@ public sealed class HostTests
     }
 
     [Fact]
-    public async Task A_service_that_opens_its_queue_when_it_is_made_gets_the_first_frame_and_ends_with_the_reader()
+    public async Task A_queue_opened_in_a_constructor_gets_the_first_frame_and_ends_with_the_reader()
     {
         using var server = new TestServer();
         using IHost host = Build(
@@ -90,7 +90,7 @@ public sealed class HostTests
     [InlineData("Host", " ", "Host is empty; give the name or address of the computer that runs Axis Neuron.")]
     [InlineData("Reconnect:MaxDelay", "0.001", "Reconnect.MaxDelay is 00:00:00.0010000; it must not be less than InitialDelay, 00:00:00.2500000.")]
     [InlineData("Prot", "7001", "Prot is not a setting of a reader; use one of")]
-    public async Task Options_out_of_range_keep_the_host_from_starting(string key, string value, string expected)
+    public async Task Invalid_options_stop_the_host_from_starting(string key, string value, string expected)
     {
         using IHost host = Build(builder => builder.Services.AddNeuronReader(), ($"NeuronReader:{key}", value));
         OptionsValidationException exception = await Assert.ThrowsAsync<OptionsValidationException>(() => host.StartAsync());
@@ -98,7 +98,7 @@ public sealed class HostTests
     }
 
     [Fact]
-    public async Task Code_has_the_last_word_and_is_checked_as_well()
+    public async Task Code_overrides_configuration_and_is_validated()
     {
         using IHost host = Build(builder => builder.Services.AddNeuronReader(options => options.MaxValues = 0), ("NeuronReader:MaxValues", "100"));
         OptionsValidationException exception = await Assert.ThrowsAsync<OptionsValidationException>(() => host.StartAsync());
@@ -106,7 +106,7 @@ public sealed class HostTests
     }
 
     [Fact]
-    public async Task Several_readers_have_their_own_sections_names_and_keys()
+    public async Task Each_reader_has_its_own_section_name_and_key()
     {
         using var left = new TestServer();
         using var right = new TestServer();
@@ -129,7 +129,7 @@ public sealed class HostTests
     }
 
     [Fact]
-    public async Task A_fault_of_a_named_reader_is_told_with_its_name()
+    public async Task A_fault_of_a_named_reader_names_it()
     {
         using IHost host = Build(builder => builder.Services.AddNeuronReader("left"), ("NeuronReaders:left:Port", "70000"));
         OptionsValidationException exception = await Assert.ThrowsAsync<OptionsValidationException>(() => host.StartAsync());
@@ -137,7 +137,7 @@ public sealed class HostTests
     }
 
     [Fact]
-    public async Task The_reader_logs_where_the_host_logs()
+    public async Task The_reader_logs_to_the_host()
     {
         using var server = new TestServer();
         using var log = new LogLines();
@@ -158,7 +158,7 @@ public sealed class HostTests
 
     // A handler that hangs is left behind after the reader's own 2 s; the host's time, if shorter, comes first.
     [Fact]
-    public async Task Stopping_keeps_to_the_host_s_time()
+    public async Task Stopping_respects_the_shutdown_timeout()
     {
         using var server = new TestServer();
         using var release = new ManualResetEventSlim();
@@ -224,7 +224,7 @@ public sealed class HostTests
     }
 
     [Fact]
-    public void Without_configuration_and_logs_the_options_are_the_usual_ones()
+    public void The_options_have_their_defaults_without_configuration()
     {
         using ServiceProvider services = new ServiceCollection().AddNeuronReader().BuildServiceProvider();
         Assert.StartsWith("127.0.0.1:7001", services.GetRequiredService<NeuronReader>().Name, StringComparison.Ordinal);

@@ -6,6 +6,6 @@ namespace NeuronMocap.Hosting.Tests;
 public sealed class PublicApiTests
 {
     [Fact]
-    public void The_public_surface_is_the_one_on_file() =>
+    public void The_public_API_matches_its_file() =>
         PublicSurfaceFile.Check(typeof(NeuronReaderServiceCollectionExtensions).Assembly);
 }

@@ -53,14 +53,14 @@ public sealed class ReaderSettingsTests
     [InlineData("SharePort", "yes", "SharePort is 'yes'; it must be true or false.")]
     [InlineData("ConnectTimeout", "soon", "ConnectTimeout is 'soon'; it must be a time")]
     [InlineData("SilenceTimeout", "1e400", "SilenceTimeout is '1e400'; it must be a time")]
-    public void What_cannot_be_read_is_named(string key, string text, string expected)
+    public void An_invalid_setting_is_named(string key, string text, string expected)
     {
         OptionsValidationException exception = Assert.Throws<OptionsValidationException>(() => Read((key, text)));
         Assert.StartsWith(expected, Assert.Single(exception.Failures), StringComparison.Ordinal);
     }
 
     [Fact]
-    public void All_faults_are_told_at_once()
+    public void All_invalid_settings_are_reported_together()
     {
         OptionsValidationException exception = Assert.Throws<OptionsValidationException>(() => Read(("Port", "x"), ("MaxValues", "y")));
         Assert.Equal(2, exception.Failures.Count());
@@ -76,7 +76,7 @@ public sealed class ReaderSettingsTests
     [InlineData("192.168.1.7, 192.168.1.8", "192.168.1.7", "192.168.1.8")]
     [InlineData("", "192.168.1.20", "192.168.1.21")]
     [InlineData(" , ", "192.168.1.20", "192.168.1.21")]
-    public void A_list_replaces_an_array_of_another_source_unless_it_is_empty(string list, params string[] expected) => Assert.Equal(
+    public void A_list_replaces_an_array_unless_it_is_empty(string list, params string[] expected) => Assert.Equal(
         expected.Select(IPAddress.Parse),
         Read(("AllowedSenders:0", "192.168.1.20"), ("allowedSenders", list), ("AllowedSenders:1", "192.168.1.21"))
             .AllowedSenders.OrderBy(static address => address.ToString()));

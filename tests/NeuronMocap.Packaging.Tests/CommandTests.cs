@@ -43,7 +43,7 @@ public sealed class CommandTests : IDisposable
     }
 
     [Fact]
-    public async Task Help_ends_well_and_an_unknown_option_does_not()
+    public async Task Help_succeeds_and_an_unknown_option_fails()
     {
         (int code, string output, _) = await RunAsync("--help");
         Assert.Equal(0, code);

@@ -11,7 +11,7 @@ public sealed class DeliveryTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public async Task A_branch_holds_the_package_with_its_libraries_and_the_work_tree_stays()
+    public async Task A_branch_holds_the_package_and_the_work_tree_is_unchanged()
     {
         string head = await CreateRepositoryAsync();
         var git = new GitBranch(_folder.Path);
@@ -42,7 +42,7 @@ public sealed class DeliveryTests : IDisposable
     }
 
     [Fact]
-    public async Task A_checked_out_branch_has_the_very_bytes()
+    public async Task A_checked_out_branch_is_byte_for_byte_the_package()
     {
         await CreateRepositoryAsync();
         new GitBranch(_folder.Path).Commit(ThePackage.Staged, "upm");
@@ -53,7 +53,7 @@ public sealed class DeliveryTests : IDisposable
     }
 
     [Fact]
-    public async Task A_name_that_is_no_branch_is_refused()
+    public async Task An_invalid_branch_name_is_refused()
     {
         await CreateRepositoryAsync();
         var exception = Assert.Throws<PackagerException>(() => new GitBranch(_folder.Path).Commit(ThePackage.Staged, "a..b"));
@@ -61,7 +61,7 @@ public sealed class DeliveryTests : IDisposable
     }
 
     [Fact]
-    public void A_project_gets_the_package_among_its_own_and_an_older_one_goes()
+    public void Installing_replaces_an_older_package_in_a_project()
     {
         Directory.CreateDirectory(_folder.PathOf("Assets"));
         _folder.Write("Packages/manifest.json", "{}");
@@ -77,14 +77,14 @@ public sealed class DeliveryTests : IDisposable
     }
 
     [Fact]
-    public void What_is_no_project_is_left_alone()
+    public void Folders_without_a_project_are_left_alone()
     {
         Assert.Throws<PackagerException>(() => PackageInstaller.InstallInto(_folder.Path, ThePackage.Staged));
         Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));
     }
 
     [Fact]
-    public void A_clone_is_completed_in_place_with_what_is_not_in_it()
+    public void A_clone_is_completed_in_place()
     {
         PackageInstaller.CompleteInPlace(_folder.Path, ThePackage.Staged);
 

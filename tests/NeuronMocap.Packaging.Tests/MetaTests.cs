@@ -10,14 +10,14 @@ public sealed class MetaTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void A_guid_is_made_of_the_path_and_the_same_everywhere()
+    public void A_guid_is_derived_from_the_path()
     {
         Assert.Equal("a9a344d53627369fd5bb2b430564bc7c", MetaFile.DeriveGuid("Runtime/NeuronMocap.Unity.asmdef"));
         Assert.NotEqual(MetaFile.DeriveGuid("A.cs"), MetaFile.DeriveGuid("a.cs"));
     }
 
     [Fact]
-    public void Files_folders_and_libraries_that_are_not_built_yet_get_one()
+    public void Files_folders_and_unbuilt_libraries_get_a_meta()
     {
         _folder.Write("Runtime/A.cs", "");
         _folder.Write("Samples~/One/One.unity", "");
@@ -36,7 +36,7 @@ public sealed class MetaTests : IDisposable
     }
 
     [Fact]
-    public void A_file_that_moves_with_its_meta_keeps_its_guid_and_another_in_its_place_gets_a_new_one()
+    public void A_moved_file_keeps_its_guid_and_its_replacement_gets_a_new_one()
     {
         _folder.Write("Runtime/A.cs", "");
         new PackageFolder(_folder.Path).AddMissingMetas();
@@ -53,7 +53,7 @@ public sealed class MetaTests : IDisposable
     }
 
     [Fact]
-    public void An_edited_meta_stays_and_a_forgotten_one_is_found()
+    public void Edited_metas_are_kept_and_missing_ones_are_found()
     {
         _folder.Write("Runtime/A.cs", "");
         _folder.Write("Runtime/A.cs.meta", "fileFormatVersion: 2\nguid: 0123456789abcdef0123456789abcdef\nMonoImporter:\n  executionOrder: -5\n");
@@ -81,7 +81,7 @@ public sealed class MetaTests : IDisposable
         Assert.Equal(importer, MetaFile.FindImporter(MetaFile.Create(path, isFolder: false, "0")));
 
     [Fact]
-    public void A_library_is_for_every_platform_and_referenced_by_itself()
+    public void A_library_targets_every_platform_with_automatic_references()
     {
         string meta = MetaFile.Create("A.dll", isFolder: false, "0");
         Assert.Contains("      Any: \n    second:\n      enabled: 1\n", meta, StringComparison.Ordinal);

@@ -10,20 +10,20 @@ namespace NeuronMocap.Packaging.Tests;
 public sealed class PackageTests
 {
     [Fact]
-    public void Nothing_is_wrong_with_it() => Assert.Empty(PackageLint.Check(ThePackage.Staged));
+    public void The_package_is_valid() => Assert.Empty(PackageLint.Check(ThePackage.Staged));
 
     [Fact]
-    public void Metas_are_committed_for_all_that_is_there() => Assert.Empty(new PackageFolder(ThePackage.Folder).OrphanMetas);
+    public void Every_file_has_a_committed_meta() => Assert.Empty(new PackageFolder(ThePackage.Folder).OrphanMetas);
 
     [Fact]
-    public void The_version_is_that_of_the_libraries()
+    public void The_package_has_the_libraries_version()
     {
         var properties = XDocument.Load(Repository.PathOf("Directory.Build.props"));
         Assert.Equal(properties.Descendants("VersionPrefix").Single().Value, ThePackage.Staged.Version);
     }
 
     [Fact]
-    public void The_changelog_and_the_licence_are_those_of_the_repository()
+    public void The_changelog_and_licence_match_the_repository()
     {
         Assert.Equal(File.ReadAllText(Repository.PathOf("CHANGELOG.md")), ThePackage.Staged.ReadText("CHANGELOG.md"));
         Assert.Equal(File.ReadAllText(Repository.PathOf("LICENSE")), ThePackage.Staged.ReadText("LICENSE.md"));
@@ -40,7 +40,7 @@ public sealed class PackageTests
 
     // Unity takes the package's folder as it is from a clone: what it must not see does not lie there under a name that it looks at.
     [Fact]
-    public void What_only_packing_needs_is_not_in_it()
+    public void Packing_files_are_not_in_the_package()
     {
         Assert.True(File.Exists(Path.Combine(ThePackage.Folder, "pack")));
         Assert.DoesNotContain("pack", ThePackage.Staged.Files.Keys);

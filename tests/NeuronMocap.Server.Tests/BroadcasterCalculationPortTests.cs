@@ -74,7 +74,7 @@ public sealed class BroadcasterCalculationPortTests
     [Theory]
     [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(2000)]
-    public async Task Over_udp_calculation_comes_from_a_socket_of_its_own_to_its_port_of_each_destination(double rate)
+    public async Task Over_udp_calculation_has_its_own_socket_and_port_per_destination(double rate)
     {
         using Socket motion = Receiver();
         using Socket calculation = Receiver();
@@ -115,7 +115,7 @@ public sealed class BroadcasterCalculationPortTests
     }
 
     [Fact]
-    public async Task Receivers_of_both_ports_are_told_apart_and_each_port_has_its_own_limit()
+    public async Task Each_port_has_its_own_clients_and_limit()
     {
         BroadcasterOptions options = Options(2000, BroadcastFormat.Binary);
         options.WaitForClient = false;
@@ -140,7 +140,7 @@ public sealed class BroadcasterCalculationPortTests
 
     // A take without pace ends only when both ports have had a client: the second may come when the first has been served.
     [Fact]
-    public async Task A_take_without_pace_waits_for_a_client_of_each_port()
+    public async Task An_unpaced_take_waits_for_a_client_on_each_port()
     {
         BroadcasterOptions options = Options(BroadcasterOptions.MaxFrameRate, BroadcastFormat.Binary);
         await using Broadcaster broadcaster = Started(options);
@@ -155,7 +155,7 @@ public sealed class BroadcasterCalculationPortTests
     }
 
     [Fact]
-    public async Task An_avatar_that_is_turned_is_turned_on_both_ports_from_the_same_frame_on()
+    public async Task A_zero_out_applies_to_both_ports_from_the_same_frame()
     {
         BroadcasterOptions options = Options(BroadcasterOptions.MaxFrameRate, BroadcastFormat.Binary);
         var actor = new SyntheticSource();
@@ -180,7 +180,7 @@ public sealed class BroadcasterCalculationPortTests
     }
 
     [Fact]
-    public void A_port_that_is_taken_is_named_and_the_broadcaster_can_be_started_again()
+    public void A_port_in_use_is_named_and_the_start_can_be_repeated()
     {
         using var other = new TcpListener(IPAddress.Loopback, 0);
         other.Start();
@@ -197,7 +197,7 @@ public sealed class BroadcasterCalculationPortTests
     }
 
     [Fact]
-    public void Settings_that_contradict_each_other_are_refused_and_named()
+    public void Contradictory_settings_are_refused_by_name()
     {
         AssertRefused("CalculationPort", options => options.CalculationPort = 65_536);
         AssertRefused("CalculationPort", options => options.Calculation = null);

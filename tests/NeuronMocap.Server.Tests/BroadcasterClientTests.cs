@@ -42,7 +42,7 @@ public sealed class BroadcasterClientTests
     [Theory]
     [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(2000)]
-    public async Task What_a_client_sends_is_thrown_away_and_costs_it_nothing(double rate)
+    public async Task Data_from_clients_is_discarded(double rate)
     {
         BroadcasterOptions options = Options(rate);
         await using Broadcaster broadcaster = Started(options);
@@ -58,7 +58,7 @@ public sealed class BroadcasterClientTests
     [Theory]
     [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(200)]
-    public async Task A_flood_of_short_connections_reaches_nobody_else(double rate)
+    public async Task A_flood_of_short_connections_does_not_affect_other_clients(double rate)
     {
         BroadcasterOptions options = EndlessOptions(rate);
         await using Broadcaster broadcaster = Started(options);

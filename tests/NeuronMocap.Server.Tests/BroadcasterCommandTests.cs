@@ -76,7 +76,7 @@ public sealed class BroadcasterCommandTests
     }
 
     [Fact]
-    public async Task What_nobody_has_documented_is_ignored_and_counted()
+    public async Task Unknown_commands_are_ignored_and_counted()
     {
         await using Broadcaster broadcaster = Started(Options(500));
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
@@ -94,7 +94,7 @@ public sealed class BroadcasterCommandTests
     }
 
     [Fact]
-    public async Task A_registered_value_comes_at_once_and_whenever_it_changes()
+    public async Task A_registered_value_is_sent_at_once_and_on_every_change()
     {
         await using Broadcaster broadcaster = Started(Options(0.01, avatars: 2));
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
@@ -120,7 +120,7 @@ public sealed class BroadcasterCommandTests
     }
 
     [Fact]
-    public async Task Many_clients_get_their_own_answers_and_nothing_else()
+    public async Task Each_of_many_clients_gets_only_its_own_answers()
     {
         const int Clients = 12;
         BroadcasterOptions options = Options(200, avatars: Clients);
@@ -144,7 +144,7 @@ public sealed class BroadcasterCommandTests
     }
 
     [Fact]
-    public async Task A_flood_of_requests_is_bounded_and_reaches_nobody_else()
+    public async Task A_flood_of_requests_is_bounded_and_does_not_affect_other_clients()
     {
         const int Flood = 5000;
         BroadcasterOptions options = Options(300);
@@ -193,7 +193,7 @@ public sealed class BroadcasterCommandTests
     [InlineData(4)]
     [InlineData(192)]
     [InlineData(-1)]
-    public async Task The_length_field_can_say_anything(int length)
+    public async Task The_length_field_is_ignored(int length)
     {
         BroadcasterOptions options = Options(500);
         options.DataCommandLength = length;
@@ -206,7 +206,7 @@ public sealed class BroadcasterCommandTests
     }
 
     [Fact]
-    public async Task Answers_stand_between_the_lines_of_a_text_stream()
+    public async Task Answers_are_sent_between_lines_of_text()
     {
         BroadcasterOptions options = Options(300);
         options.Format = BroadcastFormat.Text;
@@ -228,7 +228,7 @@ public sealed class BroadcasterCommandTests
     }
 
     [Fact]
-    public async Task The_reader_of_the_library_gets_all_of_it()
+    public async Task NeuronReader_gets_every_answer_and_frame()
     {
         await using Broadcaster broadcaster = Started(Options(300, avatars: 3));
         await using var reader = new NeuronReader("127.0.0.1", broadcaster.LocalEndPoint!.Port);
@@ -249,7 +249,7 @@ public sealed class BroadcasterCommandTests
     }
 
     [Fact]
-    public async Task A_source_that_cannot_tell_its_body_ends_the_broadcast_and_says_why()
+    public async Task A_source_without_a_body_ends_the_broadcast_with_a_reason()
     {
         BroadcasterOptions options = Options(300);
         options.Sources = [new BodilessSource()];

@@ -12,7 +12,7 @@ public sealed class BroadcasterHostilityTests
     [Theory]
     [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(200)]
-    public async Task A_client_that_takes_nothing_any_more_is_let_go_and_its_place_is_free(double rate)
+    public async Task A_client_that_stops_reading_is_dropped_and_frees_its_place(double rate)
     {
         BroadcasterOptions options = Expect.Options(avatars: 30);
         options.FrameRate = rate;
@@ -67,7 +67,7 @@ public sealed class BroadcasterHostilityTests
     }
 
     [Fact]
-    public async Task A_flood_of_connections_beyond_the_limit_takes_nothing_from_those_inside()
+    public async Task Connections_beyond_the_limit_do_not_affect_admitted_clients()
     {
         const int Flood = 300;
         BroadcasterOptions options = Expect.Options();
@@ -92,7 +92,7 @@ public sealed class BroadcasterHostilityTests
     }
 
     [Fact]
-    public async Task Want_of_memory_in_one_clients_thread_ends_that_client_only()
+    public async Task Out_of_memory_in_a_clients_thread_ends_only_that_client()
     {
         BroadcasterOptions options = Expect.Options();
         options.Sources = [new StumblingSource(badFrame: 50, new InsufficientMemoryException())];
@@ -107,7 +107,7 @@ public sealed class BroadcasterHostilityTests
     }
 
     [Fact]
-    public async Task A_source_that_throws_what_a_closed_socket_throws_ends_the_broadcast_all_the_same()
+    public async Task A_socket_exception_of_a_source_ends_the_broadcast()
     {
         BroadcasterOptions options = Expect.Options();
         options.Sources = [new StumblingSource(badFrame: 50, new ObjectDisposedException("take"))];
@@ -120,7 +120,7 @@ public sealed class BroadcasterHostilityTests
     [Theory]
     [InlineData(typeof(InsufficientMemoryException))]
     [InlineData(typeof(InvalidOperationException))]
-    public async Task Where_there_is_no_thread_for_a_client_it_is_refused_and_the_next_is_served(Type failure)
+    public async Task A_client_without_a_thread_is_refused_and_the_next_is_served(Type failure)
     {
         int refused = 0;
         BroadcasterOptions options = Expect.Options();
@@ -143,7 +143,7 @@ public sealed class BroadcasterHostilityTests
     }
 
     [Fact]
-    public async Task Where_there_is_no_thread_to_make_frames_on_the_broadcast_ends_and_says_why()
+    public async Task A_missing_frame_thread_ends_the_broadcast_with_a_reason()
     {
         BroadcasterOptions options = Expect.Options();
         options.FrameRate = 100;

@@ -54,7 +54,7 @@ public sealed class BroadcasterLifecycleTests
     }
 
     [Fact]
-    public async Task It_can_be_disposed_before_the_start_and_not_started_after()
+    public async Task It_cannot_be_started_after_disposal()
     {
         var broadcaster = new Broadcaster(Expect.Options());
         broadcaster.Dispose();
@@ -118,7 +118,7 @@ public sealed class BroadcasterLifecycleTests
     [Theory]
     [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(1000)]
-    public async Task What_a_source_throws_ends_the_broadcast_and_comes_out_at_its_completion(double rate)
+    public async Task An_exception_of_a_source_faults_the_completion(double rate)
     {
         BroadcasterOptions options = Expect.Options();
         options.Sources = [new FailingSource(badFrame: 200)];
@@ -128,7 +128,7 @@ public sealed class BroadcasterLifecycleTests
     [Theory]
     [InlineData(BroadcasterOptions.MaxFrameRate)]
     [InlineData(1000)]
-    public async Task What_a_calculation_writer_throws_does_so_too(double rate)
+    public async Task An_exception_of_a_calculation_writer_faults_the_completion(double rate)
     {
         BroadcasterOptions options = Expect.Options();
         options.Calculation = static (_, frame, _) =>
@@ -140,7 +140,7 @@ public sealed class BroadcasterLifecycleTests
     }
 
     [Fact]
-    public void Changing_the_options_afterwards_changes_nothing()
+    public void Options_are_copied()
     {
         BroadcasterOptions options = Expect.Options();
         using var broadcaster = new Broadcaster(options);
@@ -149,7 +149,7 @@ public sealed class BroadcasterLifecycleTests
     }
 
     [Fact]
-    public void Displacement_is_the_sources_own_unless_set()
+    public void Displacement_defaults_to_the_sources()
     {
         BroadcasterOptions options = Expect.Options();
         options.Sources = [new FailingSource(0)];
@@ -191,7 +191,7 @@ public sealed class BroadcasterLifecycleTests
 
     [Theory]
     [MemberData(nameof(BadSettings), DisableDiscoveryEnumeration = true)]
-    public void A_setting_out_of_its_range_is_named(string setting, Action<BroadcasterOptions> spoil)
+    public void A_setting_out_of_range_is_named(string setting, Action<BroadcasterOptions> spoil)
     {
         BroadcasterOptions options = Expect.Options();
         spoil(options);
@@ -203,7 +203,7 @@ public sealed class BroadcasterLifecycleTests
     [InlineData(0)]
     [InlineData(double.NaN)]
     [InlineData(double.PositiveInfinity)]
-    public void A_source_without_a_usable_rate_needs_one_set(double own)
+    public void A_source_without_a_rate_needs_the_setting(double own)
     {
         BroadcasterOptions options = Expect.Options();
         options.Sources = [new FailingSource(0, own)];

@@ -15,7 +15,7 @@ public sealed class BroadcasterMaxRateTests
     [InlineData(1480, 200)]
     [InlineData(1481, 200)]
     [InlineData(65_536, 500)]
-    public async Task A_client_gets_exactly_the_take_in_pieces_of_any_size(int? fragment, int frames)
+    public async Task A_client_gets_the_exact_take_in_pieces_of_any_size(int? fragment, int frames)
     {
         BroadcasterOptions options = Expect.Options(frames: frames);
         options.Fragment = fragment;
@@ -49,7 +49,7 @@ public sealed class BroadcasterMaxRateTests
     }
 
     [Fact]
-    public async Task Axis_studio_says_its_rotation_order_in_the_header()
+    public async Task Axis_studio_writes_its_rotation_order_into_the_header()
     {
         BroadcasterOptions options = Expect.Options(frames: 1);
         options.DataVersion = DataVersion.Studio;
@@ -108,7 +108,7 @@ public sealed class BroadcasterMaxRateTests
     }
 
     [Fact]
-    public async Task The_frame_limit_ends_a_source_without_end()
+    public async Task The_frame_limit_ends_an_endless_source()
     {
         BroadcasterOptions options = Expect.Options();
         options.MaxFrames = 17;

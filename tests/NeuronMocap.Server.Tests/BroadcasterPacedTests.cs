@@ -14,7 +14,7 @@ public sealed class BroadcasterPacedTests
     [InlineData(7)]
     [InlineData(1480)]
     [InlineData(65_536)]
-    public async Task A_client_that_is_waited_for_gets_every_frame_from_the_first_and_then_the_end(int? fragment)
+    public async Task A_waited_for_client_gets_every_frame_and_then_the_end(int? fragment)
     {
         BroadcasterOptions options = Options();
         options.WaitForClient = true;
@@ -45,7 +45,7 @@ public sealed class BroadcasterPacedTests
     }
 
     [Fact]
-    public async Task A_later_client_starts_at_a_whole_packet_and_misses_none_from_there_on()
+    public async Task A_late_client_starts_at_a_whole_packet_and_misses_none_after_it()
     {
         BroadcasterOptions options = Options();
         await using Broadcaster broadcaster = Started(options);
@@ -102,7 +102,7 @@ public sealed class BroadcasterPacedTests
     }
 
     [Fact]
-    public async Task Everything_that_is_queued_is_flushed_at_the_end()
+    public async Task Queued_packets_are_flushed_at_the_end()
     {
         BroadcasterOptions options = Options(avatars: 2);
         options.WaitForClient = true;
@@ -123,7 +123,7 @@ public sealed class BroadcasterPacedTests
     }
 
     [Fact]
-    public async Task A_client_that_never_reads_delays_the_end_no_longer_than_allowed()
+    public async Task A_client_that_never_reads_delays_the_end_up_to_a_limit()
     {
         BroadcasterOptions options = Options(avatars: 16);
         options.WaitForClient = true;
@@ -137,7 +137,7 @@ public sealed class BroadcasterPacedTests
     }
 
     [Fact]
-    public async Task Without_clients_a_take_ends_in_its_own_time()
+    public async Task A_take_without_clients_ends_on_time()
     {
         BroadcasterOptions options = Options();
         options.MaxFrames = 20;
@@ -147,7 +147,7 @@ public sealed class BroadcasterPacedTests
     }
 
     [Fact]
-    public void The_rate_is_the_sources_own_unless_set()
+    public void The_rate_defaults_to_the_sources()
     {
         BroadcasterOptions options = Options();
         Assert.Equal(Rate, new Broadcaster(options).FrameRate);

@@ -29,7 +29,7 @@ public sealed class BroadcasterRecordingTests
     }
 
     [Fact]
-    public async Task At_the_highest_rate_every_client_gets_all()
+    public async Task Every_client_gets_every_byte_at_the_highest_rate()
     {
         using TemporaryFile file = Recordings.OfTcp([.. Enumerable.Range(0, 50).Select(static i => (i * 100.0, TestPackets.Motion(i)))]);
         await using var broadcaster = new Broadcaster(new BroadcasterOptions { RecordingPath = file.Path, Port = 0, FrameRate = BroadcasterOptions.MaxFrameRate });
@@ -43,7 +43,7 @@ public sealed class BroadcasterRecordingTests
     }
 
     [Fact]
-    public async Task A_loop_goes_on_and_whoever_comes_late_begins_with_a_packet()
+    public async Task A_loop_repeats_and_late_clients_start_at_a_packet()
     {
         using TemporaryFile file = Recordings.OfTcp((0, TestPackets.Motion(0)), (5, TestPackets.Motion(1)), (10, TestPackets.Motion(2)));
         await using var broadcaster = new Broadcaster(new BroadcasterOptions { RecordingPath = file.Path, Port = 0, LoopRecording = true, RecordingSpeed = 5 });
@@ -89,7 +89,7 @@ public sealed class BroadcasterRecordingTests
     }
 
     [Fact]
-    public void Settings_that_have_no_meaning_are_refused_by_name()
+    public void Meaningless_settings_are_refused_by_name()
     {
         using TemporaryFile file = Recordings.OfTcp((0, TestPackets.Motion(0)));
         AssertRefused(nameof(BroadcasterOptions.Sources), options => options.Sources = [new TestSource(0, 1)]);
@@ -119,7 +119,7 @@ public sealed class BroadcasterRecordingTests
     }
 
     [Fact]
-    public void A_file_that_cannot_be_played_is_found_out_at_once()
+    public void An_unplayable_file_is_refused_at_once()
     {
         using var file = new TemporaryFile("nothing"u8.ToArray());
         Assert.Throws<PlaybackException>(() => new Broadcaster(new BroadcasterOptions { RecordingPath = file.Path }));
@@ -129,7 +129,7 @@ public sealed class BroadcasterRecordingTests
     [Theory]
     [InlineData(null)]
     [InlineData(BroadcasterOptions.MaxFrameRate)]
-    public async Task Calculation_of_a_recording_can_have_a_port_of_its_own(double? rate)
+    public async Task Calculation_of_a_recording_can_have_its_own_port(double? rate)
     {
         using TemporaryFile file = Recordings.OfTcp(
             [.. Enumerable.Range(0, 50).Select(static i => (i * 2.0, (byte[])[.. TestPackets.Motion(i), .. TestPackets.Calculation(i)]))]);
@@ -147,7 +147,7 @@ public sealed class BroadcasterRecordingTests
 
     // A recording has a handle for each receiver that reads it at its own speed. None may outlive the broadcast, whatever went wrong.
     [Fact]
-    public async Task No_handle_of_the_recording_stays_open_when_a_receiver_could_not_be_served()
+    public async Task A_failed_receiver_closes_its_handle_of_the_recording()
     {
         if (!OperatingSystem.IsLinux())
             Assert.Skip("Only Linux tells which files a process has open.");

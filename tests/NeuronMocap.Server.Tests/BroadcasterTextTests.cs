@@ -39,7 +39,7 @@ public sealed class BroadcasterTextTests
     [InlineData((int)TextQuirks.LineFeedOnly, "", "||\n", "\n")]
     [InlineData((int)TextQuirks.StrayZeros, "\0", "||\r\n", "\n")]
     [InlineData((int)(TextQuirks.LineFeedOnly | TextQuirks.StrayZeros), "\0", "||\n", "\n")]
-    public async Task Quirks_change_what_stands_around_the_lines(int quirks, string start, string motionEnd, string calculationEnd)
+    public async Task Quirks_change_the_text_around_lines(int quirks, string start, string motionEnd, string calculationEnd)
     {
         BroadcasterOptions options = Options(BroadcasterOptions.MaxFrameRate);
         options.MaxFrames = 1;
@@ -58,7 +58,7 @@ public sealed class BroadcasterTextTests
     }
 
     [Fact]
-    public async Task A_client_that_does_not_read_loses_whole_lines_and_they_are_counted()
+    public async Task A_client_that_does_not_read_loses_whole_lines_which_are_counted()
     {
         const int Avatars = 30;
         BroadcasterOptions options = Options(rate: 400, Avatars);
@@ -118,7 +118,7 @@ public sealed class BroadcasterTextTests
     }
 
     [Fact]
-    public async Task Values_that_text_cannot_carry_make_lines_of_ordinary_length()
+    public async Task Values_that_text_cannot_express_keep_lines_short()
     {
         BroadcasterOptions options = Expect.Options(avatars: 2, frames: 20);
         options.Format = BroadcastFormat.Text;

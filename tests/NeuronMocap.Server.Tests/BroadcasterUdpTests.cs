@@ -66,7 +66,7 @@ public sealed class BroadcasterUdpTests
     }
 
     [Fact]
-    public async Task A_destination_where_nobody_listens_ends_nothing()
+    public async Task An_unreachable_destination_does_not_end_the_broadcast()
     {
         BroadcasterOptions options;
         using (Socket gone = Receiver())

@@ -67,7 +67,7 @@ public sealed class BroadcasterVendorTests
 
     // Whoever comes in the middle of a frame begins with the frame's first packet, and is not told that something is missing.
     [Fact]
-    public async Task A_client_that_comes_in_the_middle_of_a_frame_gets_all_of_it()
+    public async Task A_client_that_connects_within_a_frame_gets_all_of_it()
     {
         var time = new ManualTime();
         BroadcasterOptions options = Options(rate: 60, avatars: 2);
@@ -94,7 +94,7 @@ public sealed class BroadcasterVendorTests
     [InlineData(120, 4, true, new[] { 0, 2, 4, 6 })]
     [InlineData(120, 5, false, new[] { 0 })]
     [InlineData(2000, 1, false, new[] { 0 })]
-    public void Packets_are_spread_where_there_are_two_milliseconds_for_each(double rate, int packets, bool isPacketwise, int[] milliseconds)
+    public void Packets_are_spread_when_each_has_two_milliseconds(double rate, int packets, bool isPacketwise, int[] milliseconds)
     {
         var spread = new PacketSpacing(rate, packets);
         Assert.Equal(isPacketwise, spread.IsPacketwise);

@@ -34,7 +34,7 @@ public sealed class CommandQuirkTests
     public Task A_negative_size() => FailsAsync(static quirks => quirks.AnnouncedSize = -4, CommandFailure.InvalidReply);
 
     [Fact]
-    public Task A_size_that_says_more_than_there_is() => FailsAsync(static quirks => quirks.AnnouncedSize = 400, CommandFailure.TimedOut);
+    public Task A_size_beyond_the_data() => FailsAsync(static quirks => quirks.AnnouncedSize = 400, CommandFailure.TimedOut);
 
     [Fact]
     public Task Two_answers_to_everything() => AnswersAsync(static quirks => quirks.Answers = 2);
@@ -46,7 +46,7 @@ public sealed class CommandQuirkTests
     public Task Something_unasked_for_before_every_answer() => AnswersAsync(static quirks => quirks.Unsolicited = true);
 
     [Fact]
-    public Task The_end_of_the_connection_in_place_of_every_answer() => FailsAsync(static quirks => quirks.CloseInstead = true, CommandFailure.Closed);
+    public Task The_connection_ends_instead_of_answering() => FailsAsync(static quirks => quirks.CloseInstead = true, CommandFailure.Closed);
 
     [Fact]
     public Task Single_bytes() => AnswersAsync(static quirks => quirks.Fragment = 1);

@@ -68,7 +68,7 @@ public sealed class CommandServerLimitTests
 
     // A client connects anew for most commands. The thread that serves its old connection is held up here, so that it notices the end too late.
     [Fact]
-    public async Task A_client_that_connects_anew_has_room_before_its_old_connection_is_noticed_to_be_closed()
+    public async Task A_reconnecting_client_has_room_before_its_old_connection_closes()
     {
         using var held = new ManualResetEventSlim();
         int sessions = 0;
@@ -95,7 +95,7 @@ public sealed class CommandServerLimitTests
 
     // Idle connections cannot keep others out: whoever never asked gives way first, then whoever asked nothing for the longest time.
     [Fact]
-    public async Task When_there_is_no_room_the_oldest_idle_client_gives_way()
+    public async Task A_full_server_drops_the_oldest_idle_client()
     {
         long now = 0;
         using Broadcaster broadcaster = CreateBroadcaster();
@@ -135,7 +135,7 @@ public sealed class CommandServerLimitTests
     }
 
     [Fact]
-    public async Task A_client_that_asks_nothing_for_too_long_is_closed_also_when_it_sends_bytes_that_are_no_request()
+    public async Task A_client_that_sends_only_garbage_is_closed_after_the_idle_time()
     {
         long now = 0;
         using Broadcaster broadcaster = CreateBroadcaster();
@@ -157,7 +157,7 @@ public sealed class CommandServerLimitTests
     }
 
     [Fact]
-    public async Task A_client_that_says_nothing_is_closed_after_the_idle_time()
+    public async Task A_silent_client_is_closed_after_the_idle_time()
     {
         using Broadcaster broadcaster = CreateBroadcaster();
         using CommandServer server = Start(broadcaster, options => options.IdleTimeout = TimeSpan.FromSeconds(1));

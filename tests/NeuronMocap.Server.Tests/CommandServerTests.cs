@@ -41,7 +41,7 @@ public sealed class CommandServerTests
     }
 
     [Fact]
-    public async Task A_takes_own_body_is_told()
+    public async Task The_body_of_a_take_is_reported()
     {
         // Joint n is at (n, 0.5, -1) and ends at (0, 1, 0).
         BvhDocument take = BvhSamples.Parse(BvhSamples.Neuron(SkeletonVariant.Spine3));
@@ -59,7 +59,7 @@ public sealed class CommandServerTests
     }
 
     [Fact]
-    public async Task An_avatar_that_there_is_not_is_told_as_such()
+    public async Task An_unknown_avatar_gets_an_empty_answer()
     {
         using Broadcaster broadcaster = CreateBroadcaster();
         using CommandServer server = Start(broadcaster);
@@ -71,7 +71,7 @@ public sealed class CommandServerTests
     }
 
     [Fact]
-    public async Task A_zero_out_makes_the_avatar_face_front_and_no_other()
+    public async Task A_zero_out_turns_only_its_avatar_to_the_front()
     {
         using Broadcaster broadcaster = CreateBroadcaster(options =>
         {
@@ -96,7 +96,7 @@ public sealed class CommandServerTests
     }
 
     [Fact]
-    public async Task A_handler_on_the_receive_thread_may_ask()
+    public async Task A_handler_on_the_receive_thread_may_send_commands()
     {
         using Broadcaster broadcaster = CreateBroadcaster(options => options.RotationOrder = RotationOrder.XYZ);
         using CommandServer server = Start(broadcaster);
@@ -110,7 +110,7 @@ public sealed class CommandServerTests
     }
 
     [Fact]
-    public async Task Command_type_and_reserved_field_of_a_request_have_no_meaning()
+    public async Task Type_and_reserved_field_of_a_request_are_ignored()
     {
         using Broadcaster broadcaster = CreateBroadcaster();
         using CommandServer server = Start(broadcaster);
@@ -127,7 +127,7 @@ public sealed class CommandServerTests
     [InlineData(1000)]
     [InlineData(1006)]
     [InlineData(65_535)]
-    public async Task A_command_that_is_not_known_has_an_empty_answer(int id)
+    public async Task An_unknown_command_gets_an_empty_answer(int id)
     {
         using Broadcaster broadcaster = CreateBroadcaster();
         using CommandServer server = Start(broadcaster);
@@ -137,7 +137,7 @@ public sealed class CommandServerTests
     }
 
     [Fact]
-    public async Task Requests_are_answered_in_any_pieces_and_with_anything_between_them()
+    public async Task Requests_in_any_pieces_with_noise_between_are_answered()
     {
         using Broadcaster broadcaster = CreateBroadcaster();
         using CommandServer server = Start(broadcaster);
@@ -153,7 +153,7 @@ public sealed class CommandServerTests
     }
 
     [Fact]
-    public async Task Parameters_that_are_too_short_name_no_avatar()
+    public async Task Short_parameters_name_no_avatar()
     {
         using Broadcaster broadcaster = CreateBroadcaster();
         using CommandServer server = Start(broadcaster);
@@ -181,7 +181,7 @@ public sealed class CommandServerTests
     }
 
     [Fact]
-    public void A_port_in_use_is_told()
+    public void A_port_in_use_is_reported()
     {
         using Broadcaster broadcaster = CreateBroadcaster();
         using CommandServer first = Start(broadcaster);

@@ -7,7 +7,7 @@ namespace NeuronMocap.Tests.Server;
 public sealed class DemoTests
 {
     [Fact]
-    public async Task A_demo_sends_every_avatar_from_the_first_frame_on()
+    public async Task A_demo_sends_every_avatar_from_the_first_frame()
     {
         await using Broadcaster demo = Broadcaster.StartDemo(avatars: 2, frameRate: 240);
         Assert.Equal(240, demo.FrameRate);

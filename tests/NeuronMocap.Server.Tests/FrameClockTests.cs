@@ -26,7 +26,7 @@ public sealed class FrameClockTests
     }
 
     [Fact]
-    public void A_late_wake_up_delays_no_later_frame()
+    public void A_late_wake_up_does_not_delay_later_frames()
     {
         var clock = new FrameClock(100, Start);
         Assert.Equal(0, clock.GetDelay(1, At(0.025)));
@@ -38,7 +38,7 @@ public sealed class FrameClockTests
     [InlineData(60, 4)]
     [InlineData(1, 4)]
     [InlineData(1000, 20)]
-    public void After_a_pause_only_a_few_frames_come_at_once_and_then_the_rate_goes_on(double rate, int tolerated)
+    public void A_pause_is_followed_by_few_frames_at_once_and_the_rate(double rate, int tolerated)
     {
         var clock = new FrameClock(rate, Start);
         long now = At(1000 / rate);

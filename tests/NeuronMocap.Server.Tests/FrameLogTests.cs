@@ -25,7 +25,7 @@ public sealed class FrameLogTests
     [InlineData(4, 0)]
     [InlineData(5, 1)]
     [InlineData(11, 7)]
-    public void A_reader_that_falls_behind_loses_the_oldest_frames_and_they_are_counted_at_once(byte frames, int missed)
+    public void A_slow_reader_loses_the_oldest_frames_which_are_counted_at_once(byte frames, int missed)
     {
         FrameCursor cursor = _log.CreateCursor();
         for (byte i = 1; i <= frames; i++)
@@ -64,7 +64,7 @@ public sealed class FrameLogTests
     [InlineData(1)]
     [InlineData(2)]
     [InlineData(5)]
-    public void Who_falls_behind_in_the_middle_of_a_frame_goes_on_at_the_start_of_one_and_every_lost_packet_is_counted(int length)
+    public void A_reader_that_falls_behind_within_a_frame_resumes_at_a_frame_and_counts_the_loss(int length)
     {
         const int Frames = 10;
         var log = new FrameLog(length, packetsPerFrame: 3);
@@ -84,7 +84,7 @@ public sealed class FrameLogTests
     }
 
     [Fact]
-    public void After_the_end_readers_get_what_is_left_and_then_nothing()
+    public void Readers_get_the_remaining_frames_after_the_end()
     {
         FrameCursor cursor = _log.CreateCursor();
         Publish(1);
@@ -97,7 +97,7 @@ public sealed class FrameLogTests
     }
 
     [Fact]
-    public async Task Waiting_readers_are_woken_by_a_frame_and_sent_away_by_an_abort()
+    public async Task Waiting_readers_wake_on_a_frame_and_on_an_abort()
     {
         FrameCursor cursor = _log.CreateCursor();
         Task<FrameBatch> reading = Task.Run(() => _log.Read(cursor, _buffer), TestContext.Current.CancellationToken);
@@ -111,7 +111,7 @@ public sealed class FrameLogTests
     }
 
     [Fact]
-    public void Frames_may_differ_in_length_and_slots_are_used_again()
+    public void Slots_are_reused_for_frames_of_any_length()
     {
         FrameCursor cursor = _log.CreateCursor();
         for (int length = 1; length < 40; length++)
@@ -131,7 +131,7 @@ public sealed class FrameLogTests
     }
 
     [Fact]
-    public async Task A_woken_reader_gets_nothing_and_the_others_wait_on()
+    public async Task Waking_one_reader_leaves_the_others_waiting()
     {
         FrameCursor cursor = _log.CreateCursor();
         FrameCursor other = _log.CreateCursor();

@@ -10,7 +10,7 @@ public sealed class RecordedUnitsTests
 {
     [Theory]
     [MemberData(nameof(WrittenStreams.Names), MemberType = typeof(WrittenStreams))]
-    public void No_byte_is_left_out_or_added_however_it_was_split(string name)
+    public void Every_split_keeps_every_byte(string name)
     {
         byte[] bytes = StreamFixture.Load(name).Bytes;
         for (int seed = 0; seed < 5; seed++)
@@ -26,7 +26,7 @@ public sealed class RecordedUnitsTests
     }
 
     [Fact]
-    public void A_unit_is_a_packet_with_the_noise_before_it_and_is_there_with_its_last_byte()
+    public void A_unit_is_a_packet_and_the_noise_before_it()
     {
         byte[] packet = TestPackets.Motion(0);
         using TemporaryFile file = Recordings.OfTcp((1, [7, 7, .. packet[..100]]), (2, [.. packet[100..], .. packet, 8, 8]), (3, [9]), (4, packet[..64]));
@@ -37,7 +37,7 @@ public sealed class RecordedUnitsTests
     }
 
     [Fact]
-    public void The_end_of_a_line_goes_with_the_line()
+    public void A_line_end_belongs_to_its_line()
     {
         byte[] line = TestPackets.Line(1);
         using TemporaryFile file = Recordings.OfTcp((1, line), (2, [.. line, .. line[..50]]), (3, line[50..]), (4, Encoding.ASCII.GetBytes("\r\n\r\n")));
@@ -46,7 +46,7 @@ public sealed class RecordedUnitsTests
     }
 
     [Fact]
-    public void No_unit_is_longer_than_was_said()
+    public void Units_stay_within_the_announced_length()
     {
         byte[] noise = new byte[200_000];
         new Random(1).NextBytes(noise);
@@ -58,7 +58,7 @@ public sealed class RecordedUnitsTests
     }
 
     [Fact]
-    public void Of_several_senders_each_has_whole_units()
+    public void Each_sender_has_whole_units()
     {
         (byte[] first, byte[] second) = (TestPackets.Motion(1), TestPackets.Motion(2));
         using TemporaryFile file = Recordings.Write(writer =>

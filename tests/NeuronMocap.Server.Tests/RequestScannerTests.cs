@@ -32,7 +32,7 @@ public sealed class RequestScannerTests
 
     // A command's count would make it a packet with payload, if it were a reply.
     [Fact]
-    public void A_request_has_no_payload_whatever_its_count_says()
+    public void A_request_has_no_payload_at_any_count()
     {
         var scanner = new RequestScanner();
         byte[] request = Requests.Create(0, 3, dataCount: 1_000_000);
@@ -42,7 +42,7 @@ public sealed class RequestScannerTests
 
     // More than the scanner has room for, in one go and without an end.
     [Fact]
-    public void Noise_is_dropped_and_takes_no_room()
+    public void Noise_is_dropped_without_memory()
     {
         var scanner = new RequestScanner();
         byte[] noise = [.. Enumerable.Repeat((byte[])[0xFF, 0xAA, 0xFF, 0xBB, 0, 0, 0], 2000).SelectMany(bytes => bytes)];

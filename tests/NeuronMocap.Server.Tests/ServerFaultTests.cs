@@ -21,7 +21,7 @@ public sealed class ServerFaultTests
         ["WriteValues", "Calculation", "StudioCalculation"], [BroadcasterOptions.MaxFrameRate, 200], [false, true]);
 
     [Theory, MemberData(nameof(Questions))]
-    public async Task A_source_that_throws_when_a_command_asks_costs_the_client_that_asked_its_connection((int Id, string Member) question, Type type)
+    public async Task A_source_that_throws_for_a_command_closes_the_asking_connection((int Id, string Member) question, Type type)
     {
         var thrown = (Exception)Activator.CreateInstance(type, "The source is broken.")!;
         var source = new ThrowingSource(question.Member, thrown);
@@ -43,7 +43,7 @@ public sealed class ServerFaultTests
     }
 
     [Fact]
-    public async Task Without_a_handler_a_source_that_throws_ends_nothing()
+    public async Task An_exception_of_a_source_without_a_handler_ends_nothing()
     {
         var source = new ThrowingSource("GetBody", new InvalidOperationException("The source is broken."));
         using Broadcaster broadcaster = CommandServerTests.CreateBroadcaster(options => options.Sources = [source]);
@@ -57,7 +57,7 @@ public sealed class ServerFaultTests
     }
 
     [Theory, MemberData(nameof(Broadcasts))]
-    public async Task A_source_or_writer_that_throws_ends_the_broadcast_which_says_why(string member, double rate, bool isUdp)
+    public async Task A_throwing_source_or_writer_ends_the_broadcast_with_a_reason(string member, double rate, bool isUdp)
     {
         using var receiver = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         receiver.Bind(new IPEndPoint(IPAddress.Loopback, 0));
@@ -88,7 +88,7 @@ public sealed class ServerFaultTests
     [InlineData(DataCommandId.BoneSize, "GetBody")]
     [InlineData(DataCommandId.BvhText, "GetBody")]
     [InlineData(DataCommandId.BvhText, "Variant")]
-    public async Task A_source_that_throws_when_a_data_command_asks_ends_the_broadcast_which_says_why(DataCommandId id, string member)
+    public async Task A_source_that_throws_for_a_data_command_ends_the_broadcast_with_a_reason(DataCommandId id, string member)
     {
         var source = new ThrowingSource(member, new ObjectDisposedException("The source is broken."));
         await using Broadcaster broadcaster = CommandServerTests.CreateBroadcaster(options => options.Sources = [source]);
@@ -102,7 +102,7 @@ public sealed class ServerFaultTests
     }
 
     [Fact]
-    public async Task A_listener_goes_on_after_what_its_callback_throws()
+    public async Task A_listener_survives_exceptions_of_its_callback()
     {
         var report = new FaultReport("test");
         int failures = 0;
@@ -127,7 +127,7 @@ public sealed class ServerFaultTests
     }
 
     [Fact]
-    public void A_worker_reports_what_its_body_throws_to_every_handler_and_ends()
+    public void A_worker_reports_its_exception_to_every_handler_and_ends()
     {
         var report = new FaultReport("test");
         var told = new List<Exception>();
@@ -142,7 +142,7 @@ public sealed class ServerFaultTests
     }
 
     [Fact]
-    public void Without_a_handler_the_first_failure_is_traced_even_by_a_listener_that_throws()
+    public void An_unhandled_first_failure_is_traced_despite_a_throwing_listener()
     {
         string marker = Guid.NewGuid().ToString();
         using var listener = new BrokenTraceListener(marker);

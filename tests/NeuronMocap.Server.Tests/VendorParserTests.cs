@@ -6,27 +6,27 @@ namespace NeuronMocap.Server.Tests;
 public sealed class VendorParserTests
 {
     [Fact]
-    public void Of_three_motion_packets_in_one_receive_the_second_is_lost() =>
+    public void The_vendor_loses_the_second_of_three_packets_in_one_receive() =>
         AssertParsed([Motion(0), Motion(1), Motion(2)], motion: [0, 2]);
 
     [Theory]
     [InlineData(63, new[] { 0 })]
     [InlineData(64, new[] { 0, 1 })]
-    public void Between_two_motion_packets_64_bytes_of_anything_save_the_second(int filler, int[] motion) =>
+    public void Padding_of_64_bytes_saves_the_second_packet(int filler, int[] motion) =>
         AssertParsed([Motion(0), new byte[filler], Motion(1)], motion);
 
     [Fact]
-    public void Beside_motion_packets_all_calculation_packets_are_lost() =>
+    public void Calculation_packets_beside_motion_are_lost() =>
         AssertParsed([Motion(0), Calculation(0), Motion(1), Calculation(1)], motion: [0, 1]);
 
     [Fact]
-    public void Calculation_packets_alone_all_arrive() => AssertParsed([Calculation(0), Calculation(1), Calculation(2)], motion: [], 0, 1, 2);
+    public void Calculation_packets_alone_arrive() => AssertParsed([Calculation(0), Calculation(1), Calculation(2)], motion: [], 0, 1, 2);
 
     [Fact]
     public void A_packet_that_is_cut_is_lost() => AssertParsed([Motion(0)[..1479]], motion: []);
 
     [Fact]
-    public void Packets_that_are_received_one_by_one_all_arrive()
+    public void Packets_received_one_by_one_arrive()
     {
         var parser = new VendorParser();
         parser.Parse(Motion(0));

@@ -99,7 +99,7 @@ public sealed partial class CommandLineTests
     [InlineData("--colour", null)]
     [InlineData("--", null)]
     [InlineData("-x", null)]
-    public async Task An_unknown_option_is_named_with_the_one_that_was_meant(string typed, string? meant)
+    public async Task An_unknown_option_is_named_with_a_suggestion(string typed, string? meant)
     {
         ToolResult result = await ToolRunner.RunAsync("watch", "studio", typed, "value");
 
@@ -123,7 +123,7 @@ public sealed partial class CommandLineTests
     [InlineData("unknown option --resample: did you mean neuron-mocap convert --resample?", "--resample", "60")]
     [InlineData("unknown option --info: did you mean neuron-mocap info?", "--info", "take.bvh")]
     [InlineData("unknown option --frobnicate.", "--frobnicate")]
-    public async Task An_unknown_verb_is_named_with_the_one_that_was_meant(string said, params string[] args)
+    public async Task An_unknown_verb_is_named_with_a_suggestion(string said, params string[] args)
     {
         ToolResult result = await ToolRunner.RunAsync(args);
 
@@ -133,7 +133,7 @@ public sealed partial class CommandLineTests
     }
 
     [Fact]
-    public async Task An_option_before_the_verb_is_told_where_it_belongs()
+    public async Task An_option_before_the_verb_is_explained()
     {
         ToolResult result = await ToolRunner.RunAsync("--json", "watch", "demo");
 
@@ -144,7 +144,7 @@ public sealed partial class CommandLineTests
     // Every option that --help lists, so that a new one is looked at, too: with a value that none takes, and without its value.
     [Theory]
     [MemberData(nameof(Verbs))]
-    public async Task Every_option_is_named_by_what_is_said_about_it(string verb)
+    public async Task Every_error_names_its_option(string verb)
     {
         foreach (VerbOption option in await VerbHelp.ReadAsync(verb))
         {
@@ -162,7 +162,7 @@ public sealed partial class CommandLineTests
     }
 
     [Fact]
-    public async Task A_word_with_the_name_of_a_file_is_a_file()
+    public async Task A_word_that_names_a_file_is_a_file()
     {
         string path = Path.GetTempFileName();
         try
@@ -222,7 +222,7 @@ public sealed partial class CommandLineTests
     [InlineData("plot", "--from", "--to", "--order", "--avatar", "--rate", "--overwrite")]
     [InlineData("command", "--avatar", "--json")]
     [InlineData("simulate", "--port", "--bvh", "--calc", "--play", "--speed", "--udp", "--calculation-port", "--commands", "--bind")]
-    public async Task The_options_that_scripts_rely_on_are_there(string verb, params string[] options)
+    public async Task The_options_that_scripts_rely_on_exist(string verb, params string[] options)
     {
         ToolResult result = await ToolRunner.RunAsync(verb, "--help");
         foreach (string option in options)

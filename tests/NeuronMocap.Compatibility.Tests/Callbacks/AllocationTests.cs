@@ -13,7 +13,7 @@ public sealed class AllocationTests
     [Theory]
     [InlineData(HeaderLayout.New)]
     [InlineData(HeaderLayout.Old)]
-    public async Task A_frame_costs_no_allocation(HeaderLayout layout)
+    public async Task A_frame_allocates_nothing(HeaderLayout layout)
     {
         byte[] frame = TestPackets.Motion(1, layout: layout);
         float[] values = new float[354];

@@ -12,7 +12,7 @@ namespace NeuronMocap.Compatibility.Tests.Callbacks;
 public sealed class CallbackTests
 {
     [Fact]
-    public async Task A_callback_that_replaces_another_brings_its_own_object()
+    public async Task A_replacing_callback_gets_its_own_object()
     {
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
@@ -30,7 +30,7 @@ public sealed class CallbackTests
     }
 
     [Fact]
-    public async Task Without_a_callback_frames_pass_by()
+    public async Task Frames_are_ignored_without_a_callback()
     {
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
@@ -92,7 +92,7 @@ public sealed class CallbackTests
 
     // Another namespace is another library.
     [Fact]
-    public async Task The_other_namespace_has_callbacks_and_connections_of_its_own()
+    public async Task Each_namespace_has_its_own_callbacks_and_connections()
     {
         using var server = new TestServer();
         using var log = new CallbackLog();
@@ -117,7 +117,7 @@ public sealed class CallbackTests
 
     // In the native library such a delegate is collected, and the next frame ends the process.
     [Fact]
-    public async Task A_delegate_that_nobody_else_keeps_is_kept()
+    public async Task A_registered_delegate_is_not_collected()
     {
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
@@ -132,7 +132,7 @@ public sealed class CallbackTests
     }
 
     [Fact]
-    public async Task An_exception_of_a_callback_is_reported_and_nothing_else_ends()
+    public async Task A_callback_exception_is_reported_and_the_connection_goes_on()
     {
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
@@ -148,7 +148,7 @@ public sealed class CallbackTests
     }
 
     [Fact]
-    public void An_exception_of_the_status_callback_hinders_neither_connecting_nor_closing()
+    public void A_status_callback_exception_does_not_stop_connecting_or_closing()
     {
         using var server = new TestServer();
         using var log = new CallbackLog();
@@ -163,7 +163,7 @@ public sealed class CallbackTests
     }
 
     [Fact]
-    public async Task An_exception_that_nobody_listens_for_is_written_out_once_in_a_while()
+    public async Task Unhandled_callback_exceptions_are_traced_at_intervals()
     {
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
@@ -209,7 +209,7 @@ public sealed class CallbackTests
     }
 
     [Fact]
-    public void The_last_error_stays_and_is_the_same_for_all_threads_and_both_forms()
+    public void The_last_error_is_shared_by_threads_and_namespaces()
     {
         using var server = new TestServer();
         using var log = new CallbackLog();
@@ -231,7 +231,7 @@ public sealed class CallbackTests
     }
 
     [Fact]
-    public void A_very_long_error_ends_in_memory_too()
+    public void A_very_long_error_is_terminated()
     {
         using var log = new CallbackLog();
         string host = new('x', 5000);

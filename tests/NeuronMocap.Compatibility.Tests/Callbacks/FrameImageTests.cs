@@ -15,7 +15,7 @@ public sealed class FrameImageTests
 {
     // Programs may keep the address of the first frame and look there whenever they like.
     [Fact]
-    public async Task Every_packet_of_a_connection_lies_at_one_address_however_large_it_is()
+    public async Task Packets_of_any_size_use_one_address_per_connection()
     {
         byte[][] packets =
         [
@@ -44,7 +44,7 @@ public sealed class FrameImageTests
     [InlineData(360)]
     [InlineData(1)]
     [InlineData(10_224)]
-    public async Task A_frame_with_the_new_header_is_handed_out_as_it_came(int count)
+    public async Task A_frame_with_the_new_header_is_delivered_unchanged(int count)
     {
         byte[] packet = new byte[64 + (4 * count)];
         var header = new MotionHeader
@@ -76,7 +76,7 @@ public sealed class FrameImageTests
     }
 
     [Fact]
-    public async Task A_frame_with_the_old_header_gets_the_new_one_with_a_counted_index()
+    public async Task A_frame_with_the_old_header_gets_the_new_header_and_a_counted_index()
     {
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
@@ -102,7 +102,7 @@ public sealed class FrameImageTests
     }
 
     [Fact]
-    public async Task A_new_connection_counts_anew()
+    public async Task A_new_connection_restarts_the_index()
     {
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
@@ -120,7 +120,7 @@ public sealed class FrameImageTests
     [Theory]
     [InlineData(338)]
     [InlineData(946)]
-    public async Task A_calculation_frame_is_handed_out_as_it_came_with_its_own_object(int count)
+    public async Task A_calculation_frame_is_delivered_unchanged_with_its_own_object(int count)
     {
         byte[] packet = TestPackets.Calculation(99, avatar: 3, count);
         using var log = new CallbackLog();
@@ -137,7 +137,7 @@ public sealed class FrameImageTests
     }
 
     [Fact]
-    public async Task Packets_of_no_values_are_not_handed_out()
+    public async Task Packets_without_values_are_not_delivered()
     {
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);

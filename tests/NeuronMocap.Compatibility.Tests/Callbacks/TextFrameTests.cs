@@ -50,7 +50,7 @@ public sealed class TextFrameTests
     [InlineData("mixed")]
     [InlineData("studio-calculation")]
     [InlineData("zero-count")]
-    public async Task Every_frame_of_a_foreign_stream_is_handed_out(string name)
+    public async Task Every_frame_of_a_foreign_stream_is_delivered(string name)
     {
         StreamFixture fixture = StreamFixture.Load(name);
         ExpectedPacket[] motion = [.. fixture.Expected.Where(static packet => packet.Kind == PacketKind.Motion && packet.Type is "frame")];

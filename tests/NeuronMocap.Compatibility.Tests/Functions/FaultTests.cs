@@ -19,7 +19,7 @@ public sealed class FaultTests
 
     [Theory]
     [MemberData(nameof(Faults), DisableDiscoveryEnumeration = true)]
-    public void A_fault_becomes_the_functions_failure_and_a_sentence(Exception fault)
+    public void A_fault_fails_the_function_and_sets_the_last_error(Exception fault)
     {
         LastErrorReset();
 
@@ -32,13 +32,13 @@ public sealed class FaultTests
 
     // It belongs to the program, which interrupts its own threads.
     [Fact]
-    public void An_interrupted_thread_is_interrupted() =>
+    public void ThreadInterruptedException_is_rethrown() =>
         Assert.Throws<ThreadInterruptedException>(static () => FunctionGuard.Call(0, static _ => throw new ThreadInterruptedException(), failure: 0));
 
     [Fact]
-    public void A_fault_while_opening_is_zero_and_leaves_no_socket()
+    public void A_fault_while_opening_returns_zero_and_leaves_no_socket()
     {
-        var socket = new ScriptedSocket(nameof(A_fault_while_opening_is_zero_and_leaves_no_socket)) { Opening = Throw };
+        var socket = new ScriptedSocket(nameof(A_fault_while_opening_returns_zero_and_leaves_no_socket)) { Opening = Throw };
 
         Assert.Throws<InvalidOperationException>(() => SocketTable.Open(socket));
 
@@ -47,9 +47,9 @@ public sealed class FaultTests
     }
 
     [Fact]
-    public void A_fault_while_asking_or_closing_is_told_and_goes_no_further()
+    public void A_fault_while_asking_or_closing_sets_the_last_error()
     {
-        var socket = new ScriptedSocket(nameof(A_fault_while_asking_or_closing_is_told_and_goes_no_further)) { Releasing = Throw };
+        var socket = new ScriptedSocket(nameof(A_fault_while_asking_or_closing_sets_the_last_error)) { Releasing = Throw };
         IntPtr handle = SocketTable.Open(socket);
         socket.AskingForState = Throw;
 
@@ -65,9 +65,9 @@ public sealed class FaultTests
     }
 
     [Fact]
-    public void A_socket_that_the_table_has_already_is_released()
+    public void A_socket_that_is_already_in_the_table_is_released()
     {
-        const string name = nameof(A_socket_that_the_table_has_already_is_released);
+        const string name = nameof(A_socket_that_is_already_in_the_table_is_released);
         var first = new ScriptedSocket(name);
         var second = new ScriptedSocket(name);
         IntPtr handle = SocketTable.Open(first);
@@ -82,7 +82,7 @@ public sealed class FaultTests
     // On the receive thread, on the one that tells the end, and on those that connect and close.
     [Theory]
     [MemberData(nameof(CallbackMembers))]
-    public async Task A_fault_around_a_callback_ends_neither_its_thread_nor_the_connection(string member)
+    public async Task A_fault_around_a_callback_keeps_the_thread_and_connection_alive(string member)
     {
         IVendorCallbacks callbacks = FaultyCallbacks.Of(member);
         using var server = new TestServer();

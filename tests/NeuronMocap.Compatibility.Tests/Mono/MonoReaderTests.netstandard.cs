@@ -45,7 +45,7 @@ public sealed class MonoReaderTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public async Task Whatever_is_stopped_in_whatever_state_stops_at_once_and_leaves_nothing()
+    public async Task Every_object_stops_at_once_in_every_state_and_leaves_nothing()
     {
         MonoProgram.Require();
         using var program = new MonoProgram();

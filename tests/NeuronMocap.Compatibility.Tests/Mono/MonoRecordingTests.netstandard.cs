@@ -81,7 +81,7 @@ public sealed class MonoRecordingTests : IDisposable
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 
     [Fact]
-    public async Task Mono_records_reads_and_plays_what_dotnet_does()
+    public async Task Mono_records_reads_and_plays_like_dotnet()
     {
         MonoProgram.Require();
         using var program = new MonoProgram();

@@ -88,7 +88,7 @@ public sealed class MonoTests
     }
 
     [Fact]
-    public async Task Connections_that_a_script_forgot_end_with_its_domain()
+    public async Task Unclosed_connections_end_with_the_domain()
     {
         MonoProgram.Require();
         using var program = new MonoProgram();

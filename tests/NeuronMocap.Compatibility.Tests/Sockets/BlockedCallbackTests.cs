@@ -26,7 +26,7 @@ public sealed class BlockedCallbackTests : IDisposable
     }
 
     [Fact]
-    public async Task Closing_lets_go_of_a_callback_that_waits_and_no_other_begins()
+    public async Task Closing_releases_a_waiting_callback_and_starts_no_other()
     {
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
@@ -54,7 +54,7 @@ public sealed class BlockedCallbackTests : IDisposable
     }
 
     [Fact]
-    public async Task Closing_lets_go_of_the_callback_of_a_UDP_service()
+    public async Task Closing_releases_the_callback_of_a_UDP_service()
     {
         int port = FreePort.Udp();
         using var log = new CallbackLog();
@@ -109,7 +109,7 @@ public sealed class BlockedCallbackTests : IDisposable
 
     // As a program does that shows the status in its window.
     [Fact]
-    public async Task Closing_lets_go_of_a_status_callback_that_waits()
+    public async Task Closing_releases_a_waiting_status_callback()
     {
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
@@ -135,7 +135,7 @@ public sealed class BlockedCallbackTests : IDisposable
     [Theory]
     [InlineData("Connecting")]
     [InlineData("Successfully")]
-    public async Task Closing_lets_go_of_the_status_callback_of_a_connection_that_is_being_made(string text)
+    public async Task Closing_releases_the_status_callback_of_a_pending_connection(string text)
     {
         using var server = new TestServer();
         using var log = new CallbackLog();
@@ -158,7 +158,7 @@ public sealed class BlockedCallbackTests : IDisposable
     }
 
     [Fact]
-    public async Task Closing_from_two_threads_at_once_tells_the_end_once_and_before_either_returns()
+    public async Task Closing_from_two_threads_reports_the_end_once_before_either_returns()
     {
         // A busy computer may hold the thread that tells up, in some rounds.
         int fewest = 0;
@@ -202,7 +202,7 @@ public sealed class BlockedCallbackTests : IDisposable
 
     // The other one closes while this callback runs, and then the callback does too.
     [Fact]
-    public async Task Closing_again_in_the_callback_that_is_waited_for_works()
+    public async Task A_waited_for_callback_may_close_again()
     {
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
@@ -227,7 +227,7 @@ public sealed class BlockedCallbackTests : IDisposable
 
     // Handlers of the event may wait for the same thread.
     [Fact]
-    public async Task Closing_lets_go_of_whoever_is_told_of_a_callbacks_exception()
+    public async Task Closing_releases_a_handler_of_callback_exceptions()
     {
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);

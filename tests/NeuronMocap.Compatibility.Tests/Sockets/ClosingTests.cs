@@ -16,7 +16,7 @@ public sealed class ClosingTests
 
     // The system may take the processor away from the receive thread anywhere, and for as long as it likes.
     [Fact]
-    public async Task A_receive_thread_that_is_held_up_before_its_callback_does_not_call_it_after_closing()
+    public async Task A_delayed_receive_thread_calls_no_callback_after_closing()
     {
         using var server = new TestServer();
         using var callbacks = new HeldUpCallbacks();

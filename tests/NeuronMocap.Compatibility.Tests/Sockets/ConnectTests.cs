@@ -10,7 +10,7 @@ public sealed class ConnectTests
 {
     // Programs of that time stop their threads so. Whoever asks for the same place afterwards must not wait for a thread that is gone.
     [Fact]
-    public void A_thread_that_is_interrupted_while_it_connects_leaves_nothing_behind()
+    public void Interrupting_a_connecting_thread_leaves_nothing()
     {
         using var hole = new BlackHole();
         using var log = new CallbackLog();
@@ -28,7 +28,7 @@ public sealed class ConnectTests
     }
 
     [Fact]
-    public async Task Threads_that_ask_for_the_same_place_at_once_get_one_connection()
+    public async Task Concurrent_connects_to_one_address_share_a_connection()
     {
         using var server = new TestServer();
         using var log = new CallbackLog();
@@ -52,7 +52,7 @@ public sealed class ConnectTests
 
     // None may wait for the other, whose callback waits for it.
     [Fact]
-    public async Task Threads_whose_callbacks_ask_for_each_others_connection_get_it()
+    public async Task Callbacks_can_ask_for_each_others_connection()
     {
         using var first = new TestServer();
         using var second = new TestServer();
@@ -82,7 +82,7 @@ public sealed class ConnectTests
     }
 
     [Fact]
-    public async Task Frames_of_two_connections_tell_theirs()
+    public async Task Frames_name_their_connection()
     {
         using var log = new CallbackLog();
         using PacketServer first = await PacketServer.ConnectAsync(log);

@@ -11,7 +11,7 @@ public sealed class SessionTests
     private static readonly TimeSpan Bound = Limits.Unexpected;
 
     [Fact]
-    public async Task Ending_closes_everything_of_both_namespaces_and_tells_nobody()
+    public async Task Ending_closes_all_connections_of_both_namespaces_without_callbacks()
     {
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
@@ -51,7 +51,7 @@ public sealed class SessionTests
     }
 
     [Fact]
-    public async Task A_busy_callback_is_waited_for_no_longer_than_asked()
+    public async Task Ending_waits_for_a_busy_callback_up_to_its_limit()
     {
         // Without the limit each takes the 2 s that closing a connection may.
         var bound = TimeSpan.FromSeconds(1.5);

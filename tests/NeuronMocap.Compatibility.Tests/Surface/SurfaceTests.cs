@@ -10,7 +10,7 @@ public sealed class SurfaceTests
     private static readonly Assembly Library = typeof(CompatibilityEvents).Assembly;
 
     [Fact]
-    public void The_public_surface_is_the_one_on_file() => PublicSurfaceFile.Check(Library);
+    public void The_public_API_matches_its_file() => PublicSurfaceFile.Check(Library);
 
     [Fact]
     public void The_tests_run_against_the_build_that_was_asked_for() => Assert.All(
@@ -30,7 +30,7 @@ public sealed class SurfaceTests
     // "using NeuronDataReaderWraper;" and then "NeuronDataReader.BRConnectTo(...)": a namespace of that name would win over the class. Neuron and
     // Noitom are namespaces of the vendor's own scripts.
     [Fact]
-    public void There_are_three_namespaces_and_none_hides_the_class()
+    public void No_namespace_hides_the_class()
     {
         string[] tops = [.. Library.GetExportedTypes().Select(static type => type.Namespace!).Distinct(StringComparer.Ordinal).Order(StringComparer.Ordinal)];
         Assert.Equal(["NeuronDataReaderManaged", "NeuronDataReaderWraper", "NeuronMocap.Compatibility"], tops);
@@ -46,7 +46,7 @@ public sealed class SurfaceTests
     [InlineData("DataVersion", 4, "BuildNumb 0, Revision 1, Minor 2, Major 3")]
     [InlineData("BoneDimension", 48, "Head 0, Neck 4, Body 8, ShoulderWidth 12, UpperArm 16, Forearm 20, Palm 24, HipWidth 28, UpperLeg 32, "
         + "LowerLeg 36, HeelHeight 40, FootLength 44")]
-    public void Structs_lie_in_memory_as_the_vendors_do(string name, int size, string offsets)
+    public void Structs_have_the_vendors_memory_layout(string name, int size, string offsets)
     {
         foreach (string space in Namespaces)
         {

@@ -9,7 +9,7 @@ public sealed class CalculationAxesTests
     public static TheoryData<string> Takes => [.. CalculationText.Takes];
 
     [Theory, MemberData(nameof(Takes))]
-    public void In_recordings_gravity_points_along_z_whatever_way_a_sensor_is_turned(string take)
+    public void Recorded_gravity_points_along_z_for_every_sensor_rotation(string take)
     {
         CalculationDocument document = CalculationDocument.Load(Fixtures.Require("calc", take));
         Vector3 sum = Vector3.Zero;
@@ -28,7 +28,7 @@ public sealed class CalculationAxesTests
     [Theory]
     [InlineData("hiphop_up_Char00.calc")]
     [InlineData("salsa_left_Char00.calc")]
-    public void Dancers_of_the_recordings_have_heads_above_feet_and_left_hands_at_the_left(string take)
+    public void Recorded_dancers_have_heads_above_feet_and_left_hands_on_the_left(string take)
     {
         CalculationDocument document = CalculationDocument.Load(Fixtures.Require("calc", take));
         float hands = 0;
@@ -46,7 +46,7 @@ public sealed class CalculationAxesTests
 
     // Gyroscopes know nothing of the quaternions: both agree only where axes, handedness and the order of a quaternion are read right.
     [Theory, MemberData(nameof(Takes))]
-    public void In_recordings_sensors_turn_as_their_gyroscopes_say(string take)
+    public void Recorded_sensors_turn_with_their_gyroscopes(string take)
     {
         CalculationDocument document = CalculationDocument.Load(Fixtures.Require("calc", take));
         foreach (Bone bone in (Bone[])[Bone.Hips, Bone.RightArm, Bone.LeftLeg])

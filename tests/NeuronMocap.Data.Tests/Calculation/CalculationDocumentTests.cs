@@ -10,7 +10,7 @@ public sealed class CalculationDocumentTests
     public static TheoryData<string> Takes => [.. CalculationText.Takes];
 
     [Theory, MemberData(nameof(Takes))]
-    public void Real_takes_have_centres_and_no_doubts(string name)
+    public void Real_takes_hold_bone_centres(string name)
     {
         CalculationDocument document = CalculationDocument.Load(Fixtures.Require("calc", name));
         Assert.Empty(CalculationSkeleton.Measure(document).Warnings);
@@ -36,7 +36,7 @@ public sealed class CalculationDocumentTests
     }
 
     [Theory, MemberData(nameof(Takes))]
-    public void A_recording_read_and_written_has_the_same_bytes(string take)
+    public void An_export_round_trips_byte_for_byte(string take)
     {
         byte[] text = File.ReadAllBytes(Fixtures.Require("calc", take));
         Assert.Equal(text, NeuronMocap.Tests.Calculation.CalculationDocumentTests.Write(CalculationDocument.Parse(text)));

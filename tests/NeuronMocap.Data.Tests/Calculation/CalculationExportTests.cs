@@ -10,7 +10,7 @@ public sealed class CalculationExportTests
 {
     // The left arm is what moves in this take, its shoulder blade hardly: what is known of that comes from the arm.
     [Fact]
-    public void An_arm_of_a_recorded_take_exported_and_measured_again_has_its_lengths()
+    public void A_recorded_arm_keeps_its_lengths_through_an_export()
     {
         var source = new BvhSource(BvhDocument.Load(Fixtures.Require("test-take", "test.bvh")));
         using var text = new MemoryStream();

@@ -16,7 +16,7 @@ public sealed class CalculationSkeletonTests
     [InlineData("MasterLiuPerformanceChar00.calc", 0.2, 1.8)]
     [InlineData("hiphop_up_Char00.calc", 0.13, 0.62)]
     [InlineData("salsa_left_Char00.calc", 0.17, 0.8)]
-    public void Poses_give_the_recorded_centres_back(string take, double mean, double max)
+    public void Poses_reproduce_the_recorded_centres(string take, double mean, double max)
     {
         CalculationDocument document = Load(take);
         var skeleton = CalculationSkeleton.Measure(document);
@@ -40,7 +40,7 @@ public sealed class CalculationSkeletonTests
     }
 
     [Theory, MemberData(nameof(Takes))]
-    public void The_body_is_one_of_an_adult(string take)
+    public void The_body_has_adult_proportions(string take)
     {
         SkeletonBody body = CalculationSkeleton.Measure(Load(take)).Body;
         BoneDimensions sizes = body.Measure();
@@ -60,7 +60,7 @@ public sealed class CalculationSkeletonTests
     }
 
     [Theory, MemberData(nameof(Takes))]
-    public void Bones_keep_their_lengths_and_rotations_are_rotations(string take)
+    public void Bones_keep_their_lengths_and_rotations_are_unit(string take)
     {
         CalculationDocument document = Load(take);
         var skeleton = CalculationSkeleton.Measure(document);
@@ -80,7 +80,7 @@ public sealed class CalculationSkeletonTests
     [Theory]
     [InlineData("hiphop_up_Char00.calc")]
     [InlineData("salsa_left_Char00.calc")]
-    public void Dancers_stand_upright_on_the_ground_with_knees_that_bend_forward(string take)
+    public void Dancers_stand_upright_and_bend_their_knees_forward(string take)
     {
         CalculationDocument document = Load(take);
         var skeleton = CalculationSkeleton.Measure(document);

@@ -16,7 +16,7 @@ public sealed class CalculationSourceTests
     [InlineData(BroadcastFormat.Text, Take)]
     [InlineData(BroadcastFormat.Binary, "MasterLiuPerformanceChar00.calc")]
     [InlineData(BroadcastFormat.Text, "MasterLiuPerformanceChar00.calc")]
-    public async Task Frames_of_the_file_equal_those_of_the_stream(BroadcastFormat format, string take)
+    public async Task Frames_of_the_file_and_the_stream_are_equal(BroadcastFormat format, string take)
     {
         CalculationDocument document = CalculationDocument.Load(Fixtures.Require("calc", take));
         List<CalculationFrame> received = await CalculationBroadcast.ReceiveAsync(document, format);
@@ -27,7 +27,7 @@ public sealed class CalculationSourceTests
     }
 
     [Fact]
-    public void A_take_is_a_performance()
+    public void A_take_is_a_motion_source()
     {
         CalculationDocument document = CalculationDocument.Load(Fixtures.Require("calc", Take), new CalculationReadOptions { FrameRate = 60 });
         var source = new CalculationSource(document);
@@ -47,7 +47,7 @@ public sealed class CalculationSourceTests
 
     // What the poses are computed from comes out of them again: positions through the synthesizer, velocities from positions.
     [Fact]
-    public void The_synthesizer_gives_the_files_positions_back()
+    public void The_synthesizer_reproduces_the_files_positions()
     {
         CalculationDocument document = CalculationDocument.Load(Fixtures.Require("calc", Take));
         var source = new CalculationSource(document);

@@ -11,7 +11,7 @@ public sealed class FootContactTests
     [InlineData("MasterLiuPerformanceChar00.calc", 0.93, 0.91)]
     [InlineData("hiphop_up_Char00.calc", 0.95, 0.94)]
     [InlineData("salsa_left_Char00.calc", 0.98, 0.975)]
-    public void The_estimate_agrees_with_what_the_software_recorded(string file, double leastOfTake, double leastLive)
+    public void The_estimate_agrees_with_the_recorded_contacts(string file, double leastOfTake, double leastLive)
     {
         List<(Vector3 Left, Vector3 Right, FootContacts Recorded)> frames = ReadFeet(Fixtures.Require("calc", file));
         var track = new FootContactTrack();

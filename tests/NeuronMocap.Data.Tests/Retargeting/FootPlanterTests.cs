@@ -11,7 +11,7 @@ namespace NeuronMocap.Data.Tests.Retargeting;
 public sealed class FootPlanterTests
 {
     [Fact]
-    public void The_recorded_take_stands_still()
+    public void Planted_feet_of_the_recorded_take_stand_still()
     {
         BvhDocument document = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
         Assert.True(BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out _));
@@ -39,7 +39,7 @@ public sealed class FootPlanterTests
     [InlineData("hiphop_up_Char00.calc", false, FootRotation.Flatten)]
     [InlineData("salsa_left_Char00.calc", false, FootRotation.Keep)]
     [InlineData("salsa_left_Char00.calc", true, FootRotation.Flatten)]
-    public void Recorded_dances_stand_on_their_feet(string take, bool estimated, FootRotation rotation)
+    public void Planted_feet_of_recorded_dances_stand_still(string take, bool estimated, FootRotation rotation)
     {
         CalculationDocument document = CalculationDocument.Load(Fixtures.Require("calc", take));
         var skeleton = CalculationSkeleton.Measure(document);

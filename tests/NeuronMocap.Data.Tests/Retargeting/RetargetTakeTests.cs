@@ -10,7 +10,7 @@ namespace NeuronMocap.Data.Tests.Retargeting;
 public sealed class RetargetTakeTests
 {
     [Fact]
-    public void Every_frame_of_a_recorded_take_is_where_the_reference_has_it()
+    public void Every_frame_of_a_recorded_take_matches_the_reference()
     {
         BvhDocument document = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
         Assert.True(BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out string? reason), reason);
@@ -36,7 +36,7 @@ public sealed class RetargetTakeTests
 
     // The character is as tall as the actor: its feet are where the actor's are.
     [Fact]
-    public void The_actors_own_skeleton_has_every_joint_where_the_take_has_it()
+    public void The_actors_own_skeleton_matches_the_take()
     {
         BvhDocument document = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
         Assert.True(BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out string? reason), reason);

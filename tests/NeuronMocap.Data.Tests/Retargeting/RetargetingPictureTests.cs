@@ -22,7 +22,7 @@ public sealed class RetargetingPictureTests
     private const int CellHeight = 214;
 
     [Fact]
-    public void The_character_does_what_the_actor_does_and_the_picture_shows_it()
+    public void The_picture_shows_the_character_in_the_actors_pose()
     {
         var source = new BvhSource(BvhDocument.Load(Fixtures.Require("test-take", "test.bvh")));
         var drawing = new SvgDrawing(Columns * CellWidth, (3 * CellHeight) + 10);
@@ -56,7 +56,7 @@ public sealed class RetargetingPictureTests
     }
 
     [Fact]
-    public void A_picture_in_which_a_joint_has_moved_is_another_picture()
+    public void A_moved_joint_changes_the_picture()
     {
         static string Draw(float x)
         {

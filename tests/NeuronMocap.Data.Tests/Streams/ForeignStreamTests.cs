@@ -24,7 +24,7 @@ public sealed class ForeignPlaybackTests : PlaybackFixtureTests
 public sealed class ForeignTextTests
 {
     [Fact]
-    public void The_lines_come_out_byte_for_byte_from_their_values()
+    public void Lines_are_written_byte_for_byte()
     {
         StreamFixture fixture = ForeignStreams.Load("text");
         var text = new StringBuilder();

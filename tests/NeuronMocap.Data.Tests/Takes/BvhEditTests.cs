@@ -9,12 +9,12 @@ namespace NeuronMocap.Data.Tests.Takes;
 public sealed class BvhEditTests
 {
     [Fact]
-    public void The_layout_of_a_recorded_take_is_axis_neurons() => Assert.Equal(
+    public void A_recorded_take_has_axis_neurons_layout() => Assert.Equal(
         BvhTextFormat.AxisNeuron with { FrameTimeText = "0.008" },
         BvhDocument.Load(Fixtures.Require("test-take", "test.bvh")).TextFormat);
 
     [Fact]
-    public void A_recorded_take_is_mirrored_and_mirrored_back_bit_for_bit()
+    public void Mirroring_a_recorded_take_twice_restores_it_bit_for_bit()
     {
         BvhDocument take = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
         BvhDocument mirrored = take.Mirror();

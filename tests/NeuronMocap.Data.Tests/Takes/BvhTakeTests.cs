@@ -27,7 +27,7 @@ public class BvhTakeTests
     }
 
     [Fact]
-    public void The_skeleton_of_a_recorded_take_is_neurons()
+    public void A_recorded_take_has_neurons_skeleton()
     {
         BvhDocument document = BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
 
@@ -40,7 +40,7 @@ public class BvhTakeTests
     }
 
     [Fact]
-    public void Every_number_of_a_recorded_take_is_the_float_nearest_to_its_text()
+    public void Every_number_of_a_recorded_take_is_read_as_the_nearest_float()
     {
         string text = File.ReadAllText(Fixtures.Require("test-take", "test.bvh"));
         BvhDocument document = BvhDocument.Parse(Encoding.UTF8.GetBytes(text));
@@ -54,7 +54,7 @@ public class BvhTakeTests
     [Theory]
     [InlineData("\n")]
     [InlineData("\r")]
-    public void A_recorded_take_with_other_line_ends_is_the_same(string lineEnd)
+    public void Line_ends_do_not_change_a_recorded_take(string lineEnd)
     {
         string text = File.ReadAllText(Fixtures.Require("test-take", "test.bvh"));
         Assert.Contains("\r\n", text, StringComparison.Ordinal);

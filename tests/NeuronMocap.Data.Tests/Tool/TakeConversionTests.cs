@@ -11,7 +11,7 @@ public sealed class TakeConversionTests : IDisposable
     private readonly TemporaryFolder _folder = new();
 
     [Fact]
-    public async Task The_real_take_comes_back_byte_by_byte_and_through_a_recording_value_by_value()
+    public async Task The_real_take_round_trips_through_every_format()
     {
         string take = Fixtures.Require("test-take", "test.bvh");
         await ConvertAsync(take, _folder["same.bvh"]);
@@ -31,7 +31,7 @@ public sealed class TakeConversionTests : IDisposable
     [InlineData("MasterLiuPerformanceChar00.calc")]
     [InlineData("hiphop_up_Char00.calc")]
     [InlineData("salsa_left_Char00.calc")]
-    public async Task Real_calculation_exports_come_back_byte_by_byte_and_through_a_recording_value_by_value(string name)
+    public async Task Real_calculation_exports_round_trip_through_a_recording(string name)
     {
         string take = Fixtures.Require("calc", name);
         await ConvertAsync(take, _folder["same.calc"]);

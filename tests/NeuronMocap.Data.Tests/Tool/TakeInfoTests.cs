@@ -7,7 +7,7 @@ namespace NeuronMocap.Data.Tests.Tool;
 public sealed class TakeInfoTests : InfoPages
 {
     [Fact]
-    public async Task The_real_take()
+    public async Task A_real_take_is_described()
     {
         File.Copy(Fixtures.Require("test-take", "test.bvh"), Folder["test.bvh"]);
         string[] page = await PageAsync("test.bvh");
@@ -24,7 +24,7 @@ public sealed class TakeInfoTests : InfoPages
     [InlineData("studio-354")]
     [InlineData("calculation")]
     [InlineData("zero-count")]
-    public async Task The_bytes_of_a_stream(string name)
+    public async Task A_dump_of_a_stream_is_described(string name)
     {
         File.Copy(Fixtures.Require("streams", name + ".bin"), Folder["stream.bin"]);
         JsonElement json = await JsonAsync("stream.bin");
@@ -34,7 +34,7 @@ public sealed class TakeInfoTests : InfoPages
     }
 
     [Fact]
-    public async Task A_calculation_export()
+    public async Task A_real_calculation_export_is_described()
     {
         File.Copy(Fixtures.Require("calc", "salsa_left_Char00.calc"), Folder["salsa.calc"]);
         JsonElement json = await JsonAsync("salsa.calc");

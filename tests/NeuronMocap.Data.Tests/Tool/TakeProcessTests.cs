@@ -12,7 +12,7 @@ public sealed class TakeProcessTests
     [Theory]
     [InlineData("1480")]
     [InlineData("7")]
-    public async Task Every_value_of_the_file_comes_out_of_the_monitor(string fragment)
+    public async Task Every_value_of_the_file_reaches_watch(string fragment)
     {
         string file = Fixtures.Require("test-take", "test.bvh");
         using var simulator = new ToolProcess(
@@ -43,7 +43,7 @@ public sealed class TakeProcessTests
 
     // An export as a broadcast: the program says what it plays, and each motion frame is followed by the file's own values.
     [Fact]
-    public async Task A_calculation_export_comes_out_of_the_network_as_it_stands_in_the_file()
+    public async Task A_calculation_export_is_broadcast_unchanged()
     {
         string file = Fixtures.Require("calc", "hiphop_up_Char00.calc");
         using var simulator = new ToolProcess(

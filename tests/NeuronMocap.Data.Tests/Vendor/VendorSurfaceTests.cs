@@ -42,7 +42,7 @@ public sealed partial class VendorSurfaceTests
     }
 
     [Theory, MemberData(nameof(Namespaces))]
-    public void Structs_have_the_vendors_fields_at_the_vendors_places(string space)
+    public void Structs_have_the_vendors_fields_and_offsets(string space)
     {
         List<string[]> rows = [.. VendorTables.Require().TypesOf("struct")];
         Assert.Equal(["DataVersion", "BvhDataHeader", "CalcDataHeader", "CommandPack", "CmdResponseBoneSize"], rows.Select(static row => VendorTables.Code(row[0])[0]));
@@ -119,7 +119,7 @@ public sealed partial class VendorSurfaceTests
 
     // The one row that nobody knows the shape of.
     [Fact]
-    public void Nothing_else_stands_in_the_table_of_types()
+    public void The_table_of_types_is_complete()
     {
         IEnumerable<string> others = VendorTables.Require().Types.Select(static row => row[0])
             .Where(static text => !text.StartsWith("enum ", StringComparison.Ordinal)

@@ -34,7 +34,7 @@ public sealed class TelemetryProcessTests
     }
 
     [Fact]
-    public async Task Without_a_collector_it_says_so()
+    public async Task A_missing_collector_is_reported()
     {
         string nobody;
         await using (OtlpReceiver collector = await OtlpReceiver.StartAsync())

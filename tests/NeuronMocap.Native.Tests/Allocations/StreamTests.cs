@@ -15,7 +15,7 @@ public sealed class StreamTests
     private const long MostPages = 512 * 1024 / 4096;
 
     [Fact]
-    public async Task Every_bit_of_200_000_frames_arrives_and_none_of_them_takes_memory()
+    public async Task Every_bit_of_200_000_frames_arrives_in_constant_memory()
     {
         byte[] block = TestPackets.Motions(first: 1, FramesInBlock);
         ulong sum = 0;

@@ -34,7 +34,7 @@ public sealed class CommandChannelTests : CommandChannelContract
     }
 
     [Fact]
-    public async Task Four_threads_ask_on_one_handle_and_each_gets_its_answers()
+    public async Task Four_threads_share_a_handle_and_get_their_own_answers()
     {
         using CommandScript server = Answers();
         await using NativeProgram program = NativeProgram.Start("channel");
@@ -45,7 +45,7 @@ public sealed class CommandChannelTests : CommandChannelContract
     }
 
     [Fact]
-    public async Task Closing_ends_a_command_that_waits()
+    public async Task Closing_ends_a_pending_command()
     {
         var asked = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         using var server = new CommandScript(_ =>

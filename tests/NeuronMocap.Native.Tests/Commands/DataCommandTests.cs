@@ -59,7 +59,7 @@ public sealed class DataCommandTests
 
     // Requests byte for byte, protocol.md section 7.
     [Fact]
-    public async Task Requests_are_those_of_the_time()
+    public async Task Requests_have_the_bytes_of_the_old_protocol()
     {
         using var server = new TestServer();
         await using NativeProgram program = NativeProgram.Start("b12");
@@ -83,7 +83,7 @@ public sealed class DataCommandTests
     [InlineData(63)]
     [InlineData(65)]
     [InlineData(5000)]
-    public async Task Every_kind_of_answer_arrives_in_any_pieces_between_frames(int size)
+    public async Task Answers_in_any_pieces_arrive_between_frames(int size)
     {
         using var server = new TestServer();
         await using NativeProgram program = NativeProgram.Start("b12");
@@ -122,7 +122,7 @@ public sealed class DataCommandTests
     }
 
     [Fact]
-    public async Task Callbacks_may_ask()
+    public async Task Callbacks_may_send_commands()
     {
         using var server = new Broadcaster(new BroadcasterOptions { Sources = [new TestSource()], Port = 0, FrameRate = 100 });
         server.Start();
@@ -139,7 +139,7 @@ public sealed class DataCommandTests
     }
 
     [Fact]
-    public async Task Only_a_tcp_connection_that_stands_takes_them_and_without_a_callback_answers_are_nobodys()
+    public async Task Commands_need_an_open_TCP_connection_and_answers_need_a_callback()
     {
         using var server = new TestServer();
         using CommandScript commands = CommandScript.Always([1, 0, 0, 0]);

@@ -10,7 +10,7 @@ public sealed class ConnectTests : ConnectContract
 
     // No text of C# is broken so.
     [Fact]
-    public async Task A_name_that_is_no_text_is_a_failure_and_no_crash()
+    public async Task A_host_name_of_invalid_text_fails_without_a_crash()
     {
         await using VendorDriver driver = Start();
         Assert.Equal(VendorDriver.None, await driver.ConnectAsync(7001, "broken"));

@@ -8,7 +8,7 @@ namespace NeuronMocap.Native.Tests.Functions;
 public sealed class CppProgramTests
 {
     [Fact]
-    public async Task Objects_of_classes_get_their_callbacks()
+    public async Task Cpp_objects_get_their_callbacks()
     {
         using var server = new TestServer();
         await using NativeProgram program = NativeProgram.Start("receiver", server.Port.ToString(CultureInfo.InvariantCulture), "400");

@@ -15,7 +15,7 @@ public sealed class FrameTests
     [InlineData(360, "")]
     [InlineData(1, "01234567890123456789012345678901")]
     [InlineData(10_224, "é")]
-    public async Task A_frame_with_the_new_header_is_handed_out_as_it_came(int count, string name)
+    public async Task A_frame_with_the_new_header_is_delivered_unchanged(int count, string name)
     {
         byte[] packet = new byte[64 + (4 * count)];
         var header = new MotionHeader
@@ -52,7 +52,7 @@ public sealed class FrameTests
     }
 
     [Fact]
-    public async Task A_frame_with_the_old_header_gets_the_new_one_with_a_counted_index()
+    public async Task A_frame_with_the_old_header_gets_the_new_header_and_a_counted_index()
     {
         using var server = new TestServer();
         await using var driver = new Driver();
@@ -80,7 +80,7 @@ public sealed class FrameTests
     [Theory]
     [InlineData(338)]
     [InlineData(946)]
-    public async Task A_calculation_frame_is_handed_out_as_it_came_with_its_own_object(int count)
+    public async Task A_calculation_frame_is_delivered_unchanged_with_its_own_object(int count)
     {
         byte[] packet = TestPackets.Calculation(99, avatar: 3, count);
         using var server = new TestServer();
@@ -101,7 +101,7 @@ public sealed class FrameTests
 
     // The driver looks again at the end of every callback, and says if something was written over.
     [Fact]
-    public async Task The_memory_of_a_frame_stays_as_it_is_until_the_callback_returns()
+    public async Task The_memory_of_a_frame_is_stable_during_the_callback()
     {
         using var server = new TestServer();
         using var other = new TestServer();
@@ -127,7 +127,7 @@ public sealed class FrameTests
     }
 
     [Fact]
-    public async Task Frames_without_values_are_not_handed_out()
+    public async Task Frames_without_values_are_not_delivered()
     {
         using var server = new TestServer();
         await using var driver = new Driver();

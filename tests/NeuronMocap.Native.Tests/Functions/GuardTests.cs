@@ -26,11 +26,11 @@ public sealed class GuardTests
     public static TheoryData<string> Names => new(Entries.Select(static method => method.Name));
 
     [Fact]
-    public void All_functions_are_found() => Assert.InRange(Entries.Length, 23, 100);
+    public void Every_function_is_guarded() => Assert.InRange(Entries.Length, 23, 100);
 
     [Theory]
     [MemberData(nameof(Names))]
-    public void A_fault_is_the_functions_failure_and_the_last_error(string name)
+    public void A_fault_fails_the_function_and_sets_the_last_error(string name)
     {
         MethodInfo entry = Entries.Single(method => method.Name == name);
         foreach (Exception fault in Faults)

@@ -10,7 +10,7 @@ public sealed class HandleTests
     private const string NothingDone = "20";
 
     [Fact]
-    public async Task No_function_does_anything_with_null_or_a_closed_handle()
+    public async Task Functions_ignore_null_and_closed_handles()
     {
         using var server = new TestServer();
         using CommandScript commands = CommandScript.Always([1, 0, 0, 0]);
@@ -35,7 +35,7 @@ public sealed class HandleTests
 
     // Addresses of the program's own, misaligned ones, and numbers that no library would give.
     [Fact]
-    public async Task No_function_does_anything_with_a_foreign_handle()
+    public async Task Functions_ignore_foreign_handles()
     {
         using var server = new TestServer();
         await using var driver = new Driver();
@@ -53,7 +53,7 @@ public sealed class HandleTests
 
     // A data connection takes the four commands of b12, and a command connection those of b18; a UDP service none.
     [Fact]
-    public async Task Functions_for_other_connections_do_nothing()
+    public async Task Functions_ignore_handles_of_other_kinds_of_connection()
     {
         using var server = new TestServer();
         await using var driver = new Driver();
@@ -67,7 +67,7 @@ public sealed class HandleTests
     }
 
     [Fact]
-    public async Task Null_where_an_answer_should_go_makes_the_call_fail_and_nothing_is_sent()
+    public async Task A_null_result_fails_the_call_and_sends_nothing()
     {
         using CommandScript commands = CommandScript.Always([1, 0, 0, 0]);
         await using var driver = new Driver();

@@ -29,7 +29,7 @@ public sealed class LastErrorTests
     }
 
     [Fact]
-    public async Task An_error_is_cut_off_where_its_memory_ends()
+    public async Task A_long_error_is_cut_to_its_memory()
     {
         await using var driver = new Driver();
         Assert.Equal(Driver.None, await driver.ConnectAsync(7001, "long"));

@@ -7,7 +7,7 @@ namespace NeuronMocap.Native.Tests.Functions;
 public sealed class RegisterTests
 {
     [Fact]
-    public async Task Every_callback_has_its_own_object_and_a_new_one_brings_its_own()
+    public async Task Every_callback_has_its_own_object()
     {
         using var server = new TestServer();
         await using var driver = new Driver();
@@ -31,7 +31,7 @@ public sealed class RegisterTests
     }
 
     [Fact]
-    public async Task Without_a_callback_frames_and_statuses_pass_by()
+    public async Task Frames_and_statuses_are_ignored_without_a_callback()
     {
         using var server = new TestServer();
         await using var driver = new Driver();
@@ -54,7 +54,7 @@ public sealed class RegisterTests
     }
 
     [Fact]
-    public async Task Callbacks_may_replace_and_take_away_themselves_and_each_other()
+    public async Task Callbacks_may_replace_and_unregister_each_other()
     {
         using var server = new TestServer();
         await using var driver = new Driver();
@@ -80,7 +80,7 @@ public sealed class RegisterTests
 
     // The old object may be gone after that: no call that begins later has it.
     [Fact]
-    public async Task A_callback_that_was_replaced_is_not_called_again()
+    public async Task A_replaced_callback_is_not_called_again()
     {
         using var server = new TestServer();
         await using var driver = new Driver();

@@ -9,7 +9,7 @@ namespace NeuronMocap.Native.Tests.Functions;
 public sealed class ThreadTests
 {
     [Fact]
-    public async Task Threads_that_ask_for_the_same_place_at_once_get_one_connection()
+    public async Task Concurrent_connects_to_one_address_share_a_connection()
     {
         using var server = new TestServer();
         string[] handles = await RunAsync("same", server.Port);
@@ -18,10 +18,10 @@ public sealed class ThreadTests
     }
 
     [Fact]
-    public async Task The_last_error_always_ends_while_others_fail() => Assert.Equal(["0"], await RunAsync("errors", 0));
+    public async Task The_last_error_is_always_terminated_under_concurrent_failures() => Assert.Equal(["0"], await RunAsync("errors", 0));
 
     [Fact]
-    public async Task Threads_that_open_register_and_close_at_once_do_no_harm()
+    public async Task Concurrent_opening_registering_and_closing_is_safe()
     {
         using var server = new TestServer();
         using var end = new CancellationTokenSource();

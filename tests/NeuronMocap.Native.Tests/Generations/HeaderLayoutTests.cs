@@ -77,7 +77,7 @@ public sealed class HeaderLayoutTests
     }
 
     [Fact]
-    public async Task Another_layout_counts_from_the_next_frame_on_and_an_unknown_one_changes_nothing()
+    public async Task A_new_layout_applies_from_the_next_frame_and_an_unknown_one_is_ignored()
     {
         using var server = new TestServer();
         await using NativeProgram program = Start("b12-binary");
@@ -125,7 +125,7 @@ public sealed class HeaderLayoutTests
     [Theory]
     [InlineData("B12", "NEURONDATAREADER_HEADER is 'B12'; it has to be 'b12' or not set.")]
     [InlineData("", "No error.")]
-    public async Task Another_value_means_the_new_header_and_is_told(string value, string error)
+    public async Task An_unknown_value_selects_the_new_header_with_a_warning(string value, string error)
     {
         using var server = new TestServer();
         await using NativeProgram program = Start("b12-binary", value);

@@ -17,7 +17,7 @@ public sealed class JavaTests : IDisposable
 
     // One process for all of it: a virtual machine starts slowly.
     [Fact]
-    public async Task Frames_status_and_commands_reach_a_program_whose_machine_keeps_its_signals()
+    public async Task Frames_status_and_commands_reach_a_Java_program()
     {
         SystemTool.Require("javac", "default-jdk-headless");
         Assert.SkipUnless(File.Exists(Jna), "JNA is not installed (Debian's libjna-java).");

@@ -14,7 +14,7 @@ public sealed class PythonTests
 
     // One process for all of it, because each has to start an interpreter. Its connection is never closed.
     [Fact]
-    public async Task Frames_status_and_commands_reach_a_program_that_ends_without_closing()
+    public async Task Frames_status_and_commands_reach_a_Python_program()
     {
         using var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = [new TestSource()], Port = 0, RotationOrder = RotationOrder.ZXY });
         using var commands = new CommandServer(broadcaster, new CommandServerOptions { Port = 0 });
@@ -57,7 +57,7 @@ public sealed class PythonTests
     }
 
     [Fact]
-    public async Task An_interrupt_while_frames_come_is_Pythons_KeyboardInterrupt()
+    public async Task An_interrupt_while_receiving_raises_KeyboardInterrupt()
     {
         using var server = new Broadcaster(new BroadcasterOptions { Sources = [new TestSource()], Port = 0, FrameRate = 200 });
         server.Start();

@@ -10,7 +10,7 @@ public sealed class FindPackageTests
     public FindPackageTests() => SystemTool.Require("cmake", "cmake");
 
     [Fact]
-    public async Task On_linux_programs_take_the_name_of_the_major_version()
+    public async Task Linux_programs_link_to_the_major_version()
     {
         using var prefix = new Prefix("Linux", "x86_64", "NeuronDataReaderConfig.cmake", Header, "lib/libNeuronDataReader.so.1");
         (int exitCode, string output) = await prefix.FindAsync("1.4", "set(UNIX TRUE)", "set(CMAKE_SYSTEM_NAME Linux)", "set(CMAKE_SYSTEM_PROCESSOR x86_64)");
@@ -21,7 +21,7 @@ public sealed class FindPackageTests
     }
 
     [Fact]
-    public async Task On_windows_programs_link_with_the_import_library()
+    public async Task Windows_programs_link_with_the_import_library()
     {
         using var prefix = new Prefix("Windows", "AMD64", "NeuronDataReaderConfig.cmake", Header, "bin/NeuronDataReader.dll", "lib/NeuronDataReader.lib");
         (int exitCode, string output) = await prefix.FindAsync("", "set(WIN32 TRUE)", "set(CMAKE_SYSTEM_NAME Windows)", "set(CMAKE_SYSTEM_PROCESSOR AMD64)");
@@ -31,7 +31,7 @@ public sealed class FindPackageTests
     }
 
     [Fact]
-    public async Task On_macos_the_name_is_relative_to_the_search_path()
+    public async Task The_macOS_name_is_relative_to_the_search_path()
     {
         using var prefix = new Prefix("Darwin", "arm64", "NeuronDataReaderConfig.cmake", Header, "lib/libNeuronDataReader.1.dylib");
         (int exitCode, string output) = await prefix.FindAsync("", "set(APPLE TRUE)", "set(CMAKE_SYSTEM_NAME Darwin)", "set(CMAKE_SYSTEM_PROCESSOR arm64)");
@@ -43,7 +43,7 @@ public sealed class FindPackageTests
     [InlineData("set(WIN32 TRUE)", "Windows", "AMD64", "win-x64", "NeuronDataReader.dll")]
     [InlineData("set(APPLE TRUE)", "Darwin", "arm64", "osx-arm64", "libNeuronDataReader.dylib")]
     [InlineData("set(UNIX TRUE)", "Linux", "aarch64", "linux-arm64", "libNeuronDataReader.so")]
-    public async Task In_the_nuget_package_the_runtime_is_chosen(string kind, string system, string processor, string runtime, string file)
+    public async Task The_NuGet_package_selects_the_runtime(string kind, string system, string processor, string runtime, string file)
     {
         using var prefix = new Prefix("Linux|Windows|Darwin", "x86_64|AMD64|aarch64|arm64", "NuGet/NeuronDataReaderConfig.cmake",
             Header, $"../../runtimes/{runtime}/native/{file}", $"lib/{runtime}/NeuronDataReader.lib");
@@ -55,7 +55,7 @@ public sealed class FindPackageTests
     }
 
     [Fact]
-    public async Task A_package_without_the_runtime_says_which_file_is_missing()
+    public async Task A_package_without_the_runtime_names_the_missing_file()
     {
         using var prefix = new Prefix("Linux|Windows", "x86_64|AMD64", "NuGet/NeuronDataReaderConfig.cmake", Header, "../../runtimes/linux-x64/native/libNeuronDataReader.so");
         (int exitCode, string output) = await prefix.FindAsync("", "set(WIN32 TRUE)", "set(CMAKE_SYSTEM_NAME Windows)", "set(CMAKE_SYSTEM_PROCESSOR AMD64)");
@@ -84,7 +84,7 @@ public sealed class FindPackageTests
     [InlineData("set(CMAKE_SYSTEM_NAME Windows)")]
     [InlineData("set(CMAKE_SYSTEM_PROCESSOR aarch64)")]
     [InlineData("set(CMAKE_SIZEOF_VOID_P 4)")]
-    public async Task A_library_for_another_machine_is_passed_over(string machine)
+    public async Task A_library_for_another_machine_is_skipped(string machine)
     {
         using var prefix = new Prefix("Linux", "x86_64", "NeuronDataReaderConfig.cmake", Header, "lib/libNeuronDataReader.so.1");
         (int exitCode, string output) = await prefix.FindAsync("1", "set(CMAKE_SYSTEM_NAME Linux)", "set(CMAKE_SYSTEM_PROCESSOR x86_64)", machine);

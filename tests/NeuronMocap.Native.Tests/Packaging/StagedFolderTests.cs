@@ -15,7 +15,7 @@ public sealed class StagedFolderTests
     private static string Version => XDocument.Load(Repository.PathOf("Directory.Build.props")).Descendants("VersionPrefix").Single().Value;
 
     [Fact]
-    public void The_names_lead_to_one_file_that_bears_abi_and_release()
+    public void Library_names_link_to_one_versioned_file()
     {
         string library = Path.Combine(Folder, "lib", $"libNeuronDataReader.so.1.{Version}");
         Assert.Null(new FileInfo(library).LinkTarget);
@@ -43,7 +43,7 @@ public sealed class StagedFolderTests
     }
 
     [Fact]
-    public async Task Pkg_config_leads_to_where_the_folder_is_now()
+    public async Task Pkg_config_follows_a_moved_folder()
     {
         SystemTool.Require("pkg-config", "pkgconf");
         string file = Path.Combine(Folder, "lib", "pkgconfig", "NeuronDataReader.pc");

@@ -16,7 +16,7 @@ public sealed class ExitTests
     [InlineData("exit-in-callback")]
     [InlineData("at-once")]
     [InlineData("abort", Aborted)]
-    public async Task A_program_that_receives_may_end_in_any_way(string how, int expected = 0)
+    public async Task A_receiving_program_may_exit_in_any_way(string how, int expected = 0)
     {
         for (int i = 0; i < Runs; i += AtOnce)
         {
@@ -28,7 +28,7 @@ public sealed class ExitTests
     [Theory]
     [InlineData("thrown in a frame's callback")]
     [InlineData("thrown in a status callback", "status")]
-    public async Task An_exception_of_C_plus_plus_that_leaves_a_callback_ends_the_program_where_it_was_thrown(string text, params string[] arguments)
+    public async Task A_Cpp_exception_in_a_callback_terminates_at_its_throw(string text, params string[] arguments)
     {
         ProgramRun run = await ProgramRun.OfAsync("throws", arguments);
         Assert.Equal(Aborted, run.ExitCode);

@@ -10,7 +10,7 @@ public sealed class SignalTests
     private const int FirstRealTime = 34;
 
     [Fact]
-    public Task Dispositions_handlers_and_masks_stay_the_programs() => ProgramRun.SucceedsAsync("signals");
+    public Task Signal_dispositions_handlers_and_masks_are_unchanged() => ProgramRun.SucceedsAsync("signals");
 
     [Theory]
     [InlineData(Quit)]

@@ -15,13 +15,13 @@ public sealed class ThreadTests
     [InlineData("read")]
     [InlineData("two")]
     [InlineData("exit")]
-    public Task Closing_lets_go_of_callbacks_that_wait_for_the_thread_that_closes(string how) => ProgramRun.SucceedsAsync("late", how);
+    public Task Closing_releases_callbacks_that_wait_for_the_closing_thread(string how) => ProgramRun.SucceedsAsync("late", how);
 
     [Fact]
     public Task Children_and_other_programs_may_be_started() => ProgramRun.SucceedsAsync("forks");
 
     [Fact]
-    public async Task It_may_be_loaded_and_unloaded_at_will_and_twice()
+    public async Task The_library_may_be_loaded_and_unloaded_repeatedly()
     {
         string library = NativeFiles.Library;
         string copy = Path.Combine(Directory.CreateTempSubdirectory("neuron").FullName, "copy.so");

@@ -45,7 +45,7 @@ public sealed class LayoutTests
     }
 
     [Theory, MemberData(nameof(InstalledCompilers))]
-    public async Task The_headers_go_before_and_after_those_of_Windows(string compiler, string standard, string generation)
+    public async Task The_headers_compile_before_and_after_Windows_headers(string compiler, string standard, string generation)
     {
         Assert.SkipUnless(RuntimeInformation.OSArchitecture == Architecture.X64, "Only compilers for x64 compile for 32 bits, too.");
         await CompileAsync(compiler, standard, generation, [.. Windows, "-DLAYOUT_WINDOWS_FIRST"]);
@@ -57,7 +57,7 @@ public sealed class LayoutTests
     [InlineData("B18")]
     [InlineData("B12")]
     [InlineData("B10")]
-    public async Task The_names_of_the_vendors_headers_are_there(string generation)
+    public async Task The_headers_define_the_vendors_names(string generation)
     {
         foreach (string standard in (string[])["c99", "c2x", "c++98", "c++23"])
         {
@@ -68,7 +68,7 @@ public sealed class LayoutTests
     }
 
     [Fact]
-    public async Task A_compilers_option_that_changes_the_layout_is_an_error_in_the_header_itself()
+    public async Task Compiler_options_that_change_the_layout_are_rejected()
     {
         (int code, _, string errors) = await SystemTool.RunAsync(
             "gcc", "-fsyntax-only", "-fshort-enums", "-x", "c", Path.Combine(NativeFiles.Headers, "DataType.h"));

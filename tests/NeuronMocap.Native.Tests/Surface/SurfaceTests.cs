@@ -6,7 +6,7 @@ public sealed class SurfaceTests
     private const string UpdateVariable = "NEURONMOCAP_UPDATE_API";
 
     [Fact]
-    public async Task The_surface_is_that_of_the_file()
+    public async Task The_C_API_matches_its_file()
     {
         IReadOnlyList<string> newest = await CSurface.DeclarationsAsync("B18");
         IReadOnlyList<string> old = await CSurface.DeclarationsAsync("B12");
@@ -34,7 +34,7 @@ public sealed class SurfaceTests
     }
 
     [Fact]
-    public async Task Every_function_of_the_headers_is_exported_and_nothing_else_is()
+    public async Task Exactly_the_functions_of_the_headers_are_exported()
     {
         IEnumerable<string> declared = CSurface.Functions(await CSurface.DeclarationsAsync("B18"))
             .Union(CSurface.Functions(await CSurface.DeclarationsAsync("B12")), StringComparer.Ordinal);
@@ -43,7 +43,7 @@ public sealed class SurfaceTests
 
     // Without a macro the newest generation is meant, and B18 is no word that the headers know.
     [Fact]
-    public async Task The_functions_of_the_newest_generation_are_declared_in_the_old_one_too()
+    public async Task The_old_header_declares_the_newest_functions()
     {
         string[] newest = [.. CSurface.Functions(await CSurface.DeclarationsAsync("B18"))];
         string[] old = [.. CSurface.Functions(await CSurface.DeclarationsAsync("B12"))];

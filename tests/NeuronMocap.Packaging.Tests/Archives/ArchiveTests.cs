@@ -13,7 +13,7 @@ public sealed partial class ArchiveTests
     private static readonly byte[] AssetPackage = UnityPackageArchive.Create(ThePackage.Staged);
 
     [Fact]
-    public void The_tarball_opened_again_is_the_package_and_nothing_is_wrong_with_it()
+    public void The_tarball_holds_the_valid_package()
     {
         StagedPackage opened = UpmTarball.Read(Tarball);
 
@@ -23,7 +23,7 @@ public sealed partial class ArchiveTests
     }
 
     [Fact]
-    public void The_asset_package_opened_again_holds_the_same_files()
+    public void The_asset_package_holds_the_same_files()
     {
         IReadOnlyDictionary<string, byte[]> opened = UnityPackageArchive.Read(AssetPackage);
 
@@ -39,7 +39,7 @@ public sealed partial class ArchiveTests
     }
 
     [Fact]
-    public void Pages_of_the_asset_package_link_to_what_is_in_it()
+    public void Pages_of_the_asset_package_link_to_its_own_files()
     {
         IReadOnlyDictionary<string, byte[]> opened = UnityPackageArchive.Read(AssetPackage);
         string[] links = [.. opened
@@ -54,7 +54,7 @@ public sealed partial class ArchiveTests
     }
 
     [Fact]
-    public void Everything_in_the_asset_package_has_a_meta_and_a_guid_of_its_own()
+    public void Every_asset_has_a_meta_and_a_unique_guid()
     {
         IReadOnlyDictionary<string, byte[]> opened = UnityPackageArchive.Read(AssetPackage);
         string[] assets = [.. opened.Keys.Where(static path => !AssetPath.IsMeta(path))];
@@ -70,7 +70,7 @@ public sealed partial class ArchiveTests
         static path => path.Split('/').Any(static name => name.EndsWith('~') || name.StartsWith('.')));
 
     [Fact]
-    public void The_same_package_makes_the_same_bytes()
+    public void Packing_is_deterministic()
     {
         StagedPackage again = ThePackage.With(static _ => { });
         Assert.Equal(Tarball, UpmTarball.Create(again));
@@ -89,7 +89,7 @@ public sealed partial class ArchiveTests
     }
 
     [Fact]
-    public async Task The_systems_own_tar_reads_both()
+    public async Task The_system_tar_reads_both()
     {
         Assert.SkipUnless(Tool.Exists("tar"), "There is no tar.");
         using var folder = new TemporaryFolder();

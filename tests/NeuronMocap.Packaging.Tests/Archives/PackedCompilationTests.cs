@@ -12,7 +12,7 @@ public sealed class PackedCompilationTests
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
-    public void All_that_is_packed_compiles_with_nothing_else(bool isEditor)
+    public void The_packed_sources_compile_alone(bool isEditor)
     {
         var compiler = new UnityCompiler(Package, isEditor);
 

@@ -64,7 +64,7 @@ public sealed class LintTests
 
     [Theory]
     [MemberData(nameof(Removals))]
-    public void What_is_missing_is_found(string path, string finding, string what)
+    public void Missing_files_are_found(string path, string finding, string what)
     {
         StagedPackage package = ThePackage.With(files => Assert.True(files.Remove(path), path));
 
@@ -73,7 +73,7 @@ public sealed class LintTests
 
     [Theory]
     [MemberData(nameof(Edits))]
-    public void What_is_written_wrongly_is_found(string path, string before, string after, string finding)
+    public void Invalid_files_are_found(string path, string before, string after, string finding)
     {
         StagedPackage package = ThePackage.With(files =>
         {
@@ -110,7 +110,7 @@ public sealed class LintTests
     }
 
     [Fact]
-    public void Two_files_that_are_one_on_Windows_are_found()
+    public void Names_that_collide_on_Windows_are_found()
     {
         const string path = "Runtime/conversions.cs";
         StagedPackage package = ThePackage.With(static files =>
@@ -122,7 +122,7 @@ public sealed class LintTests
     }
 
     [Fact]
-    public void A_library_that_needs_another_is_found()
+    public void A_missing_dependency_of_a_library_is_found()
     {
         StagedPackage package = ThePackage.With(static files => files[Library] = File.ReadAllBytes(typeof(LintTests).Assembly.Location));
         Assert.Contains(PackageLint.Check(package), static problem => problem.Contains("needs System.Runtime", StringComparison.Ordinal));
@@ -139,7 +139,7 @@ public sealed class LintTests
     }
 
     [Fact]
-    public void A_scene_that_refers_to_nothing_is_found()
+    public void A_broken_scene_reference_is_found()
     {
         const string path = "Samples~/QuickStart/Test.unity";
         const string guid = "00112233445566778899aabbccddeeff";

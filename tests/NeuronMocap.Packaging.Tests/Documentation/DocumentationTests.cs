@@ -9,10 +9,10 @@ public sealed partial class DocumentationTests
     private static readonly string Folder = Path.Combine(ThePackage.Folder, "Documentation~");
 
     [Fact]
-    public void The_page_of_components_says_what_the_sources_say() => Check("components.md", ComponentPage.Create(PackageSources.Load()));
+    public void The_components_page_matches_the_sources() => Check("components.md", ComponentPage.Create(PackageSources.Load()));
 
     [Fact]
-    public void The_diagram_of_the_mapping_shows_what_the_library_maps() => Check("images/mapping.svg", MappingDiagram.Create());
+    public void The_mapping_diagram_matches_the_library() => Check("images/mapping.svg", MappingDiagram.Create());
 
     [Fact]
     public void Every_field_of_every_component_has_a_tooltip()
@@ -24,7 +24,7 @@ public sealed partial class DocumentationTests
     }
 
     [Fact]
-    public void Every_range_is_said_in_numbers()
+    public void Every_range_is_documented_in_numbers()
     {
         PackageSources sources = PackageSources.Load();
         string[] ranges = [.. sources.Components.SelectMany(component => sources.FieldsOf(component.Type.Identifier.Text)).Select(static field => field.Range).OfType<string>().Distinct(StringComparer.Ordinal)];
@@ -33,7 +33,7 @@ public sealed partial class DocumentationTests
     }
 
     [Fact]
-    public void Links_and_pictures_lead_somewhere()
+    public void Links_and_pictures_exist()
     {
         string[] pages = [.. Directory.EnumerateFiles(Folder, "*.md"), Path.Combine(ThePackage.Folder, "README.md"), .. Directory.EnumerateFiles(Path.Combine(ThePackage.Folder, "Samples~"), "*.md", SearchOption.AllDirectories)];
         List<string> broken = [];
@@ -52,17 +52,17 @@ public sealed partial class DocumentationTests
     }
 
     [Fact]
-    public void Every_page_can_be_reached_from_the_first()
+    public void Every_page_is_linked_from_the_first()
     {
         string[] reached = [.. Link().Matches(File.ReadAllText(Path.Combine(Folder, "index.md"))).Select(static match => match.Groups["target"].Value.Split('#')[0]).Distinct(StringComparer.Ordinal)];
         Assert.Empty(Directory.EnumerateFiles(Folder, "*.md").Select(Path.GetFileName).Except(["index.md", .. reached]));
     }
 
     [Fact]
-    public void The_picture_of_retargeting_is_that_of_the_library() => Check("images/retargeting.svg", File.ReadAllText(Repository.PathOf("docs", "guide", "retargeting.svg")));
+    public void The_retargeting_picture_matches_the_library() => Check("images/retargeting.svg", File.ReadAllText(Repository.PathOf("docs", "guide", "retargeting.svg")));
 
     [Fact]
-    public void Every_picture_is_shown_on_a_page()
+    public void Every_picture_is_used_on_a_page()
     {
         string[] shown = [.. Directory.EnumerateFiles(Folder, "*.md").SelectMany(static page => Link().Matches(File.ReadAllText(page))).Select(static match => match.Groups["target"].Value)];
         Assert.Empty(Directory.EnumerateFiles(Path.Combine(Folder, "images")).Select(static picture => $"images/{Path.GetFileName(picture)}").Except(shown));
@@ -70,7 +70,7 @@ public sealed partial class DocumentationTests
 
     // What a page calls a menu item, from its first level: *GameObject > NeuronMocap > Source*.
     [Fact]
-    public void Menu_items_on_the_pages_are_those_of_the_sources()
+    public void Documented_menu_items_exist_in_the_sources()
     {
         string sources = string.Concat(Directory.EnumerateFiles(Path.Combine(ThePackage.Folder, "Editor"), "*.cs", SearchOption.AllDirectories).Select(File.ReadAllText));
         string[] pages = [.. Directory.EnumerateFiles(Folder, "*.md"), Path.Combine(ThePackage.Folder, "README.md"), Repository.PathOf("README.md")];

@@ -12,20 +12,20 @@ public sealed partial class ExampleTests
 
     [Theory]
     [MemberData(nameof(Scripts))]
-    public void An_example_compiles_in_a_project_that_has_the_package(string page, string code) =>
+    public void An_example_compiles_with_the_package(string page, string code) =>
         Assert.Empty(new UnityCompiler(ThePackage.Staged, isEditor: false).FindErrors(code).Select(problem => $"{page}: {problem}"));
 
     [Theory]
     [MemberData(nameof(Programs))]
-    public void A_program_compiles_in_a_project_of_a_server(string page, string code) =>
+    public void A_server_example_compiles(string page, string code) =>
         Assert.Empty(ServerCompiler.FindErrors(code).Select(problem => $"{page}: {problem}"));
 
     [Fact]
-    public void A_program_with_a_name_that_there_is_not_does_not_compile() =>
+    public void A_server_example_with_an_unknown_name_does_not_compile() =>
         Assert.NotEmpty(ServerCompiler.FindErrors("var reader = new NeuronMocap.NeuronReeder();"));
 
     [Fact]
-    public void An_example_with_a_name_that_there_is_not_does_not_compile() =>
+    public void An_example_with_an_unknown_name_does_not_compile() =>
         Assert.NotEmpty(new UnityCompiler(ThePackage.Staged, isEditor: false).FindErrors("class Example { NeuronMocap.Unity.MocapSauce source; }"));
 
     private static TheoryData<string, string> Find(bool isProgram)

@@ -9,7 +9,7 @@ namespace NeuronMocap.Server.Tests.Sources;
 public sealed class BvhSourceTests
 {
     [Fact]
-    public void A_file_of_another_skeleton_is_refused_with_what_is_missing()
+    public void A_file_of_another_skeleton_is_refused_with_the_missing_joint()
     {
         BvhDocument document = BvhDocument.Parse(Encoding.ASCII.GetBytes(
             "HIERARCHY\nROOT Pelvis\n{\nOFFSET 0 0 0\nCHANNELS 3 Xrotation Yrotation Zrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n"
@@ -46,7 +46,7 @@ public sealed class BvhSourceTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void Hips_of_a_file_with_a_reference_node_are_where_they_are_in_the_world(bool reference)
+    public void Hips_below_a_reference_node_are_in_world_space(bool reference)
     {
         var file = new ChannelLayout(hasDisplacement: false, hasReference: true);
         float[] row = [.. Enumerable.Range(0, file.ValueCount).Select(static i => i * 13 % 50 - 20f)];
@@ -68,7 +68,7 @@ public sealed class BvhSourceTests
     }
 
     [Fact]
-    public void A_foot_in_the_air_has_no_contact_and_one_that_stands_has()
+    public void Only_a_standing_foot_has_contact()
     {
         // The left leg is lifted in the second half of the take: the knee comes up and the foot with it.
         byte[] file = NeuronTake.Write(

@@ -35,7 +35,7 @@ public sealed class CalculationExportTests
 
     // There and back: the poses that the export's own measurement finds put every bone's centre where the take had it.
     [Fact]
-    public void An_actor_exported_and_measured_again_moves_the_same_way()
+    public void An_exported_actor_moves_the_same_way()
     {
         var actor = new SyntheticSource();
         var source = new FormulaSource(actor.FrameRate, 600, actor.GetPose);

@@ -11,7 +11,7 @@ public sealed class CalculationSourceTests
     [InlineData(BroadcastFormat.Text, 338)]
     [InlineData(BroadcastFormat.Binary, 946)]
     [InlineData(BroadcastFormat.Text, 946)]
-    public async Task Frames_of_the_file_equal_those_of_the_stream(BroadcastFormat format, int columns)
+    public async Task Frames_of_the_file_and_the_stream_are_equal(BroadcastFormat format, int columns)
     {
         var document = CalculationDocument.Parse(CalculationText.Utf8(CalculationText.Rows(5, columns)));
         List<CalculationFrame> received = await CalculationBroadcast.ReceiveAsync(document, format);

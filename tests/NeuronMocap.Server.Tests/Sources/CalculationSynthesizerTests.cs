@@ -9,7 +9,7 @@ public class CalculationSynthesizerTests
     private const double Rate = 60;
 
     [Fact]
-    public void Positions_are_the_middles_of_the_bones_in_metres_and_rotations_are_the_bones()
+    public void Positions_are_bone_centres_in_metres_and_rotations_are_the_bones()
     {
         var actor = new SyntheticSource(Rate, 1);
         for (long frame = 0; frame < 2400; frame += 111)
@@ -36,7 +36,7 @@ public class CalculationSynthesizerTests
     }
 
     [Fact]
-    public void The_sum_of_the_velocities_is_the_way()
+    public void Velocities_sum_up_to_the_path()
     {
         var actor = new SyntheticSource(Rate);
         CalculationFrame[] frames = [.. Enumerable.Range(0, 301).Select(frame => Calculate(actor, frame))];
@@ -52,7 +52,7 @@ public class CalculationSynthesizerTests
     }
 
     [Fact]
-    public void A_body_at_rest_feels_one_g_downwards_in_the_axes_of_each_bone()
+    public void A_resting_body_measures_one_g_down_in_bone_axes()
     {
         Quaternion bowed = Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2);
         FormulaSource bowing = Move((_, pose) => pose[(int)Bone.Neck] = pose[(int)Bone.Neck] with { Rotation = bowed });
@@ -68,7 +68,7 @@ public class CalculationSynthesizerTests
     }
 
     [Fact]
-    public void A_falling_body_feels_nothing_and_one_that_speeds_up_is_pressed_back()
+    public void A_falling_body_measures_no_acceleration()
     {
         FormulaSource falling = Move((frame, pose) => Shift(pose, new Vector3(0, -980.665f / 2 * Square(frame / Rate), 0)));
         FormulaSource starting = Move((frame, pose) => Shift(pose, new Vector3(0, 0, 980.665f / 2 * Square(frame / Rate))));
@@ -81,7 +81,7 @@ public class CalculationSynthesizerTests
     }
 
     [Fact]
-    public void A_turning_body_measures_radians_a_second_in_the_axes_of_each_bone()
+    public void A_turning_body_measures_radians_per_second_in_bone_axes()
     {
         Quaternion bowed = Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2);
         FormulaSource turning = Move((frame, pose) =>
@@ -107,7 +107,7 @@ public class CalculationSynthesizerTests
     [InlineData(2)]
     [InlineData(3)]
     [InlineData(5)]
-    public void The_ends_of_a_take_use_the_frames_that_exist(long count)
+    public void The_ends_of_a_take_use_existing_frames(long count)
     {
         FormulaSource source = Move((frame, pose) => Shift(pose, new Vector3(frame * frame, 0, 0)), count);
         for (long frame = 0; frame < count; frame++)
@@ -124,7 +124,7 @@ public class CalculationSynthesizerTests
     }
 
     [Fact]
-    public void Contacts_are_those_of_the_source()
+    public void Contacts_come_from_the_source()
     {
         FormulaSource source = Move((_, _) => { });
         for (long frame = 0; frame < 6; frame++)
@@ -137,7 +137,7 @@ public class CalculationSynthesizerTests
     }
 
     [Fact]
-    public void The_short_form_is_the_beginning_of_the_long_one_and_every_value_is_written()
+    public void The_short_form_is_a_prefix_of_the_long_form()
     {
         var actor = new SyntheticSource(Rate);
         float[] full = new float[946];
@@ -152,7 +152,7 @@ public class CalculationSynthesizerTests
     }
 
     [Fact]
-    public void A_frame_costs_no_memory()
+    public void A_frame_allocates_nothing()
     {
         var actor = new SyntheticSource(Rate);
         float[] values = new float[946];
@@ -167,7 +167,7 @@ public class CalculationSynthesizerTests
     }
 
     [Fact]
-    public void Frames_and_lengths_that_do_not_exist_are_refused()
+    public void Invalid_frames_and_lengths_are_refused()
     {
         FormulaSource source = Move((_, _) => { }, count: 10);
         Assert.Throws<ArgumentException>(() => CalculationSynthesizer.Write(source, 0, new float[944]));

@@ -11,7 +11,7 @@ public sealed class FrameRateEstimatorTests
     [InlineData(59.94005994005994)]
     [InlineData(1000)]
     [InlineData(0.5)]
-    public void Times_that_a_rate_made_tell_it_exactly(double rate)
+    public void Even_times_give_the_exact_rate(double rate)
     {
         foreach (int count in (int[])[10, 1000])
         {
@@ -27,7 +27,7 @@ public sealed class FrameRateEstimatorTests
     [Theory]
     [InlineData(59.941257567583767)] // 0.016683 s
     [InlineData(100.123456789)]
-    public void Any_other_rate_gives_the_same_times(double rate)
+    public void Unusual_rates_reproduce_the_times(double rate)
     {
         var estimate = new FrameRateEstimator();
         for (int frame = 0; frame < 5000; frame++)
@@ -38,7 +38,7 @@ public sealed class FrameRateEstimatorTests
     }
 
     [Fact]
-    public void Missing_frames_leave_the_rate_as_it_is()
+    public void Missing_frames_do_not_change_the_rate()
     {
         var estimate = new FrameRateEstimator();
         foreach (int frame in (int[])[0, 1, 2, 7, 8, 30])
@@ -48,7 +48,7 @@ public sealed class FrameRateEstimatorTests
     }
 
     [Fact]
-    public void Times_of_arrival_mean_the_usual_rate()
+    public void Jittered_times_give_the_usual_rate()
     {
         var random = new Random(1);
         var estimate = new FrameRateEstimator();
@@ -61,7 +61,7 @@ public sealed class FrameRateEstimatorTests
     }
 
     [Fact]
-    public void Nothing_is_told_by_one_frame_or_by_none()
+    public void Fewer_than_two_frames_give_no_rate()
     {
         var estimate = new FrameRateEstimator();
         Assert.Null(estimate.FrameRate);
@@ -72,7 +72,7 @@ public sealed class FrameRateEstimatorTests
     }
 
     [Fact]
-    public void Behind_a_restart_only_the_distances_count()
+    public void A_restart_does_not_change_the_rate()
     {
         var estimate = new FrameRateEstimator();
         for (int frame = 0; frame < 10; frame++)
@@ -87,7 +87,7 @@ public sealed class FrameRateEstimatorTests
     }
 
     [Fact]
-    public void Times_that_stand_still_or_go_back_tell_nothing_and_throw_nothing()
+    public void Constant_or_decreasing_times_give_no_rate()
     {
         var estimate = new FrameRateEstimator();
         for (int frame = 0; frame < 10; frame++)

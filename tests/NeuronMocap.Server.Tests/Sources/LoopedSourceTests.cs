@@ -7,7 +7,7 @@ namespace NeuronMocap.Server.Tests.Sources;
 public class LoopedSourceTests
 {
     [Fact]
-    public void It_starts_again_when_it_is_over_and_never_ends()
+    public void A_looped_source_repeats_without_end()
     {
         var looped = new LoopedSource(Climb(count: 5));
         float[] values = new float[354];
@@ -25,7 +25,7 @@ public class LoopedSourceTests
     }
 
     [Fact]
-    public void Only_what_has_frames_and_an_end_is_repeated()
+    public void Only_finite_sources_with_frames_can_loop()
     {
         Assert.Throws<ArgumentException>(() => new LoopedSource(Climb(count: 0)));
         Assert.Throws<ArgumentException>(() => new LoopedSource(new SyntheticSource()));

@@ -15,7 +15,7 @@ public sealed class RecordingSourceTests
     private static readonly ChannelLayout Displaced = new(hasDisplacement: true, hasReference: false);
 
     [Fact]
-    public void Frames_keep_their_values_at_the_rate_that_their_times_tell()
+    public void Frames_keep_their_values_at_the_rate_of_their_times()
     {
         // As of a real stream: a few milliseconds early or late.
         using TemporaryFile file = Record(Enumerable.Range(0, 200), static frame => (frame / 60.0 * 1000) + (frame % 7));
@@ -34,7 +34,7 @@ public sealed class RecordingSourceTests
     }
 
     [Fact]
-    public void Lost_frames_are_interpolated_so_that_the_take_keeps_its_time()
+    public void Lost_frames_are_interpolated_to_keep_time()
     {
         using TemporaryFile file = Record(Enumerable.Range(0, 120).Where(static frame => frame is < 50 or > 52), static frame => frame / 60.0 * 1000);
         RecordingSource source = RecordingSource.Load(file.Path);
@@ -54,7 +54,7 @@ public sealed class RecordingSourceTests
     }
 
     [Fact]
-    public void Behind_a_long_gap_the_take_goes_on_at_once()
+    public void A_long_gap_is_skipped()
     {
         using TemporaryFile file = Record(Enumerable.Range(0, 200).Where(static frame => frame is < 50 or > 150), static frame => frame / 60.0 * 1000);
         RecordingSource source = RecordingSource.Load(file.Path);
@@ -67,7 +67,7 @@ public sealed class RecordingSourceTests
 
     // Filled, it would be two billion frames.
     [Fact]
-    public void An_index_that_jumps_without_time_passing_fills_no_gap()
+    public void An_index_jump_without_a_pause_is_no_gap()
     {
         using TemporaryFile file = Record([0, 1, 2, 2_000_000_000], static frame => Math.Min(frame, 3));
         RecordingSource source = RecordingSource.Load(file.Path);
@@ -77,7 +77,7 @@ public sealed class RecordingSourceTests
     }
 
     [Fact]
-    public void A_server_that_sends_every_second_frame_has_half_the_rate_and_no_gaps()
+    public void Every_second_index_is_half_the_rate_without_gaps()
     {
         using TemporaryFile file = Record(Enumerable.Range(0, 60).Select(static frame => frame * 2), static frame => frame / 120.0 * 1000);
         RecordingSource source = RecordingSource.Load(file.Path);
@@ -85,7 +85,7 @@ public sealed class RecordingSourceTests
     }
 
     [Fact]
-    public void Datagrams_that_came_twice_or_late_stand_once_and_in_their_place()
+    public void Repeated_and_late_datagrams_are_sorted_and_kept_once()
     {
         int[] frames = [0, 1, 3, 2, 4, 4, 6, 7, 5, 8, 9];
         using TemporaryFile file = Recordings.Write(writer =>
@@ -103,7 +103,7 @@ public sealed class RecordingSourceTests
     }
 
     [Fact]
-    public void A_server_that_counts_anew_goes_on_at_once()
+    public void A_restarted_index_continues_at_once()
     {
         using TemporaryFile file = Recordings.OfTcp(
             [.. Enumerable.Range(1000, 30).Select(static frame => ((frame - 1000) * 10.0, Packet(frame))), .. Enumerable.Range(0, 30).Select(static frame => (400 + (frame * 10.0), Packet(frame)))]);
@@ -115,7 +115,7 @@ public sealed class RecordingSourceTests
     }
 
     [Fact]
-    public void Contacts_are_those_of_calculation_frames()
+    public void Contacts_come_from_calculation_frames()
     {
         using TemporaryFile file = Recordings.OfTcp([.. Enumerable.Range(0, 20).SelectMany(static frame => ((double, byte[])[])
         [
@@ -130,7 +130,7 @@ public sealed class RecordingSourceTests
     }
 
     [Fact]
-    public void Each_avatar_can_be_chosen_and_those_that_are_there_are_named()
+    public void Each_avatar_can_be_chosen_and_an_unknown_one_lists_them()
     {
         using TemporaryFile file = Recordings.OfTcp(
             [.. Enumerable.Range(0, 10).SelectMany(static frame => ((double, byte[])[])[(frame * 10, Packet(frame)), (frame * 10, Packet(frame, avatar: 2))])]);
@@ -143,7 +143,7 @@ public sealed class RecordingSourceTests
     }
 
     [Fact]
-    public void Another_setting_of_the_server_is_rewritten_to_the_first()
+    public void A_changed_layout_is_converted_to_the_first()
     {
         using TemporaryFile file = Recordings.OfTcp((0, Packet(0)), (10, TestPackets.Motion(1, count: 180)), (20, Packet(2)));
         RecordingSource source = RecordingSource.Load(file.Path);
@@ -155,7 +155,7 @@ public sealed class RecordingSourceTests
     }
 
     [Fact]
-    public void The_body_is_the_one_that_the_metadata_tell()
+    public void The_body_comes_from_the_metadata()
     {
         Vector3[] offsets = [.. BoneHierarchy.Bones.ToArray().Select(static bone => DefaultOffsets.Get(bone) * 1.25f)];
         string hierarchy = BvhHierarchyText.Create(offsets, new Vector3[BoneHierarchy.BoneCount], SkeletonFormat.Default, new ChannelLayout(false, false));
@@ -175,7 +175,7 @@ public sealed class RecordingSourceTests
     }
 
     [Fact]
-    public void The_body_has_the_sizes_that_the_command_channel_told_where_the_stream_has_none()
+    public void The_body_falls_back_to_the_command_channels_sizes()
     {
         BoneDimensions sizes = SkeletonBody.GetDefault().Measure() with { UpperArm = 0.35f, UpperLeg = 0.5f };
         RecordingMetadata metadata = RecordingMetadata.Empty.With(RecordingMetadata.BoneDimensionsKey, RecordingMetadata.ToText(sizes));
@@ -196,7 +196,7 @@ public sealed class RecordingSourceTests
     [Theory]
     [InlineData(null, 120)]
     [InlineData(59.94, 59.94)]
-    public void Of_raw_bytes_the_rate_is_the_one_that_is_given_whatever_is_lost(double? given, double rate)
+    public void A_dump_uses_the_given_rate_despite_losses(double? given, double rate)
     {
         using var file = new TemporaryFile([.. Enumerable.Range(0, 40).Where(static frame => frame is < 20 or > 24).SelectMany(static frame => Packet(frame))]);
         RecordingSource source = RecordingSource.Load(file.Path, options: new PlaybackOptions { FrameRate = given });
@@ -205,7 +205,7 @@ public sealed class RecordingSourceTests
     }
 
     [Fact]
-    public void Without_poses_there_is_no_source()
+    public void A_recording_without_poses_is_refused()
     {
         using TemporaryFile file = Recordings.OfTcp((0, Contacts(0, left: true, right: true)));
         Assert.Contains("no pose", Assert.Throws<NeuronException>(() => RecordingSource.Load(file.Path)).Message, StringComparison.Ordinal);
@@ -216,7 +216,7 @@ public sealed class RecordingSourceTests
     [InlineData(95.9, 96)]
     [InlineData(119.1, 120)]
     [InlineData(110, 110)]
-    public void Rates_near_a_usual_one_are_that(double measured, double chosen) => Assert.Equal(chosen, RecordingSource.ChooseFrameRate(measured));
+    public void Rates_near_a_usual_rate_snap_to_it(double measured, double chosen) => Assert.Equal(chosen, RecordingSource.ChooseFrameRate(measured));
 
     private static TemporaryFile Record(IEnumerable<int> frames, Func<int, double> milliseconds) =>
         Recordings.OfTcp([.. frames.Select(frame => (milliseconds(frame), Packet(frame)))]);

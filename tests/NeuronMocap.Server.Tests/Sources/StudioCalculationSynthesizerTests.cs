@@ -11,7 +11,7 @@ public sealed class StudioCalculationSynthesizerTests
     private const int BoneSize = 84;
 
     [Fact]
-    public void Sensors_are_those_of_the_calculation_stream_in_the_order_of_the_bones()
+    public void Sensors_follow_the_order_of_the_calculation_stream()
     {
         var actor = new SyntheticSource(60, 1);
         for (long frame = 0; frame < 2400; frame += 171)
@@ -31,7 +31,7 @@ public sealed class StudioCalculationSynthesizerTests
     }
 
     [Fact]
-    public void Positions_and_rotations_are_the_joints_in_the_world()
+    public void Positions_and_rotations_are_the_world_transforms_of_joints()
     {
         var actor = new SyntheticSource(60);
         BoneTransform[] world = ActorMeasures.GetWorld(actor, 500);
@@ -47,7 +47,7 @@ public sealed class StudioCalculationSynthesizerTests
     }
 
     [Fact]
-    public void The_sum_of_the_velocities_is_the_way()
+    public void Velocities_sum_up_to_the_path()
     {
         var actor = new SyntheticSource(60);
         float[][] hand = [.. Enumerable.Range(0, 301).Select(frame => GetValues(Calculate(actor, frame), Bone.RightHand))];
@@ -59,7 +59,7 @@ public sealed class StudioCalculationSynthesizerTests
     }
 
     [Fact]
-    public void The_ends_of_a_take_have_values_and_beyond_there_are_none()
+    public void Values_exist_up_to_the_ends_of_a_take()
     {
         var take = new TestSource(1, frameCount: 2);
         Assert.All(new[] { 0, 1 }, frame => Assert.Equal([0, 0, 0], GetValues(Calculate(take, frame), Bone.Head)[10..13]));

@@ -68,7 +68,7 @@ public class SyntheticActorGaitTests
     }
 
     [Fact]
-    public void A_foot_is_planted_at_any_time_and_clears_the_ground_in_every_step()
+    public void One_foot_is_always_planted_and_every_step_clears_the_ground()
     {
         var actor = new SyntheticSource(120);
         float[] height = [-1, -1];
@@ -113,7 +113,7 @@ public class SyntheticActorGaitTests
     }
 
     [Fact]
-    public void It_walks_two_rounds_in_a_lap_facing_where_it_goes_and_comes_back_to_its_place()
+    public void A_lap_is_two_rounds_and_ends_where_it_began()
     {
         var actor = new SyntheticSource();
         Vector3 previous = ActorMeasures.GetPose(actor, 0)[0].Position;

@@ -24,7 +24,7 @@ public class SyntheticSourceTests
     }
 
     [Fact]
-    public void It_never_ends_and_has_displacement_and_the_rate_it_is_asked_for()
+    public void An_actor_is_endless_with_displacement_and_the_given_rate()
     {
         var actor = new SyntheticSource(96);
 
@@ -35,7 +35,7 @@ public class SyntheticSourceTests
     }
 
     [Fact]
-    public void The_same_frame_is_the_same_to_the_last_bit_and_a_lap_later_too()
+    public void Frames_are_deterministic_and_repeat_every_lap()
     {
         var actor = new SyntheticSource();
         foreach (long frame in (long[])[0, 1, 333, 1999, 2399])
@@ -61,7 +61,7 @@ public class SyntheticSourceTests
     [InlineData(2, 0)]
     [InlineData(3, 0)]
     [InlineData(0, 1_000_000_000)]
-    public void No_joint_turns_faster_than_600_degrees_a_second_and_the_body_does_not_jump(int avatar, long start)
+    public void Joints_turn_slower_than_600_degrees_per_second_without_jumps(int avatar, long start)
     {
         var actor = new SyntheticSource(60, avatar);
         BoneTransform[] previous = ActorMeasures.GetPose(actor, start);
@@ -80,7 +80,7 @@ public class SyntheticSourceTests
     }
 
     [Fact]
-    public void Every_bone_moves_but_none_beyond_what_a_body_can_do()
+    public void Every_bone_moves_within_anatomical_limits()
     {
         var actor = new SyntheticSource();
         double[] least = [.. Enumerable.Repeat(360.0, BoneHierarchy.BoneCount)];
@@ -105,7 +105,7 @@ public class SyntheticSourceTests
     }
 
     [Fact]
-    public void The_body_is_the_default_one_in_every_frame()
+    public void Every_frame_has_the_default_body()
     {
         var actor = new SyntheticSource(60, 1);
         for (long frame = 0; frame < LapFrames; frame += 7)
@@ -121,7 +121,7 @@ public class SyntheticSourceTests
     }
 
     [Fact]
-    public void The_head_stays_level_and_looks_ahead_while_it_walks()
+    public void The_head_stays_level_and_faces_ahead_while_walking()
     {
         var actor = new SyntheticSource();
         for (long frame = 0; frame < LapFrames; frame++)
@@ -133,7 +133,7 @@ public class SyntheticSourceTests
     }
 
     [Fact]
-    public void Avatars_differ_and_never_come_near_each_other()
+    public void Avatars_differ_and_keep_apart()
     {
         SyntheticSource[] actors = [.. Enumerable.Range(0, 5).Select(avatar => new SyntheticSource(15, avatar))];
         for (long frame = 0; frame < 15 * ActorMeasures.LapSeconds; frame++)
@@ -150,7 +150,7 @@ public class SyntheticSourceTests
 
     [Theory]
     [MemberData(nameof(Formats))]
-    public void Values_in_every_layout_and_order_give_the_pose_back(RotationOrder order, bool hasDisplacement, bool hasReference)
+    public void Values_in_every_layout_and_order_reproduce_the_pose(RotationOrder order, bool hasDisplacement, bool hasReference)
     {
         var actor = new SyntheticSource();
         var layout = new ChannelLayout(hasDisplacement, hasReference);
@@ -174,7 +174,7 @@ public class SyntheticSourceTests
     }
 
     [Fact]
-    public void A_frame_costs_no_memory()
+    public void A_frame_allocates_nothing()
     {
         var actor = new SyntheticSource();
         var pose = new BoneTransform[BoneHierarchy.BoneCount];
@@ -195,7 +195,7 @@ public class SyntheticSourceTests
     }
 
     [Fact]
-    public void Rates_avatars_and_frames_that_make_no_sense_are_refused()
+    public void Invalid_rates_avatars_and_frames_are_refused()
     {
         Assert.Throws<ArgumentOutOfRangeException>(() => new SyntheticSource(0));
         Assert.Throws<ArgumentOutOfRangeException>(() => new SyntheticSource(double.NaN));

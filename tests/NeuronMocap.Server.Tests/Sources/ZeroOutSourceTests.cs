@@ -16,7 +16,7 @@ public sealed class ZeroOutSourceTests
         new(["actor", "take", "take with reference"], Enum.GetValues<RotationOrder>(), [false, true], [false, true]);
 
     [Theory, MemberData(nameof(EveryFormat))]
-    public void The_hips_face_front_where_they_are_and_nothing_else_changes(string kind, RotationOrder order, bool displacement, bool reference)
+    public void A_zero_out_turns_the_hips_in_place(string kind, RotationOrder order, bool displacement, bool reference)
     {
         MotionSource raw = CreateSource(kind);
         var turnable = new ZeroOutSource(raw);
@@ -41,7 +41,7 @@ public sealed class ZeroOutSourceTests
     }
 
     [Fact]
-    public void The_path_goes_on_turned_about_the_place_of_the_zero_out()
+    public void The_path_continues_turned_about_the_zero_out()
     {
         MotionSource raw = CreateSource("actor");
         var turnable = new ZeroOutSource(raw);
@@ -63,7 +63,7 @@ public sealed class ZeroOutSourceTests
     }
 
     [Fact]
-    public void A_zero_out_may_be_repeated_and_never_changes_a_frame_that_was_asked_for()
+    public void A_zero_out_never_changes_earlier_frames()
     {
         var turnable = new ZeroOutSource(CreateSource("actor"));
         var asked = new List<(long Frame, BoneTransform Hips)>();
@@ -83,7 +83,7 @@ public sealed class ZeroOutSourceTests
     }
 
     [Fact]
-    public void Without_a_frame_in_between_a_second_zero_out_changes_nothing()
+    public void A_second_zero_out_in_the_same_frame_changes_nothing()
     {
         var turnable = new ZeroOutSource(CreateSource("take"));
         turnable.FaceFront(long.MaxValue);
@@ -94,7 +94,7 @@ public sealed class ZeroOutSourceTests
     }
 
     [Fact]
-    public void After_the_last_frame_there_is_nothing_to_turn()
+    public void A_zero_out_after_the_last_frame_is_ignored()
     {
         var source = new BvhSource(BvhDocument.Parse(NeuronTake.Write(rows: 3)));
         var turnable = new ZeroOutSource(source);
@@ -104,7 +104,7 @@ public sealed class ZeroOutSourceTests
     }
 
     [Fact]
-    public void Somebody_who_lies_is_turned_as_far_as_he_turned_about_the_vertical()
+    public void A_lying_actor_is_turned_about_the_vertical()
     {
         // On the back: forward is up.
         byte[] file = NeuronTake.Write(2, static (_, bone) => bone == Bone.Hips ? new Vector3(40, -90, 0) : Vector3.Zero);
@@ -115,7 +115,7 @@ public sealed class ZeroOutSourceTests
     }
 
     [Fact]
-    public void Calculation_data_follow_and_no_sensor_feels_the_turn()
+    public void Calculation_data_follow_without_sensing_the_turn()
     {
         MotionSource raw = CreateSource("actor");
         var turnable = new ZeroOutSource(raw);
@@ -142,7 +142,7 @@ public sealed class ZeroOutSourceTests
 
     // A server runs for days, and whoever can connect can ask at every frame.
     [Fact]
-    public void Very_many_zero_outs_take_no_more_memory()
+    public void Many_zero_outs_take_constant_memory()
     {
         var turnable = new ZeroOutSource(CreateSource("actor"));
         for (long frame = 0; frame < 6 * ZeroOutSource.MaxTurns; frame++)
@@ -160,7 +160,7 @@ public sealed class ZeroOutSourceTests
     [InlineData(0, float.NaN)]
     [InlineData(float.PositiveInfinity, 0)]
     [InlineData(float.MaxValue, 0)]
-    public void A_pose_that_is_not_finite_is_not_turned_and_poisons_none_that_follows(float position, float rotation)
+    public void A_pose_that_is_not_finite_does_not_affect_later_poses(float position, float rotation)
     {
         var turnable = new ZeroOutSource(new BrokenPose(badFrame: 1, position, rotation));
         PoseOf(turnable, 0);

@@ -52,28 +52,28 @@ public sealed class DependencyTests
     public static TheoryData<string> Assemblies => [typeof(MotionFrame).Assembly.GetName().Name!, typeof(MotionSource).Assembly.GetName().Name!];
 
     [Fact]
-    public void The_folders_of_the_client_library_depend_on_each_other_as_designed()
+    public void Client_folders_depend_on_each_other_as_designed()
     {
         List<string> violations = Client.Violations(typeof(MotionFrame).Assembly);
         Assert.True(violations.Count == 0, string.Join(Environment.NewLine, violations));
     }
 
     [Fact]
-    public void The_folders_of_the_server_library_depend_on_each_other_as_designed()
+    public void Server_folders_depend_on_each_other_as_designed()
     {
         List<string> violations = Server.Violations(typeof(MotionSource).Assembly);
         Assert.True(violations.Count == 0, string.Join(Environment.NewLine, violations));
     }
 
     [Fact]
-    public void The_rules_allow_no_circle()
+    public void The_rules_allow_no_cycle()
     {
         Assert.Empty(Client.Circles());
         Assert.Empty(Server.Circles());
     }
 
     [Theory, MemberData(nameof(Assemblies))]
-    public void A_library_refers_to_the_framework_and_to_what_it_declares_only(string name)
+    public void A_library_references_only_the_framework_and_its_declared_dependencies(string name)
     {
         var library = Assembly.Load(name);
         string[] own = name is "NeuronMocap" ? [] : ["NeuronMocap"];

@@ -9,7 +9,7 @@ public sealed class NamespaceTests
     // User code says "using NeuronDataReaderWraper;" and then "NeuronDataReader.BRConnectTo(...)": a namespace of that name at the top level
     // would win over the vendor's class. The vendor's Unity scripts declare Neuron and Noitom. So nothing of ours stands outside NeuronMocap.
     [Theory, MemberData(nameof(Assemblies))]
-    public void Every_type_stands_below_NeuronMocap(string assembly)
+    public void Every_namespace_begins_with_NeuronMocap(string assembly)
     {
         foreach (Type type in OwnTypes(assembly))
         {
@@ -19,14 +19,14 @@ public sealed class NamespaceTests
     }
 
     [Theory, MemberData(nameof(Assemblies))]
-    public void No_type_shares_the_name_of_a_part_of_its_namespace(string assembly)
+    public void No_type_is_named_like_a_part_of_its_namespace(string assembly)
     {
         foreach (Type type in OwnTypes(assembly))
             Assert.DoesNotContain(type.Name.Split('`')[0], type.Namespace!.Split('.'), StringComparer.Ordinal);
     }
 
     [Theory, MemberData(nameof(Assemblies))]
-    public void Stand_ins_for_types_of_the_framework_are_internal(string assembly)
+    public void Polyfills_are_internal(string assembly)
     {
         foreach (Type type in Assembly.Load(assembly).GetTypes().Where(IsFrameworkName))
             Assert.False(type.IsVisible, $"{type.FullName} is public.");

@@ -29,7 +29,7 @@ public sealed class OptionsTests
     }
 
     [Fact]
-    public void A_change_after_the_use_has_no_effect()
+    public void Changing_options_after_use_has_no_effect()
     {
         var take = new BvhTakeOptions { FrameTime = new BvhFrameTime(1, 60) };
         using var file = new MemoryStream();

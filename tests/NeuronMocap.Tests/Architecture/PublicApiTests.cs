@@ -11,7 +11,7 @@ public sealed class PublicApiTests
     public static TheoryData<string> Assemblies => DependencyTests.Assemblies;
 
     [Theory, MemberData(nameof(Assemblies))]
-    public void The_public_surface_is_the_one_on_file(string name) => PublicSurfaceFile.Check(Assembly.Load(name));
+    public void The_public_API_matches_its_file(string name) => PublicSurfaceFile.Check(Assembly.Load(name));
 
     /// <summary>
     /// A type of the framework in a signature would differ between the builds, and a library compiled on one would not find the member in the other.

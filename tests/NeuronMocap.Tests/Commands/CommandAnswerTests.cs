@@ -59,7 +59,7 @@ public class CommandAnswerTests
     [InlineData(3, RotationOrder.YZX)]
     [InlineData(4, RotationOrder.ZXY)]
     [InlineData(5, RotationOrder.ZYX)]
-    public async Task The_rotation_order_has_the_vendors_numbers_in_one_byte_or_four(byte number, RotationOrder expected)
+    public async Task The_rotation_order_is_read_from_one_byte_or_four(byte number, RotationOrder expected)
     {
         foreach (byte[] payload in (byte[][])[[number], [number, 0], [number, 0, 0, 0], [number, 0, 0, 0, 9]])
         {
@@ -74,7 +74,7 @@ public class CommandAnswerTests
     [InlineData(255, 0)]
     [InlineData(1, 1)]
     [InlineData(255, 255)]
-    public async Task What_is_none_of_the_six_orders_is_no_answer(byte low, byte high)
+    public async Task An_unknown_rotation_order_is_an_invalid_answer(byte low, byte high)
     {
         using var server = CommandScript.Always([low, 0, 0, high]);
         using NeuronCommandClient client = server.CreateClient();
@@ -82,7 +82,7 @@ public class CommandAnswerTests
     }
 
     [Fact]
-    public async Task Bone_sizes_may_be_followed_by_more_and_not_be_fewer()
+    public async Task Bone_sizes_may_be_longer_but_not_shorter()
     {
         byte[] sizes = Bytes(Sizes(3));
         using (var server = CommandScript.Always([.. sizes, 1, 2, 3]))
@@ -98,7 +98,7 @@ public class CommandAnswerTests
     [InlineData(float.NaN)]
     [InlineData(float.PositiveInfinity)]
     [InlineData(-0.1f)]
-    public async Task Sizes_that_no_body_has_are_no_answer(float wrong)
+    public async Task Impossible_bone_sizes_are_an_invalid_answer(float wrong)
     {
         using var server = CommandScript.Always(Bytes(Sizes(1) with { LowerLeg = wrong }));
         using NeuronCommandClient client = server.CreateClient();
@@ -124,7 +124,7 @@ public class CommandAnswerTests
     [InlineData("HIERARCHY")]
     [InlineData(" ")]
     [InlineData("HIERARCHY\nROOT i\n{OFFSET")]
-    public async Task Text_that_is_not_bvh_is_no_answer(string text)
+    public async Task Text_that_is_not_BVH_is_an_invalid_answer(string text)
     {
         using var server = CommandScript.Always(Encoding.ASCII.GetBytes(text));
         using NeuronCommandClient client = server.CreateClient();
@@ -139,7 +139,7 @@ public class CommandAnswerTests
     [InlineData(false, 0, 1, 0, 0)]
     [InlineData(false, 0)]
     [InlineData(false)]
-    public async Task A_zero_out_is_done_when_the_first_byte_is_not_zero(bool isDone, params int[] payload)
+    public async Task A_zero_out_succeeds_when_the_first_byte_is_not_zero(bool isDone, params int[] payload)
     {
         using var server = CommandScript.Always([.. payload.Select(value => (byte)value)]);
         using NeuronCommandClient client = server.CreateClient();
@@ -153,7 +153,7 @@ public class CommandAnswerTests
     }
 
     [Fact]
-    public async Task An_empty_answer_means_that_there_is_nothing_to_tell()
+    public async Task An_empty_answer_means_not_available()
     {
         using var server = CommandScript.Always([]);
         using NeuronCommandClient client = server.CreateClient();

@@ -14,7 +14,7 @@ public class CommandClientTests
     private static readonly byte[] ZXY = [4, 0, 0, 0];
 
     [Fact]
-    public async Task Calls_of_many_threads_are_put_in_order_and_each_gets_its_own_answer()
+    public async Task Calls_from_many_threads_are_queued_and_each_gets_its_answer()
     {
         int underWay = 0;
         using var server = new CommandScript(async request =>
@@ -40,7 +40,7 @@ public class CommandClientTests
     }
 
     [Fact]
-    public async Task Calls_are_carried_out_in_the_order_in_which_they_were_made()
+    public async Task Calls_run_in_order()
     {
         var order = new List<int>();
         using var server = new CommandScript(request =>
@@ -54,7 +54,7 @@ public class CommandClientTests
     }
 
     [Fact]
-    public async Task A_caller_that_blocks_is_answered()
+    public async Task A_blocking_caller_is_answered()
     {
         using var server = CommandScript.Always(ZXY);
         using NeuronCommandClient client = server.CreateClient();
@@ -86,7 +86,7 @@ public class CommandClientTests
     }
 
     [Fact]
-    public async Task A_call_that_waits_for_its_turn_can_be_cancelled_and_is_never_sent()
+    public async Task A_queued_call_can_be_cancelled_and_is_never_sent()
     {
         var asked = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         var answer = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -112,7 +112,7 @@ public class CommandClientTests
     }
 
     [Fact]
-    public async Task A_call_that_is_cancelled_before_it_is_made_does_nothing()
+    public async Task A_cancelled_token_sends_nothing()
     {
         using var server = CommandScript.Always(ZXY);
         using NeuronCommandClient client = server.CreateClient();
@@ -122,7 +122,7 @@ public class CommandClientTests
     }
 
     [Fact]
-    public async Task Cancellation_at_any_moment_leaves_a_client_that_works()
+    public async Task Cancellation_at_any_moment_leaves_a_working_client()
     {
         using var server = new CommandScript(request => request.ReplyAsync(request.Id == 1003 ? ZXY : Bytes(Sizes(request.Avatar))));
         using NeuronCommandClient client = server.CreateClient();
@@ -146,7 +146,7 @@ public class CommandClientTests
     }
 
     [Fact]
-    public async Task A_port_on_which_nothing_listens_is_told()
+    public async Task A_refused_connection_is_reported()
     {
         int port;
         using (var server = new TestServer())
@@ -158,7 +158,7 @@ public class CommandClientTests
     }
 
     [Fact]
-    public async Task A_server_that_does_not_answer_the_connection_is_told()
+    public async Task A_connection_timeout_is_reported()
     {
         using var blackHole = new BlackHole();
         using var client = new NeuronCommandClient(
@@ -169,7 +169,7 @@ public class CommandClientTests
     [Theory]
     [InlineData(SocketError.HostNotFound)]
     [InlineData(null)]
-    public async Task A_name_without_an_address_is_told(SocketError? error)
+    public async Task An_unknown_host_is_reported(SocketError? error)
     {
         using var client = new NeuronCommandClient("suit-pc")
         {
@@ -193,7 +193,7 @@ public class CommandClientTests
     }
 
     [Fact]
-    public async Task A_name_that_takes_too_long_is_given_up()
+    public async Task A_slow_name_lookup_times_out()
     {
         using var end = new ManualResetEventSlim();
         using var client = new NeuronCommandClient(new NeuronCommandOptions { Host = "suit-pc", ConnectTimeout = TimeSpan.FromMilliseconds(50) })
@@ -209,7 +209,7 @@ public class CommandClientTests
     }
 
     [Fact]
-    public async Task Disposing_ends_a_call_on_the_wire_and_those_that_wait()
+    public async Task Disposing_ends_running_and_queued_calls()
     {
         var asked = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         using var server = new CommandScript(request =>

@@ -17,7 +17,7 @@ public class CommandFaultTests
     private static readonly byte[] XYZ = [2, 0, 0, 0];
 
     [Fact]
-    public async Task No_answer_is_a_timeout_and_the_next_call_has_a_connection_of_its_own()
+    public async Task A_timeout_gives_the_next_call_a_new_connection()
     {
         ScriptedRequest? unanswered = null;
         using var server = CommandScript.InTurn(
@@ -44,7 +44,7 @@ public class CommandFaultTests
     [InlineData(15)]
     [InlineData(16)]
     [InlineData(63)]
-    public async Task A_reply_that_stops_in_the_middle_is_a_timeout(int length)
+    public async Task A_partial_reply_times_out(int length)
     {
         using var server = new CommandScript(request => request.SendAsync(CommandScript.Packet(Bytes(Sizes(0)), request.Id)[..length]));
         using NeuronCommandClient client = server.CreateClient(static options => options.Timeout = Short);
@@ -58,7 +58,7 @@ public class CommandFaultTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public async Task The_end_of_the_connection_at_any_point_is_told_and_the_next_call_works(bool reset)
+    public async Task A_lost_connection_is_reported_and_the_next_call_works(bool reset)
     {
         byte[] packet = CommandScript.Packet(ZXY, 1003);
         for (int length = 0; length < packet.Length; length++)
@@ -81,7 +81,7 @@ public class CommandFaultTests
     }
 
     [Fact]
-    public async Task A_server_that_closes_after_each_answer_is_served_on_a_new_connection_for_each()
+    public async Task A_server_that_closes_after_each_answer_gets_new_connections()
     {
         using var server = new CommandScript(async request =>
         {
@@ -97,7 +97,7 @@ public class CommandFaultTests
     }
 
     [Fact]
-    public async Task A_connection_that_ends_in_the_moment_of_a_request_is_replaced()
+    public async Task A_connection_that_ends_during_a_request_is_replaced()
     {
         using var server = CommandScript.InTurn(
             request => request.ReplyAsync(ZXY),
@@ -116,7 +116,7 @@ public class CommandFaultTests
     }
 
     [Fact]
-    public async Task Different_commands_share_a_connection_and_the_same_one_never_does()
+    public async Task Only_different_commands_share_a_connection()
     {
         using var server = new CommandScript(request => request.ReplyAsync(request.Id switch
         {
@@ -139,7 +139,7 @@ public class CommandFaultTests
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
-    public async Task A_second_answer_is_never_taken_for_another_calls(bool isLate)
+    public async Task A_duplicate_answer_is_never_used_for_another_call(bool isLate)
     {
         byte[]? second = null;
         using var server = new CommandScript(async request =>
@@ -159,7 +159,7 @@ public class CommandFaultTests
     }
 
     [Fact]
-    public async Task The_late_answer_to_something_else_is_passed_over()
+    public async Task A_late_answer_to_another_call_is_skipped()
     {
         using var server = new CommandScript(async request =>
         {
@@ -172,7 +172,7 @@ public class CommandFaultTests
     }
 
     [Fact]
-    public async Task A_number_that_is_no_commands_is_taken_only_when_told_so()
+    public async Task An_unknown_command_number_is_accepted_only_by_option()
     {
         using var server = new CommandScript(request => request.ReplyAsync(ZXY, id: 77));
         using NeuronCommandClient strict = server.CreateClient();
@@ -185,7 +185,7 @@ public class CommandFaultTests
 
     // Where any number will do, the number is no help against an answer that comes twice.
     [Fact]
-    public async Task A_second_answer_is_never_taken_for_another_calls_where_any_number_will_do_either()
+    public async Task A_duplicate_answer_is_never_used_when_any_number_is_accepted()
     {
         using var server = new CommandScript(request =>
         {
@@ -199,7 +199,7 @@ public class CommandFaultTests
     }
 
     [Fact]
-    public async Task A_server_that_does_not_repeat_the_number_gets_a_connection_for_each_request()
+    public async Task A_server_that_does_not_echo_numbers_gets_a_connection_per_request()
     {
         using var server = new CommandScript(request => request.ReplyAsync(request.Id == 1003 ? ZXY : [1], id: 0));
         using NeuronCommandClient client = server.CreateClient();
@@ -214,7 +214,7 @@ public class CommandFaultTests
     [InlineData(int.MinValue, "bytes")]
     [InlineData(100_001, "NeuronCommandOptions.MaxReplySize")]
     [InlineData(int.MaxValue, "NeuronCommandOptions.MaxReplySize")]
-    public async Task A_size_that_cannot_be_is_told_at_once(int size, string told)
+    public async Task An_impossible_size_is_reported_at_once(int size, string told)
     {
         using var server = CommandScript.InTurn(
             request => request.SendAsync(CommandScript.Packet(ZXY, request.Id, size)),
@@ -225,7 +225,7 @@ public class CommandFaultTests
     }
 
     [Fact]
-    public async Task A_reply_may_be_as_large_as_the_vendors_largest_when_told_so()
+    public async Task The_reply_limit_can_be_raised_to_the_vendors()
     {
         byte[] header = Encoding.ASCII.GetBytes(BvhHierarchyText.Create(SkeletonFormat.Default, default));
         byte[] payload = [.. header, .. Enumerable.Repeat((byte)'\n', 200_016 - header.Length)];
@@ -235,7 +235,7 @@ public class CommandFaultTests
     }
 
     [Fact]
-    public async Task Bytes_that_are_no_reply_are_passed_over()
+    public async Task Noise_before_a_reply_is_skipped()
     {
         using var server = new CommandScript(request => request.SendAsync(
             [1, 2, 0xFF, 0xAA, 3, .. CommandScript.Packet([], 1003)[..15], .. CommandScript.Packet(ZXY, request.Id)]));
@@ -245,7 +245,7 @@ public class CommandFaultTests
     }
 
     [Fact]
-    public async Task Something_unasked_for_that_waits_makes_a_new_connection()
+    public async Task Unsolicited_data_forces_a_new_connection()
     {
         TestConnection? connection = null;
         using var server = new CommandScript(request =>
@@ -263,7 +263,7 @@ public class CommandFaultTests
     }
 
     [Fact]
-    public async Task The_port_of_a_stream_is_told_as_what_it_is_not()
+    public async Task A_data_port_is_reported_as_no_command_port()
     {
         // Frames come before and after the request, all the time.
         byte[] frame = TestPackets.Motion(frame: 1);

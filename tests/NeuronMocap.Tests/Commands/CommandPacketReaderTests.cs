@@ -6,7 +6,7 @@ namespace NeuronMocap.Tests.Commands;
 public class CommandPacketReaderTests
 {
     [Theory, EverySplitting]
-    public void Replies_are_read_however_they_are_cut_up(Splitting splitting)
+    public void Replies_are_read_at_every_split(Splitting splitting)
     {
         byte[][] payloads = [[], [1], [.. Enumerable.Range(0, 300).Select(i => (byte)i)], [0xFF, 0xAA, 0, 0xFF, 0xBB]];
         byte[] bytes = [.. payloads.SelectMany((payload, i) => CommandScript.Packet(payload, 1001 + i))];
@@ -22,7 +22,7 @@ public class CommandPacketReaderTests
     }
 
     [Theory, EverySplitting]
-    public void What_is_no_header_is_passed_over_to_the_next_place_with_both_tokens(Splitting splitting)
+    public void Noise_is_skipped_to_the_next_token_pair(Splitting splitting)
     {
         byte[] halfHeader = CommandScript.Packet([], 1001)[..15];
         byte[] garbage = [1, 0xFF, 0xFF, 0xAA, .. halfHeader, 0xFF];
@@ -41,7 +41,7 @@ public class CommandPacketReaderTests
     [InlineData(int.MinValue)]
     [InlineData(49)]
     [InlineData(int.MaxValue)]
-    public void A_size_that_is_not_allowed_is_told_before_anything_is_kept(int size)
+    public void A_size_over_the_limit_is_reported_before_buffering(int size)
     {
         var reader = new CommandPacketReader(maxPayload: 48);
         Add(reader, CommandScript.Packet([], 1003, size));
@@ -52,7 +52,7 @@ public class CommandPacketReaderTests
     }
 
     [Fact]
-    public void Random_pieces_of_random_bytes_give_what_a_search_of_the_whole_gives()
+    public void Random_pieces_match_a_whole_search()
     {
         var random = new Random(20);
         for (int round = 0; round < 300; round++)

@@ -23,7 +23,7 @@ public sealed class DataCommandReplyTests
         [.. TestPackets.Motion(1, count: 9), .. Replies.SelectMany((reply, i) => (byte[])[.. reply, .. TestPackets.Motion(2 + i, count: 9)])];
 
     [Theory, EverySplitting]
-    public void Replies_between_frames_arrive_whole_however_they_are_split(Splitting splitting)
+    public void Replies_between_frames_arrive_at_every_split(Splitting splitting)
     {
         foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(Stream, splitting))
         {
@@ -65,7 +65,7 @@ public sealed class DataCommandReplyTests
     }
 
     [Fact]
-    public void Bytes_that_are_not_one_whole_packet_are_refused()
+    public void Anything_but_one_whole_packet_is_refused()
     {
         byte[] reply = Replies[0];
         Assert.Throws<ArgumentException>(() => new DataCommandReply(reply.AsSpan(0, 63)));

@@ -12,7 +12,7 @@ public sealed class DataCommandsTests : IDisposable
     public void Dispose() => _server.Dispose();
 
     [Fact]
-    public async Task Requests_are_the_64_bytes_that_the_vendors_library_sends()
+    public async Task Requests_have_the_vendors_64_bytes()
     {
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
@@ -29,7 +29,7 @@ public sealed class DataCommandsTests : IDisposable
     }
 
     [Fact]
-    public async Task Replies_and_pushes_come_between_frames_and_each_way_of_asking_gets_its_own()
+    public async Task Replies_and_pushes_between_frames_reach_their_requests()
     {
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
@@ -64,7 +64,7 @@ public sealed class DataCommandsTests : IDisposable
     }
 
     [Fact]
-    public async Task Many_at_once_get_each_their_own_avatars_answer()
+    public async Task Concurrent_requests_get_their_own_avatars_answers()
     {
         const int Avatars = 50;
         await using NeuronReader reader = await ConnectAsync();
@@ -79,7 +79,7 @@ public sealed class DataCommandsTests : IDisposable
     }
 
     [Fact]
-    public async Task A_server_that_does_not_answer_is_told_and_the_next_question_gets_its_answer()
+    public async Task A_timeout_is_reported_and_the_next_request_is_answered()
     {
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
@@ -111,7 +111,7 @@ public sealed class DataCommandsTests : IDisposable
     }
 
     [Fact]
-    public async Task Without_a_connection_over_TCP_nothing_can_be_asked()
+    public async Task Requests_need_a_TCP_connection()
     {
         using var idle = new NeuronReader(_server.Options());
         Assert.False(idle.DataCommands.TryRequest(DataCommandId.AvatarCount));
@@ -125,7 +125,7 @@ public sealed class DataCommandsTests : IDisposable
     }
 
     [Fact]
-    public async Task What_was_registered_is_registered_again_on_every_new_connection()
+    public async Task Registrations_are_renewed_on_every_connection()
     {
         await using NeuronReader reader = await ConnectAsync(reconnect: true);
         using (TestConnection first = await _server.AcceptAsync())
@@ -144,7 +144,7 @@ public sealed class DataCommandsTests : IDisposable
     }
 
     [Fact]
-    public async Task A_server_that_reads_no_commands_holds_up_who_sends_them_and_no_frame()
+    public async Task A_server_that_reads_no_commands_blocks_senders_but_no_frames()
     {
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
@@ -181,7 +181,7 @@ public sealed class DataCommandsTests : IDisposable
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public async Task What_waits_when_the_connection_ends_fails_at_once(bool reconnect)
+    public async Task Pending_requests_fail_when_the_connection_ends(bool reconnect)
     {
         await using NeuronReader reader = await ConnectAsync(reconnect);
         reader.DataCommands.Timeout = TimeSpan.FromMinutes(10);
@@ -207,7 +207,7 @@ public sealed class DataCommandsTests : IDisposable
     }
 
     [Fact]
-    public async Task Disposing_of_the_reader_ends_a_wait()
+    public async Task Disposing_the_reader_ends_a_pending_request()
     {
         NeuronReader reader = await ConnectAsync();
         reader.DataCommands.Timeout = TimeSpan.FromMinutes(10);
@@ -219,7 +219,7 @@ public sealed class DataCommandsTests : IDisposable
     }
 
     [Fact]
-    public async Task Of_avatars_whose_replies_do_not_tell_them_apart_one_is_asked_for_at_a_time()
+    public async Task Requests_with_ambiguous_replies_are_sent_one_at_a_time()
     {
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
@@ -236,7 +236,7 @@ public sealed class DataCommandsTests : IDisposable
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public async Task A_late_reply_is_never_taken_for_another_avatars(bool isLate)
+    public async Task A_late_reply_is_never_used_for_another_avatar(bool isLate)
     {
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();

@@ -13,7 +13,7 @@ public sealed class ServerInquiryTests
     private static readonly Func<ScriptedRequest, Task> Silence = static _ => Task.CompletedTask;
 
     [Fact]
-    public async Task All_who_ask_share_one_answer()
+    public async Task Concurrent_requests_share_one_answer()
     {
         using var commands = CommandScript.Always(Header);
         using ServerInquiry inquiry = Create(commands);
@@ -28,7 +28,7 @@ public sealed class ServerInquiryTests
     }
 
     [Fact]
-    public async Task A_new_connection_forgets_the_answers()
+    public async Task A_new_connection_discards_the_answers()
     {
         using CommandScript commands = CommandScript.InTurn(static request => request.ReplyAsync([1, 0, 0, 0]), static request => request.ReplyAsync([2, 0, 0, 0]));
         using ServerInquiry inquiry = Create(commands);
@@ -39,7 +39,7 @@ public sealed class ServerInquiryTests
     }
 
     [Fact]
-    public async Task Who_waits_while_the_connection_changes_gets_the_new_answer()
+    public async Task A_request_pending_across_connections_gets_the_new_answer()
     {
         using CommandScript commands = CommandScript.InTurn(Silence, static request => request.ReplyAsync([2, 0, 0, 0]));
         using ServerInquiry inquiry = Create(commands);
@@ -51,7 +51,7 @@ public sealed class ServerInquiryTests
     }
 
     [Fact]
-    public async Task An_answer_of_no_use_is_asked_for_again_only_on_a_retry()
+    public async Task A_useless_answer_is_requested_again_only_on_retry()
     {
         using CommandScript commands = CommandScript.InTurn(static request => request.ReplyAsync([9, 0, 0, 0]), static request => request.ReplyAsync([2, 0, 0, 0]));
         using ServerInquiry inquiry = Create(commands);
@@ -64,7 +64,7 @@ public sealed class ServerInquiryTests
     }
 
     [Fact]
-    public async Task A_server_that_did_not_answer_is_asked_again_by_the_next_who_wants_to_know()
+    public async Task A_timeout_is_retried_by_the_next_request()
     {
         using CommandScript commands = CommandScript.InTurn(static request => { request.Connection.Close(); return Task.CompletedTask; }, static request => request.ReplyAsync([2, 0, 0, 0]));
         using ServerInquiry inquiry = Create(commands);
@@ -75,7 +75,7 @@ public sealed class ServerInquiryTests
     }
 
     [Fact]
-    public async Task The_end_ends_every_question()
+    public async Task Ending_fails_every_pending_request()
     {
         using CommandScript commands = CommandScript.InTurn(Silence);
         ServerInquiry inquiry = Create(commands);

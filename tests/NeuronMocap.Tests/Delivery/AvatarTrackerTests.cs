@@ -20,7 +20,7 @@ public sealed class AvatarTrackerTests
     [InlineData(new uint[] { 48, 49, 0, 1, 2, 3, 5, 6 }, 1, 0)]
     [InlineData(new uint[] { 20, 22, 0, 1, 2, 3 }, 1, 0)]
     [InlineData(new uint[] { 1, 1_000_000, 1_000_001 }, 0, 0)]
-    public void Gaps_repetitions_late_frames_and_restarts_are_told_apart(uint[] indices, long lost, long disordered)
+    public void Gaps_repetitions_late_frames_and_restarts_are_distinguished(uint[] indices, long lost, long disordered)
     {
         foreach (uint index in indices)
             _tracker.OnFrame(default, index, timestamp: 1);
@@ -38,7 +38,7 @@ public sealed class AvatarTrackerTests
     }
 
     [Fact]
-    public void What_is_missing_between_two_connections_is_not_lost()
+    public void Frames_missing_between_connections_are_not_lost()
     {
         _tracker.OnFrame(default, 5, timestamp: 1);
         _tracker.Resume();
@@ -65,7 +65,7 @@ public sealed class AvatarTrackerTests
     }
 
     [Fact]
-    public void Frequency_reducing_is_told_apart_from_loss_and_outlives_the_connection()
+    public void Reduced_frequency_is_distinguished_from_loss_across_connections()
     {
         for (uint i = 0; i < 40; i++)
             _tracker.OnFrame(default, i * 3, timestamp: i);

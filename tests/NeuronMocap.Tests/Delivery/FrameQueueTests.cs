@@ -27,7 +27,7 @@ public sealed class FrameQueueTests
     }
 
     [Fact]
-    public void Frames_of_other_kinds_are_passed_over()
+    public void Frames_of_other_kinds_are_skipped()
     {
         Publish(PacketKind.Calculation, TestPackets.Calculation(1));
         Publish(PacketKind.Motion, TestPackets.Motion(2));
@@ -49,7 +49,7 @@ public sealed class FrameQueueTests
     }
 
     [Fact]
-    public void A_limit_leaves_the_rest_for_the_next_call()
+    public void A_limited_pump_leaves_the_rest()
     {
         for (int i = 0; i < 4; i++)
             Publish(PacketKind.Motion, TestPackets.Motion(i));
@@ -61,7 +61,7 @@ public sealed class FrameQueueTests
     }
 
     [Fact]
-    public void An_exception_of_a_handler_comes_out_and_its_frame_is_taken()
+    public void A_handler_exception_is_rethrown_and_its_frame_is_consumed()
     {
         Publish(PacketKind.Motion, TestPackets.Motion(1));
         Publish(PacketKind.Motion, TestPackets.Motion(2));
@@ -81,7 +81,7 @@ public sealed class FrameQueueTests
     }
 
     [Fact]
-    public void Disposing_ends_a_pump_after_the_running_handler_and_tells_the_owner_once()
+    public void Disposing_ends_a_pump_after_the_running_handler()
     {
         int closed = 0;
         var queue = new FrameQueue(4, SkeletonFormat.Default, _ => closed++);

@@ -23,7 +23,7 @@ public sealed class HandOverStressTests
     [InlineData(1)]
     [InlineData(2)]
     [InlineData(64)]
-    public async Task A_ring_gives_out_exactly_what_it_took_in_and_in_order(int capacity)
+    public async Task A_ring_keeps_every_packet_in_order(int capacity)
     {
         var ring = new PacketRing(capacity, slotSize: 16, firstIndex: int.MaxValue - 500);
         List<int> accepted = [];
@@ -56,7 +56,7 @@ public sealed class HandOverStressTests
     }
 
     [Fact]
-    public async Task The_newest_packet_is_never_torn_never_older_and_stays_while_it_is_held()
+    public async Task The_newest_packet_is_never_torn_or_older()
     {
         var newest = new LatestPacket(slotSize: 16);
         int published = 0;

@@ -10,7 +10,7 @@ public sealed class LatestFramesTests
     private readonly LatestFrames _latest = new(SkeletonFormat.Default, _ => { });
 
     [Fact]
-    public void There_is_no_frame_of_an_avatar_that_never_came()
+    public void An_unknown_avatar_has_no_frame()
     {
         Assert.False(_latest.TryTakeMotion(0, out MotionFrame? motion));
         Assert.Null(motion);
@@ -37,7 +37,7 @@ public sealed class LatestFramesTests
     }
 
     [Fact]
-    public void A_frame_that_was_taken_is_still_given_but_not_as_new()
+    public void A_taken_frame_is_returned_again_but_not_as_new()
     {
         Publish(PacketKind.Motion, TestPackets.Motion(1));
         Assert.True(_latest.TryTakeMotion(0, out MotionFrame? taken));
@@ -51,7 +51,7 @@ public sealed class LatestFramesTests
     }
 
     [Fact]
-    public void An_avatar_number_beyond_the_table_is_passed_over()
+    public void An_avatar_number_beyond_the_table_is_ignored()
     {
         Publish(PacketKind.Motion, TestPackets.Motion(1, avatar: LatestFrames.MaxAvatars));
         Publish(PacketKind.Motion, TestPackets.Motion(1, avatar: -1));

@@ -6,10 +6,10 @@ namespace NeuronMocap.Tests.Delivery;
 public sealed class LatestPacketTests
 {
     [Fact]
-    public void Nothing_is_there_before_the_first_packet() => Assert.False(new LatestPacket(64).TryTake(out _));
+    public void There_is_no_packet_at_first() => Assert.False(new LatestPacket(64).TryTake(out _));
 
     [Fact]
-    public void The_newest_packet_is_taken_once_and_older_ones_are_gone()
+    public void Only_the_newest_packet_is_taken_once()
     {
         var newest = new LatestPacket(64);
         for (int i = 1; i <= 5; i++)
@@ -24,7 +24,7 @@ public sealed class LatestPacketTests
     }
 
     [Fact]
-    public void A_taken_packet_stays_as_it_is_while_newer_ones_are_published()
+    public void A_taken_packet_is_unchanged_by_newer_ones()
     {
         var newest = new LatestPacket(64);
         newest.Publish(Packet(1));
@@ -36,7 +36,7 @@ public sealed class LatestPacketTests
     }
 
     [Fact]
-    public async Task Packets_are_never_torn_and_never_go_back_under_two_threads()
+    public async Task Packets_are_never_torn_or_older_under_two_threads()
     {
         const int Published = 300_000;
         var newest = new LatestPacket(256);

@@ -18,7 +18,7 @@ public sealed class PacketRingTests
     [InlineData(0)]
     [InlineData(int.MaxValue - 2)]
     [InlineData(-3)]
-    public void Packets_come_out_in_order_over_many_laps_also_where_the_indices_wrap(int firstIndex)
+    public void Packets_stay_in_order_when_indices_wrap(int firstIndex)
     {
         var ring = new PacketRing(4, 64, firstIndex);
         int written = 0;
@@ -41,7 +41,7 @@ public sealed class PacketRingTests
     }
 
     [Fact]
-    public void A_full_ring_refuses_the_newest_and_keeps_what_it_holds()
+    public void A_full_ring_refuses_the_newest()
     {
         var ring = new PacketRing(2, 64);
         Assert.True(ring.TryEnqueue(Packet(1)));
@@ -74,7 +74,7 @@ public sealed class PacketRingTests
     }
 
     [Fact]
-    public async Task Two_threads_lose_nothing_but_what_was_refused_and_keep_the_order()
+    public async Task Two_threads_keep_the_order_and_lose_only_refused_packets()
     {
         const int Sent = 300_000;
         var ring = new PacketRing(8, 64, int.MaxValue - 1000);
@@ -121,7 +121,7 @@ public sealed class PacketRingTests
     }
 
     [Fact]
-    public async Task A_third_thread_never_sees_a_count_that_cannot_be()
+    public async Task A_third_thread_never_sees_an_impossible_count()
     {
         var ring = new PacketRing(8, 64);
         using var stop = new CancellationTokenSource();

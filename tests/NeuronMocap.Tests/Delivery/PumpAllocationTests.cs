@@ -38,7 +38,7 @@ public sealed class PumpAllocationTests
     }
 
     [Fact]
-    public void A_state_reaches_the_handler_with_each_kind()
+    public void Handlers_of_each_kind_get_the_state()
     {
         ((IPacketConsumer)_queue).OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(1), 0, 0));
         ((IPacketConsumer)_queue).OnPacket(new ReceivedPacket(PacketKind.Calculation, TestPackets.Calculation(2), 0, 0));
@@ -57,7 +57,7 @@ public sealed class PumpAllocationTests
     }
 
     [Fact]
-    public void Reading_a_stream_allocates_the_copies_alone()
+    public void Enumerating_allocates_only_the_copies()
     {
         var stream = new FrameStream(_queue);
         var frame = new MotionFrame(SkeletonFormat.Default);
@@ -78,7 +78,7 @@ public sealed class PumpAllocationTests
     }
 
     [Fact]
-    public void A_look_for_a_frame_that_finds_none_allocates_nothing()
+    public void TryGet_without_a_frame_allocates_nothing()
     {
         var stream = new FrameStream(_queue);
         AssertBytes(0, () => _sum += stream.TryRead() is null ? 1 : 0);

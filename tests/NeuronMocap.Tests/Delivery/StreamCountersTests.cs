@@ -11,7 +11,7 @@ public sealed class StreamCountersTests
     private readonly StreamCounters _counters = new();
 
     [Fact]
-    public void Made_up_avatars_do_not_keep_a_real_one_from_being_counted()
+    public void Forged_avatars_do_not_displace_a_real_one()
     {
         Flood(first: 5000, count: 1100, seconds: 0);
         for (int i = 0; i < 200; i++)
@@ -26,7 +26,7 @@ public sealed class StreamCountersTests
     }
 
     [Fact]
-    public void A_flood_pushes_nobody_out_who_sends()
+    public void A_flood_does_not_evict_active_avatars()
     {
         for (int i = 0; i < 600; i++)
         {
@@ -40,7 +40,7 @@ public sealed class StreamCountersTests
     }
 
     [Fact]
-    public void Totals_keep_the_losses_of_those_that_made_room()
+    public void Totals_keep_the_losses_of_evicted_avatars()
     {
         Deliver(frame: 1, avatar: 0, seconds: 0);
         Deliver(frame: 4, avatar: 0, seconds: 0.1);
@@ -54,7 +54,7 @@ public sealed class StreamCountersTests
     }
 
     [Fact]
-    public void Totals_are_asked_for_without_an_allocation()
+    public void Reading_totals_allocates_nothing()
     {
         Deliver(frame: 1, avatar: 0, seconds: 0);
         Deliver(frame: 4, avatar: 1, seconds: 0.1);
@@ -65,7 +65,7 @@ public sealed class StreamCountersTests
 
     // The one before it still remembers whose turn came next.
     [Fact]
-    public void An_avatar_that_made_room_and_comes_back_in_its_turn_is_counted_anew()
+    public void An_evicted_avatar_that_returns_is_counted_anew()
     {
         Deliver(frame: 1, avatar: 0, seconds: 0);
         Deliver(frame: 1, avatar: 1, seconds: 0);
@@ -80,7 +80,7 @@ public sealed class StreamCountersTests
     }
 
     [Fact]
-    public void Avatars_for_which_there_is_no_room_allocate_nothing()
+    public void Avatars_beyond_the_limit_allocate_nothing()
     {
         Flood(first: 5000, count: AvatarTrackers.MaxTrackers, seconds: 0);
         ReceivedPacket packet = Packet(frame: 1, avatar: 1, seconds: 1);
@@ -88,7 +88,7 @@ public sealed class StreamCountersTests
     }
 
     [Fact]
-    public void Every_source_gets_some_trackers_whatever_others_make_up()
+    public void Every_source_gets_trackers_despite_forged_avatars()
     {
         Flood(first: 5000, count: 2 * AvatarTrackers.MaxTrackers, seconds: 0);
         for (int avatar = 0; avatar < 20; avatar++)
@@ -99,7 +99,7 @@ public sealed class StreamCountersTests
     }
 
     [Fact]
-    public void Another_sender_of_a_source_counts_anew_and_goes_on_in_its_figures()
+    public void A_new_sender_of_a_source_continues_its_statistics()
     {
         for (int frame = 100; frame < 130; frame++)
             _counters.Count(Packet(frame, avatar: 0, seconds: frame / 100.0));
@@ -112,7 +112,7 @@ public sealed class StreamCountersTests
 
     // Datagrams that waited keep the time of their arrival.
     [Fact]
-    public void The_time_of_the_newest_frame_does_not_go_back_when_an_older_one_is_delivered()
+    public void The_newest_frame_time_never_decreases()
     {
         Deliver(frame: 1, avatar: 0, seconds: 2);
         Deliver(frame: 1, avatar: 1, seconds: 1.5);
@@ -124,7 +124,7 @@ public sealed class StreamCountersTests
     [InlineData(true, true, 0)]
     [InlineData(true, false, 2)]
     [InlineData(false, false, 0)]
-    public void Only_the_connection_that_brings_calculation_data_excuses_its_gap(bool hasCalculationPort, bool isCalculation, int lost)
+    public void Only_the_calculation_connection_excuses_its_gap(bool hasCalculationPort, bool isCalculation, int lost)
     {
         _counters.Resume();
         if (hasCalculationPort)

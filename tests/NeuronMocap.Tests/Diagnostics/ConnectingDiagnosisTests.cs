@@ -16,7 +16,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     [Theory]
     [InlineData(SocketError.HostNotFound, "spelling")]
     [InlineData(SocketError.TryAgain, "name server")]
-    public async Task An_unknown_name_is_told_apart_from_a_name_server_that_is_silent(SocketError error, string said)
+    public async Task An_unknown_name_and_a_silent_name_server_are_distinguished(SocketError error, string said)
     {
         var link = new LinkOptions("studio", 7001) { Resolve = _ => Task.FromException<IPAddress[]>(new SocketException((int)error)) };
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, Diagnosing.With(Diagnosing.Patient));
@@ -27,7 +27,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     }
 
     [Fact]
-    public async Task A_name_server_that_never_answers_costs_its_share_of_the_time_only()
+    public async Task A_silent_name_server_takes_only_its_share_of_the_time()
     {
         var link = new LinkOptions("studio", 7001) { Resolve = static _ => new TaskCompletionSource<IPAddress[]>().Task };
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, Diagnosing.With(new DiagnosisBudget { Name = 0.002 }));
@@ -35,7 +35,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     }
 
     [Fact]
-    public async Task A_port_inside_the_host_is_recognised()
+    public async Task A_port_within_the_host_name_is_recognised()
     {
         var link = new LinkOptions("studio:7001", 7001) { Resolve = static host => throw new ArgumentException("No name.", nameof(host)) };
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, Diagnosing.With(Diagnosing.Patient));
@@ -43,7 +43,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     }
 
     [Fact]
-    public async Task A_short_address_is_shown_as_the_system_reads_it()
+    public async Task A_short_address_is_shown_in_full()
     {
         using ScriptedServer server = ScriptedServer.Streaming();
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(
@@ -55,7 +55,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     }
 
     [Fact]
-    public async Task A_local_address_of_another_computer_is_the_fault()
+    public async Task A_foreign_local_address_is_reported()
     {
         var options = new NeuronReaderOptions { LocalAddress = IPAddress.Parse("192.0.2.77") };
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(options, Diagnosing.With(Diagnosing.Silent));
@@ -67,7 +67,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     [InlineData(ConnectionReason.NetworkError, DiagnosisVerdict.NetworkError, "cannot send")]
     [InlineData(ConnectionReason.Unreachable, DiagnosisVerdict.Unreachable, "no route")]
     [InlineData(ConnectionReason.AddressUnavailable, DiagnosisVerdict.Unreachable, "no route")]
-    public void What_the_system_says_of_the_route_decides(ConnectionReason reason, DiagnosisVerdict expected, string said)
+    public void The_systems_route_error_decides(ConnectionReason reason, DiagnosisVerdict expected, string said)
     {
         var task = new DiagnosisContext(new LinkOptions("127.255.255.255", 7001), new DiagnosisOptions(), new StepLog(progress: null), CancellationToken.None);
         ExplainedVerdict verdict = Assert.Single(TcpConclusions.NoRoute(task, reason).Verdicts);
@@ -76,7 +76,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     }
 
     [Fact]
-    public async Task Nothing_listening_names_the_broadcasting_settings_of_both_programs()
+    public async Task A_refused_port_names_the_settings_of_both_programs()
     {
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(_refusing.Number, Diagnosing.Silent);
 
@@ -87,7 +87,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     }
 
     [Fact]
-    public async Task A_black_hole_is_no_answer_and_names_the_firewall()
+    public async Task A_silent_host_names_the_firewall()
     {
         using var hole = new BlackHole();
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(hole.Port, Diagnosing.Silent with { Connecting = 0.003 });
@@ -95,7 +95,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     }
 
     [Fact]
-    public async Task A_host_that_answers_on_another_port_is_not_switched_off()
+    public async Task A_host_that_answers_on_another_port_is_running()
     {
         using var hole = new BlackHole();
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Silent with { Connecting = 0.003, OtherPorts = 0.015 });
@@ -105,7 +105,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     }
 
     [Fact]
-    public async Task An_address_that_does_not_answer_does_not_hide_the_one_that_does()
+    public async Task A_silent_address_does_not_hide_a_working_one()
     {
         using ScriptedServer server = ScriptedServer.Streaming();
         var link = new LinkOptions("studio", server.Port)
@@ -135,7 +135,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
 
     // Without an end, the wait for the port that says nothing would be as long.
     [Fact]
-    public async Task A_stream_that_is_found_does_not_prolong_the_search()
+    public async Task A_found_stream_ends_the_search()
     {
         using ScriptedServer server = ScriptedServer.Streaming();
         using var silent = new ScriptedServer(static (_, stop) => Task.Delay(Timeout.Infinite, stop));
@@ -146,7 +146,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     }
 
     [Fact]
-    public async Task A_diagnosis_takes_no_thread_that_readers_share()
+    public async Task A_diagnosis_takes_no_shared_receive_thread()
     {
         using ScriptedServer server = ScriptedServer.Streaming();
         int taken = 0;
@@ -193,7 +193,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     [InlineData(true, false)]
     [InlineData(false, true)]
     [InlineData(false, false)]
-    public async Task The_whole_takes_no_longer_than_it_may(bool unknownName, bool blackHole)
+    public async Task A_diagnosis_keeps_to_its_time_limit(bool unknownName, bool blackHole)
     {
         using var hole = new BlackHole();
         using var server = new ScriptedServer(static (_, stop) => Task.Delay(Timeout.Infinite, stop));
@@ -211,7 +211,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     }
 
     [Fact]
-    public async Task Looking_elsewhere_can_be_switched_off()
+    public async Task The_alternative_port_scan_can_be_switched_off()
     {
         using ScriptedServer server = ScriptedServer.Streaming();
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient);

@@ -13,7 +13,7 @@ public sealed class RateExaminationTests
     [InlineData(60)]
     [InlineData(96)]
     [InlineData(120)]
-    public void The_rates_of_suits_are_well(int rate)
+    public void Usual_rates_pass(int rate)
     {
         Conclusion conclusion = Judge(Frames(100, rate));
         Assert.Equal([DiagnosisVerdict.Receiving], Verdicts(conclusion));
@@ -53,7 +53,7 @@ public sealed class RateExaminationTests
 
     // The account that the reader gives.
     [Fact]
-    public void Frames_that_are_lost_from_a_take_that_loops_are_lost()
+    public void Losses_in_a_looping_take_are_found()
     {
         IEnumerable<(long Index, double Time)> sent = Enumerable.Range(0, 200).Select(static i => ((long)i % 100, i / 60.0));
         Conclusion conclusion = Judge(sent.Where(static frame => frame.Index % 5 != 2));
@@ -62,7 +62,7 @@ public sealed class RateExaminationTests
     }
 
     [Fact]
-    public void Frames_out_of_order_and_a_wrapping_index_are_not_lost()
+    public void Reordering_and_wrapping_are_no_loss()
     {
         uint[] order = [uint.MaxValue - 3, uint.MaxValue - 1, uint.MaxValue - 2, uint.MaxValue, 0, 1, 3, 2, 4, 5];
         Conclusion conclusion = Judge(order.Select(static (index, i) => ((long)index, i / 60.0)));
@@ -70,7 +70,7 @@ public sealed class RateExaminationTests
     }
 
     [Fact]
-    public void The_same_pose_again_and_again_stands_still()
+    public void A_repeated_pose_is_reported_as_still()
     {
         var sample = new StreamSample(PacketKind.Motion);
         byte[] packet = TestPackets.Motion(1);
@@ -84,7 +84,7 @@ public sealed class RateExaminationTests
     }
 
     [Fact]
-    public void The_same_frame_index_again_and_again_stands_still()
+    public void A_repeated_index_is_reported_as_still()
     {
         var sample = new StreamSample(PacketKind.Motion);
         for (int i = 0; i < 50; i++)
@@ -98,7 +98,7 @@ public sealed class RateExaminationTests
     }
 
     [Fact]
-    public void Too_few_frames_to_tell_are_few()
+    public void Too_few_frames_are_reported()
     {
         Conclusion conclusion = Judge(Frames(2, 60));
         Assert.Equal([DiagnosisVerdict.LowRate], Verdicts(conclusion));
@@ -106,7 +106,7 @@ public sealed class RateExaminationTests
     }
 
     [Fact]
-    public void A_count_that_no_skeleton_has_is_said()
+    public void An_unknown_value_count_is_reported()
     {
         var sample = new StreamSample(PacketKind.Motion);
         for (int i = 0; i < 50; i++)
@@ -118,7 +118,7 @@ public sealed class RateExaminationTests
     }
 
     [Fact]
-    public void Several_findings_are_told_the_gravest_first()
+    public void Findings_are_sorted_by_severity()
     {
         var sample = new StreamSample(PacketKind.Motion);
         for (int i = 0; i < 50; i++)

@@ -7,7 +7,7 @@ namespace NeuronMocap.Tests.Diagnostics;
 public sealed class SampleProgramTests
 {
     [Fact]
-    public void What_the_options_hold_beside_the_place_is_kept()
+    public void The_sample_program_keeps_other_options()
     {
         var options = new NeuronReaderOptions { LocalAddress = IPAddress.Loopback, SharePort = true, RotationOrder = RotationOrder.XYZ };
         string code = SampleProgram.For(options, new StreamEndpoint(TransportKind.Udp, "studio", 7012), PacketKind.Calculation);
@@ -21,7 +21,7 @@ public sealed class SampleProgramTests
     }
 
     [Fact]
-    public void A_plain_server_takes_the_short_form()
+    public void A_plain_server_uses_the_short_form()
     {
         string code = SampleProgram.For(new NeuronReaderOptions(), new StreamEndpoint(TransportKind.Tcp, "studio", 7003), PacketKind.Motion);
         Assert.StartsWith("await using var reader = new NeuronReader(\"studio\", 7003);", code, StringComparison.Ordinal);

@@ -27,7 +27,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task A_calculation_port_is_looked_at_too()
+    public async Task A_calculation_port_is_diagnosed()
     {
         using ScriptedServer motion = ScriptedServer.Streaming(static i => TestPackets.Motion(i));
         using ScriptedServer calculation = ScriptedServer.Streaming(PacketKind.Calculation);
@@ -43,7 +43,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task A_calculation_port_that_refuses_is_said_and_is_no_fault_of_the_motion()
+    public async Task A_refused_calculation_port_is_reported_without_failing_the_motion()
     {
         using ScriptedServer motion = ScriptedServer.Streaming(static i => TestPackets.Motion(i));
         var closed = new TestServer();
@@ -60,7 +60,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task The_old_header_works_and_is_said()
+    public async Task The_old_header_is_reported()
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Motion(i, layout: HeaderLayout.Old));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
@@ -72,7 +72,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task Calculation_data_alone_are_a_fault_where_motion_is_wanted_and_none_where_they_are()
+    public async Task Calculation_data_alone_fail_only_when_motion_is_expected()
     {
         using ScriptedServer server = ScriptedServer.Streaming(PacketKind.Calculation);
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { OtherPorts = 0.002 });
@@ -87,7 +87,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task Motion_data_on_the_next_port_are_pointed_at()
+    public async Task Motion_on_the_next_port_is_suggested()
     {
         using ScriptedServer calculation = ScriptedServer.Streaming(PacketKind.Calculation);
         using ScriptedServer motion = ScriptedServer.Streaming();
@@ -101,7 +101,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task Both_kinds_in_one_stream_are_no_fault()
+    public async Task Both_kinds_in_one_stream_pass()
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Join(TestPackets.Motion(i), TestPackets.Calculation(i)));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
@@ -119,7 +119,7 @@ public sealed class StreamDiagnosisTests
     [InlineData("CCCC\u0010\u0027\0\0\u001F\u008B\u0008\0\0\0\0\0", DiagnosisVerdict.AdvancedBvh, "token", "Advanced BVH")]
     [InlineData("Char00 A 0.00 93.02 0.00 -1.5 2.25 || \r\n", DiagnosisVerdict.MalformedText, "format", "instead of the avatar's number")]
     [InlineData("\u0001\u0002\u0003\u0004", DiagnosisVerdict.UnknownFormat, "token", "01 02 03 04")]
-    public async Task Bytes_that_are_no_packets_are_named(string bytes, DiagnosisVerdict verdict, string step, string said)
+    public async Task Garbage_is_reported(string bytes, DiagnosisVerdict verdict, string step, string said)
     {
         using ScriptedServer server = ScriptedServer.Saying(Encoding.Latin1.GetBytes(bytes));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
@@ -128,7 +128,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task A_name_that_cannot_be_told_from_the_values_is_named()
+    public async Task An_ambiguous_avatar_name_is_reported()
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Line(i, lead: "0 Char 02 "));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
@@ -140,7 +140,7 @@ public sealed class StreamDiagnosisTests
     [InlineData(186)]
     [InlineData(354)]
     [InlineData(360)]
-    public async Task Values_without_an_avatar_are_named(int count)
+    public async Task Values_without_an_avatar_are_reported(int count)
     {
         string line = string.Join(' ', Enumerable.Range(0, count).Select(static value => $"{value}.50")) + "||\r\n";
         using ScriptedServer server = ScriptedServer.Streaming(_ => Encoding.ASCII.GetBytes(line));
@@ -150,7 +150,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task Text_is_read_and_named()
+    public async Task Text_is_recognised()
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Line(i));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port);
@@ -162,7 +162,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task Axis_studios_calculation_data_are_no_motion()
+    public async Task Axis_Studio_calculation_is_not_motion()
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Studio(i));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
@@ -177,7 +177,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task An_unknown_version_is_told_with_its_number()
+    public async Task An_unknown_version_is_reported_with_its_number()
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i =>
         {
@@ -190,7 +190,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task Counts_beyond_the_limit_are_told_with_the_option()
+    public async Task Counts_over_the_limit_name_the_option()
     {
         using ScriptedServer server = ScriptedServer.Streaming();
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { OtherPorts = 0.002 });
@@ -199,7 +199,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task A_frame_whose_rest_never_comes_is_incomplete()
+    public async Task A_frame_that_never_completes_is_reported()
     {
         using ScriptedServer server = new(async static (client, stop) =>
         {
@@ -211,7 +211,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task Packets_of_no_values_mean_that_nothing_is_played()
+    public async Task Packets_without_values_mean_that_nothing_plays()
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Motion(i, count: 0));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
@@ -219,7 +219,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task Frames_between_garbage_are_said_to_be()
+    public async Task Frames_between_garbage_are_reported()
     {
         byte[] garbage = [.. Enumerable.Range(0, 5000).Select(static i => (byte)(i % 251))];
         using ScriptedServer server = ScriptedServer.Streaming(i => TestPackets.Join(TestPackets.Motion(i), garbage));
@@ -231,7 +231,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task A_server_that_closes_at_once_is_named()
+    public async Task A_server_that_closes_at_once_is_reported()
     {
         using ScriptedServer server = new(static (client, _) =>
         {
@@ -243,7 +243,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task Silence_is_a_suit_that_is_not_connected()
+    public async Task Silence_suggests_a_disconnected_suit()
     {
         using ScriptedServer server = new(static (_, stop) => Task.Delay(Timeout.Infinite, stop));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Silent);
@@ -255,7 +255,7 @@ public sealed class StreamDiagnosisTests
     [InlineData((byte)'H', "HTTP/1.0 200 OK\r\n\r\n", DiagnosisVerdict.OtherProgram, "a web server's answer")]
     [InlineData((byte)0xFF, "\u00FF\u00AA\0\0\u00EB\u0003\u0004\0\0\0\0\0\0\0\u00FF\u00BB\u0001\0\0\0", DiagnosisVerdict.CommandPort, "command port")]
     [InlineData((byte)'H', "\u0001\u0002\u0003", DiagnosisVerdict.OtherProgram, "01 02 03")]
-    public async Task A_server_that_speaks_when_spoken_to_is_named(byte question, string answer, DiagnosisVerdict verdict, string said)
+    public async Task A_request_response_server_is_reported(byte question, string answer, DiagnosisVerdict verdict, string said)
     {
         using ScriptedServer server = new(async (client, stop) =>
         {
@@ -269,7 +269,7 @@ public sealed class StreamDiagnosisTests
     }
 
     [Fact]
-    public async Task An_old_command_packet_without_frames_is_no_data_port()
+    public async Task A_command_port_is_no_data_port()
     {
         byte[] command = new byte[64];
         new DataCommandHeader { CommandId = DataCommandId.AvatarCount }.Write(command);

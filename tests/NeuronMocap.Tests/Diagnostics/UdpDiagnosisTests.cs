@@ -11,7 +11,7 @@ public sealed class UdpDiagnosisTests
     private readonly int _port = DatagramSender.FreePort();
 
     [Fact]
-    public async Task Frames_in_halves_are_joined_and_their_sender_is_named()
+    public async Task Split_frames_are_joined_and_their_sender_is_named()
     {
         using var sender = new DatagramSender();
         StreamDiagnosis diagnosis = await sender.SendUntilAsync(RunAsync(Diagnosing.Patient), _port, static i => Halves(TestPackets.Motion(i)));
@@ -23,7 +23,7 @@ public sealed class UdpDiagnosisTests
     }
 
     [Fact]
-    public async Task The_receive_buffer_is_a_step_that_warns_where_it_is_small()
+    public async Task A_small_receive_buffer_is_a_warning()
     {
         StreamDiagnosis diagnosis = await RunAsync(Diagnosing.Silent);
         Assert.Contains("KiB of datagrams", diagnosis.Step("buffer").Detail, StringComparison.Ordinal);
@@ -39,7 +39,7 @@ public sealed class UdpDiagnosisTests
     }
 
     [Fact]
-    public async Task First_halves_alone_are_cut_frames()
+    public async Task First_halves_alone_are_reported_as_cut()
     {
         using var sender = new DatagramSender();
         StreamDiagnosis diagnosis = await sender.SendUntilAsync(
@@ -48,7 +48,7 @@ public sealed class UdpDiagnosisTests
     }
 
     [Fact]
-    public async Task Two_senders_are_noticed()
+    public async Task Two_senders_are_reported()
     {
         using var sender = new DatagramSender();
         using var other = new DatagramSender();
@@ -61,7 +61,7 @@ public sealed class UdpDiagnosisTests
     }
 
     [Fact]
-    public async Task Senders_that_may_not_send_are_named()
+    public async Task Blocked_senders_are_named()
     {
         using var sender = new DatagramSender();
         var options = new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port, AllowedSenders = [IPAddress.Parse("192.0.2.1")] };
@@ -71,14 +71,14 @@ public sealed class UdpDiagnosisTests
     }
 
     [Fact]
-    public async Task Nothing_names_the_destination_and_the_firewall()
+    public async Task Silence_names_the_destination_and_the_firewall()
     {
         StreamDiagnosis diagnosis = await RunAsync(Diagnosing.Silent);
         diagnosis.AssertFault(DiagnosisVerdict.Silent, "first bytes", "Destination Address", $":{_port}", "firewall", "choose UDP");
     }
 
     [Fact]
-    public async Task A_port_in_use_is_a_fault_of_this_computer()
+    public async Task A_port_in_use_is_reported()
     {
         using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         socket.Bind(new IPEndPoint(IPAddress.Any, 0));
@@ -89,7 +89,7 @@ public sealed class UdpDiagnosisTests
     }
 
     [Fact]
-    public async Task A_local_address_of_another_computer_is_the_fault()
+    public async Task A_foreign_local_address_is_reported()
     {
         var options = new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port, LocalAddress = IPAddress.Parse("192.0.2.77") };
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(options, Diagnosing.With(Diagnosing.Silent));
@@ -97,7 +97,7 @@ public sealed class UdpDiagnosisTests
     }
 
     [Fact]
-    public async Task A_server_that_is_set_to_TCP_is_found()
+    public async Task A_TCP_server_is_found()
     {
         using ScriptedServer server = ScriptedServer.Streaming();
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Silence = 0.002 });
@@ -123,7 +123,7 @@ public sealed class UdpDiagnosisTests
     }
 
     [Fact]
-    public async Task A_port_that_another_program_shares_keeps_its_datagrams()
+    public async Task A_shared_port_keeps_its_datagrams()
     {
         using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, optionValue: true);
@@ -138,7 +138,7 @@ public sealed class UdpDiagnosisTests
 
     // Both are sent more than the system keeps for either, before they look.
     [Fact]
-    public async Task As_many_datagrams_wait_for_a_diagnosis_as_for_a_reader()
+    public async Task A_diagnosis_uses_the_readers_receive_buffer()
     {
         var options = new LinkOptions("127.0.0.1", 0) { LocalAddress = IPAddress.Loopback };
         using var link = new UdpLink(options, new SenderFilter([]));

@@ -17,7 +17,7 @@ public sealed class OneWriterTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void A_second_writer_is_refused_until_the_first_has_ended_and_harms_nothing()
+    public void A_second_writer_is_refused_until_the_first_ends()
     {
         using (FileStream first = WritableFile.Create(Take))
         {
@@ -34,7 +34,7 @@ public sealed class OneWriterTests : IDisposable
     }
 
     [Fact]
-    public void Another_name_of_the_same_file_is_the_same_file()
+    public void A_link_is_the_same_file()
     {
         string link = _folder.PathOf("link");
         using FileStream first = WritableFile.Create(Take);
@@ -45,7 +45,7 @@ public sealed class OneWriterTests : IDisposable
     }
 
     [Fact]
-    public void Recordings_exports_and_calculation_files_refuse_each_other_s_file()
+    public void Every_kind_of_writer_refuses_the_others_file()
     {
         using var reader = new NeuronReader(new NeuronReaderOptions());
         using StreamRecorder recorder = reader.StartRecording(Take, new RecordingOptions { Overwrite = true });
@@ -62,7 +62,7 @@ public sealed class OneWriterTests : IDisposable
     }
 
     [Fact]
-    public void A_reader_of_the_growing_file_does_not_end_the_writer_s_claim()
+    public void A_reader_does_not_release_the_writers_lock()
     {
         using FileStream first = WritableFile.Create(Take);
         Assert.Empty(ReadShared(Take));
@@ -73,7 +73,7 @@ public sealed class OneWriterTests : IDisposable
 
     // On systems without locks of open files.
     [Fact]
-    public void A_file_that_somebody_has_open_is_seen_without_locks_too()
+    public void An_open_file_is_detected_without_locks()
     {
         Assert.True(FileWriterLock.CanBeOpenedAlone(Take));
         using (WritableFile.Create(Take))

@@ -8,7 +8,7 @@ namespace NeuronMocap.Tests.Frames;
 public sealed class CalculationFrameTests
 {
     [Fact]
-    public void The_two_lengths_are_those_of_the_manual()
+    public void The_two_lengths_match_the_manual()
     {
         Assert.Equal(338, CalculationFrame.BodyValueCount);
         Assert.Equal(946, CalculationFrame.FullValueCount);
@@ -57,7 +57,7 @@ public sealed class CalculationFrameTests
     [InlineData(946, 1, 1)]
     [InlineData(946, 0, 1)]
     [InlineData(946, 1, 0)]
-    public void Contact_flags_stand_behind_the_body_left_before_right(int count, int left, int right)
+    public void Contact_flags_follow_the_body_left_first(int count, int left, int right)
     {
         float[] values = [.. Enumerable.Repeat(9f, count)];
         (values[336], values[337]) = (left, right);
@@ -75,7 +75,7 @@ public sealed class CalculationFrameTests
     [InlineData(337, 0)]
     [InlineData(339, 0)]
     [InlineData(944, 0)]
-    public void The_number_of_values_decides_which_bones_are_there(int count, int bones)
+    public void The_value_count_decides_the_bones(int count, int bones)
     {
         CalculationFrame frame = Lend(GoldenPackets.CalculationData(Ascending(count)));
 
@@ -90,7 +90,7 @@ public sealed class CalculationFrameTests
     [InlineData(338, Bone.LeftHandPinky3)]
     [InlineData(0, Bone.Hips)]
     [InlineData(337, Bone.Hips)]
-    public void A_bone_that_the_frame_does_not_carry_is_refused(int count, Bone bone)
+    public void A_missing_bone_is_refused(int count, Bone bone)
     {
         CalculationFrame frame = Lend(GoldenPackets.CalculationData(Ascending(count)));
 
@@ -112,7 +112,7 @@ public sealed class CalculationFrameTests
     [Theory]
     [InlineData(-1)]
     [InlineData(59)]
-    public void A_bone_that_does_not_exist_is_refused(int number)
+    public void An_unknown_bone_is_refused(int number)
     {
         CalculationFrame frame = Lend(GoldenPackets.CalculationData(Ascending(946)));
         Assert.Throws<ArgumentOutOfRangeException>(() => frame.Contains((Bone)number));
@@ -123,7 +123,7 @@ public sealed class CalculationFrameTests
     [InlineData(1)]
     [InlineData(2)]
     [InlineData(3)]
-    public void A_packet_at_any_address_is_read_the_same(int offset)
+    public void An_unaligned_packet_is_read_alike(int offset)
     {
         byte[] packet = GoldenPackets.CalculationData(Ascending(946));
         CalculationFrame odd = Lend(packet, offset);
@@ -134,7 +134,7 @@ public sealed class CalculationFrameTests
     }
 
     [Fact]
-    public void A_lent_frame_shows_the_buffer_and_a_clone_does_not()
+    public void Only_a_clone_is_independent_of_the_buffer()
     {
         byte[] buffer = GoldenPackets.CalculationData(Ascending(946), avatar: 1, name: "Before", frame: 7);
         var frame = new CalculationFrame();
@@ -152,7 +152,7 @@ public sealed class CalculationFrameTests
     }
 
     [Fact]
-    public void A_frame_can_be_made_without_a_stream()
+    public void A_frame_can_be_created_without_a_stream()
     {
         var header = new CalculationHeader { ValueCount = 7, AvatarIndex = 6, AvatarName = new AvatarName("Made"), FrameIndex = 5, Reserved3 = 4 };
         var frame = new CalculationFrame(header, Ascending(338));
@@ -163,7 +163,7 @@ public sealed class CalculationFrameTests
     }
 
     [Fact]
-    public void A_foreign_encoders_frames_are_understood()
+    public void Frames_of_the_test_encoder_are_read()
     {
         StreamFixture fixture = StreamFixture.Load("calculation");
         var scan = ScanAll.Of(fixture.Bytes);

@@ -8,7 +8,7 @@ public sealed class FrameDataTests
     private static readonly byte[] Small = GoldenPackets.NewMotion([5]);
 
     [Fact]
-    public void A_copy_after_a_borrow_is_the_copied_packet_and_leaves_the_lent_memory_alone()
+    public void A_copy_after_a_borrow_leaves_the_borrowed_memory_alone()
     {
         byte[] lent = [0, 0, 0, .. Large, 0];
         var data = default(FrameData);
@@ -22,7 +22,7 @@ public sealed class FrameDataTests
     }
 
     [Fact]
-    public void Copies_of_any_sizes_follow_each_other()
+    public void Consecutive_copies_may_have_any_size()
     {
         var data = default(FrameData);
         foreach (byte[] packet in (byte[][])[Small, Large, Small, GoldenPackets.NewMotion([]), Large])
@@ -34,7 +34,7 @@ public sealed class FrameDataTests
     }
 
     [Fact]
-    public void A_copy_that_fits_the_memory_of_the_one_before_allocates_nothing()
+    public void A_copy_that_fits_allocates_nothing()
     {
         var data = default(FrameData);
         data.Copy(Large);
@@ -47,7 +47,7 @@ public sealed class FrameDataTests
 
     // What a big-endian machine does with a packet before it reads the values.
     [Fact]
-    public void Swapping_reverses_the_bytes_of_every_value_and_of_nothing_else()
+    public void Swapping_reverses_only_the_values()
     {
         var data = default(FrameData);
         data.Copy(Large);

@@ -12,7 +12,7 @@ public sealed class FrameFormatTests
     [InlineData(5u, RotationOrder.ZYX)]
     [InlineData(6u, null)] // the vendor's "unknown"
     [InlineData(uint.MaxValue, null)]
-    public void Axis_studio_says_the_order_in_the_first_reserved_field(uint reserved, RotationOrder? expected)
+    public void Axis_Studio_writes_the_order_into_the_first_reserved_field(uint reserved, RotationOrder? expected)
     {
         Assert.Equal(expected, FrameFormat.ReadOrder(Header(DataVersion.Studio, reserved)));
         Assert.Null(FrameFormat.ReadOrder(Header(DataVersion.New, reserved)));
@@ -21,7 +21,7 @@ public sealed class FrameFormatTests
     }
 
     [Fact]
-    public void The_option_goes_before_the_stream_the_stream_before_what_was_learnt_and_that_before_the_default()
+    public void Option_stream_command_channel_and_default_take_precedence_in_this_order()
     {
         byte[] studio = Header(DataVersion.Studio, (uint)RotationOrder.ZXY);
         byte[] neuron = Header(DataVersion.New, (uint)RotationOrder.ZXY);
@@ -40,7 +40,7 @@ public sealed class FrameFormatTests
     }
 
     [Fact]
-    public void Each_frame_is_turned_by_its_own_order_and_a_copy_keeps_it()
+    public void Each_frame_and_its_clone_use_its_own_order()
     {
         float[] values = new float[180];
         (values[3], values[4], values[5]) = (10, 20, 30);
@@ -68,7 +68,7 @@ public sealed class FrameFormatTests
     [InlineData(0x01000001u, 0u, null)]
     [InlineData(0x0A0B0Cu, 1000u, null)]
     [InlineData(0x0A0B0Cu, uint.MaxValue, null)]
-    public void A_timecode_is_read_where_axis_studio_writes_it_and_it_is_one(uint time, uint subFrame, string? expected)
+    public void Only_a_valid_Axis_Studio_timecode_is_read(uint time, uint subFrame, string? expected)
     {
         var header = new MotionHeader { Version = DataVersion.Studio, Reserved1 = time, Reserved2 = subFrame };
         Assert.Equal(expected, header.Timecode?.ToString());

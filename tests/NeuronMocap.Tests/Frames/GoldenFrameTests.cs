@@ -23,7 +23,7 @@ public sealed class GoldenFrameTests
     ];
 
     [Fact]
-    public void The_header_is_understood()
+    public void The_header_is_read()
     {
         MotionFrame frame = GoldenFrame();
 
@@ -44,7 +44,7 @@ public sealed class GoldenFrameTests
     [InlineData(Bone.Neck, 6)]
     [InlineData(Bone.RightArm, 7)]
     [InlineData(Bone.LeftHandPinky3, 8)]
-    public void Every_bone_of_the_table_has_its_figures(Bone bone, int row)
+    public void Every_bone_has_the_values_of_the_table(Bone bone, int row)
     {
         MotionFrame frame = GoldenFrame();
 
@@ -54,14 +54,14 @@ public sealed class GoldenFrameTests
     }
 
     [Fact]
-    public void The_hips_angles_near_180_are_a_small_turn()
+    public void Hips_angles_near_180_are_a_small_rotation()
     {
         Quaternion small = EulerAngles.ToQuaternion(new Vector3(-12.0064f, -0.2293f, -0.1650f), RotationOrder.YXZ);
         Assert.Equal(1, Math.Abs(Quaternion.Dot(small, GoldenFrame().GetRotation(Bone.Hips))), 1e-6f);
     }
 
     [Fact]
-    public void A_negative_zero_stays_one() => Assert.True(float.IsNegative(GoldenFrame().GetEulerAngles(Bone.LeftHandPinky3).Y));
+    public void Negative_zero_is_kept() => Assert.True(float.IsNegative(GoldenFrame().GetEulerAngles(Bone.LeftHandPinky3).Y));
 
     private static MotionFrame GoldenFrame()
     {

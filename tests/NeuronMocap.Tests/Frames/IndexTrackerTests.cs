@@ -15,7 +15,7 @@ public sealed class IndexTrackerTests
     [InlineData(new uint[] { 5, 9, 7 }, 2)]
     [InlineData(new uint[] { 5, 9, 7, 6, 8 }, 0)]
     [InlineData(new uint[] { uint.MaxValue, 1, 3, 2 }, 1)]
-    public void A_gap_is_a_row_of_missing_frames(uint[] indices, long gaps)
+    public void A_gap_is_a_run_of_missing_frames(uint[] indices, long gaps)
     {
         Feed(indices);
         Assert.Equal(gaps, _tracker.Gaps);
@@ -30,14 +30,14 @@ public sealed class IndexTrackerTests
     [InlineData(new uint[] { 5, 4, 6, 5, 7 }, 0)]
     [InlineData(new uint[] { uint.MaxValue - 1, uint.MaxValue, 0, 1, 2 }, 0)]
     [InlineData(new uint[] { uint.MaxValue - 1, 2 }, 0)]
-    public void A_restart_is_neither_a_gap_nor_a_wrap_nor_a_late_frame(uint[] indices, long restarts)
+    public void A_restart_is_no_gap_wrap_or_late_frame(uint[] indices, long restarts)
     {
         Feed(indices);
         Assert.Equal(restarts, _tracker.Restarts);
     }
 
     [Fact]
-    public void Each_index_is_told_what_it_means()
+    public void Each_index_is_classified()
     {
         uint?[] indices = [7, 8, 8, 12, 10, null, 5, 6, 1_000_000, 1_000_001, 999_990, 999_991, 999_992];
         Assert.Equal(
@@ -51,7 +51,7 @@ public sealed class IndexTrackerTests
 
     // A burst overtaken by one datagram: three that come late, in order, each into its gap. It once was taken for a restart.
     [Fact]
-    public void Late_frames_in_order_that_fill_a_gap_are_no_restart()
+    public void Late_frames_that_fill_a_gap_are_no_restart()
     {
         Feed([5, 9, 6, 7, 8, 10]);
         Assert.Equal((0, 0, 3, 0), (_tracker.Lost, _tracker.Gaps, _tracker.OutOfOrder, _tracker.Restarts));
@@ -69,7 +69,7 @@ public sealed class IndexTrackerTests
     }
 
     [Fact]
-    public void While_the_steps_are_not_yet_known_to_be_even_their_loss_is_unsettled()
+    public void Loss_is_unsettled_until_the_steps_are_known()
     {
         Feed(Steps(0, 10, 3));
         Assert.Equal((18, 18), (_tracker.Lost, _tracker.Unsettled));
@@ -78,14 +78,14 @@ public sealed class IndexTrackerTests
     }
 
     [Fact]
-    public void Loss_at_a_reduced_frequency_is_counted_in_frames_that_were_sent()
+    public void Loss_at_a_reduced_frequency_counts_sent_frames()
     {
         Feed([.. Steps(0, 50, 2), 104, 106, 108]);
         Assert.Equal((2, 1, 2), (_tracker.Lost, _tracker.Gaps, _tracker.Step));
     }
 
     [Fact]
-    public void A_reduced_frequency_is_found_in_spite_of_loss_and_of_swapped_frames()
+    public void A_reduced_frequency_is_found_despite_loss_and_reordering()
     {
         uint[] sent = Steps(1000, 198, 2);
         List<uint> received = [.. sent.Where((_, i) => i % 7 != 3)];
@@ -96,7 +96,7 @@ public sealed class IndexTrackerTests
 
     // Each pair steps by 3, then back by 1. Whatever comes late was sent, so the even steps are no reduced frequency, and real losses stay.
     [Fact]
-    public void Neighbours_that_arrive_swapped_are_no_reduced_frequency()
+    public void Swapped_neighbours_are_no_reduced_frequency()
     {
         Feed([0, .. Enumerable.Range(1, 100).Select(i => (uint)i * 10).SelectMany(i => Enumerable.Range(1, 9).Select(n => i - 10 + (uint)n)), 1000]);
         Assert.Equal((99, 99), (_tracker.Lost, _tracker.Gaps));
@@ -105,7 +105,7 @@ public sealed class IndexTrackerTests
     }
 
     [Fact]
-    public void Changes_of_the_frequency_in_mid_stream_lose_nothing()
+    public void Frequency_changes_are_no_loss()
     {
         var indices = new List<uint>();
         uint next = 7;
@@ -133,7 +133,7 @@ public sealed class IndexTrackerTests
     }
 
     [Fact]
-    public void Fifteen_even_steps_are_loss_and_the_sixteenth_shows_that_they_are_not()
+    public void The_sixteenth_even_step_proves_a_reduced_frequency()
     {
         Feed(Steps(0, 16, 2));
         Assert.Equal((15, 15, 1), (_tracker.Lost, _tracker.Gaps, _tracker.Step));
@@ -143,7 +143,7 @@ public sealed class IndexTrackerTests
 
     // Against the plainest account there is: what was sent, and which of it arrived. Random steps, starts, losses, bursts, swaps, copies.
     [Fact]
-    public void Random_streams_give_what_a_plain_account_gives()
+    public void Random_streams_match_a_simple_count()
     {
         for (int seed = 0; seed < 400; seed++)
         {
@@ -172,7 +172,7 @@ public sealed class IndexTrackerTests
     [InlineData(0.01)]
     [InlineData(0.2)]
     [InlineData(0.5)]
-    public void Random_loss_at_full_rate_is_counted_to_the_frame(double probability)
+    public void Random_loss_at_full_rate_is_counted_exactly(double probability)
     {
         var random = new Random(7001);
         uint[] received = [0, .. Enumerable.Range(1, 200_000).Where(_ => random.NextDouble() >= probability).Select(i => (uint)i)];

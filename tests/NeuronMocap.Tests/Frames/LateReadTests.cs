@@ -33,7 +33,7 @@ public sealed class LateReadTests
     }
 
     [Theory, MemberData(nameof(Kinds))]
-    public void A_callback_lends_a_frame_to_all_its_handlers_and_no_longer(PacketKind kind)
+    public void A_frame_is_valid_for_all_handlers_of_a_callback(PacketKind kind)
     {
         var callbacks = new FrameCallbacks(SkeletonFormat.Default, _ => { });
         List<AvatarFrame> kept = [];
@@ -50,7 +50,7 @@ public sealed class LateReadTests
     }
 
     [Theory, MemberData(nameof(Kinds))]
-    public void The_frame_before_is_dead_while_the_next_one_is_lent(PacketKind kind)
+    public void The_previous_frame_is_invalid_during_the_next_callback(PacketKind kind)
     {
         var queue = new FrameQueue(128, SkeletonFormat.Default, _ => { });
         for (int i = 0; i < 100; i++)
@@ -72,7 +72,7 @@ public sealed class LateReadTests
     }
 
     [Fact]
-    public void Kept_frames_of_any_usual_number_of_avatars_never_show_a_newer_frame()
+    public void Kept_frames_never_show_a_newer_frame()
     {
         for (int avatars = 1; avatars < FramePool.OfHandlers; avatars++)
         {
@@ -93,7 +93,7 @@ public sealed class LateReadTests
     }
 
     [Fact]
-    public void A_frame_that_was_read_late_once_is_never_lent_again()
+    public void A_frame_read_late_is_never_reused()
     {
         var queue = new FrameQueue(1024, SkeletonFormat.Default, _ => { });
         for (int i = 0; i < 500; i++)
@@ -110,7 +110,7 @@ public sealed class LateReadTests
     }
 
     [Fact]
-    public async Task A_frame_that_a_task_captured_is_dead()
+    public async Task A_frame_captured_by_a_task_is_invalid()
     {
         var queue = new FrameQueue(4, SkeletonFormat.Default, _ => { });
         Publish(queue, PacketKind.Motion, 1);
@@ -129,7 +129,7 @@ public sealed class LateReadTests
     }
 
     [Fact]
-    public void A_frame_is_dead_after_a_handler_that_threw()
+    public void A_frame_is_invalid_after_a_throwing_handler()
     {
         var queue = new FrameQueue(4, SkeletonFormat.Default, _ => { });
         Publish(queue, PacketKind.Motion, 1);
@@ -163,7 +163,7 @@ public sealed class LateReadTests
     }
 
     [Theory, MemberData(nameof(Kinds))]
-    public void A_newest_frame_lives_until_the_next_one_is_taken(PacketKind kind)
+    public void A_latest_frame_is_valid_until_the_next_is_taken(PacketKind kind)
     {
         var latest = new LatestFrames(SkeletonFormat.Default, _ => { });
         ((IPacketConsumer)latest).OnPacket(Packet(kind, 1));
@@ -180,7 +180,7 @@ public sealed class LateReadTests
     }
 
     [Fact]
-    public void A_frame_of_a_file_lives_until_the_next_is_read()
+    public void A_frame_of_a_file_is_valid_until_the_next_read()
     {
         using TemporaryFile file = Playback.Recordings.OfTcp(
             (1, TestPackets.Join(TestPackets.Motion(1), TestPackets.Calculation(2))), (2, TestPackets.Studio(3)));
@@ -198,7 +198,7 @@ public sealed class LateReadTests
     }
 
     [Theory, MemberData(nameof(Kinds))]
-    public void A_clone_never_dies(PacketKind kind)
+    public void A_clone_is_always_valid(PacketKind kind)
     {
         var queue = new FrameQueue(4, SkeletonFormat.Default, _ => { });
         Publish(queue, kind, 7);
@@ -211,7 +211,7 @@ public sealed class LateReadTests
     }
 
     [Fact]
-    public async Task Frames_of_a_running_reader_die_with_their_handlers()
+    public async Task Frames_of_a_reader_are_invalid_after_their_handlers()
     {
         using var server = new TestServer();
         using var reader = new NeuronReader(server.Options());
@@ -231,7 +231,7 @@ public sealed class LateReadTests
     }
 
     [Fact]
-    public async Task Frames_of_an_enumeration_are_copies_that_stay_valid()
+    public async Task Enumerated_frames_stay_valid()
     {
         using var server = new TestServer();
         using var reader = new NeuronReader(server.Options());

@@ -15,7 +15,7 @@ public sealed class MotionFrameTests
     };
 
     [Theory, MemberData(nameof(Layouts))]
-    public void Every_bone_reads_its_own_values(int count, HeaderLayout layout)
+    public void Every_bone_has_its_own_values(int count, HeaderLayout layout)
     {
         float[] values = Ascending(count);
         MotionFrame frame = Lend(Packet(values, layout));
@@ -43,7 +43,7 @@ public sealed class MotionFrameTests
     }
 
     [Theory, MemberData(nameof(Layouts))]
-    public void The_Reference_node_is_the_first_six_values_or_the_identity(int count, HeaderLayout layout)
+    public void The_reference_node_is_the_first_six_values_or_identity(int count, HeaderLayout layout)
     {
         float[] values = Ascending(count);
         BoneTransform reference = Lend(Packet(values, layout)).GetReference();
@@ -55,7 +55,7 @@ public sealed class MotionFrameTests
     }
 
     [Theory, MemberData(nameof(Layouts))]
-    public void The_header_is_given_as_received(int count, HeaderLayout layout)
+    public void The_header_is_returned_as_received(int count, HeaderLayout layout)
     {
         byte[] packet = layout == HeaderLayout.New
             ? GoldenPackets.NewMotion(Ascending(count), avatar: 3, name: "Header", frame: 0x80000001)
@@ -76,7 +76,7 @@ public sealed class MotionFrameTests
     [InlineData(186, true, false)]
     [InlineData(354, false, true)]
     [InlineData(360, false, false)]
-    public void The_number_of_values_decides_and_not_the_flags(int count, bool displacement, bool reference)
+    public void The_value_count_decides_not_the_flags(int count, bool displacement, bool reference)
     {
         MotionFrame frame = Lend(GoldenPackets.NewMotion(Ascending(count), displacement: displacement, reference: reference));
 
@@ -90,7 +90,7 @@ public sealed class MotionFrameTests
     [InlineData(100)]
     [InlineData(353)]
     [InlineData(355)]
-    public void A_frame_of_another_number_of_values_has_values_and_no_skeleton(int count)
+    public void A_frame_of_an_unknown_value_count_has_no_skeleton(int count)
     {
         MotionFrame frame = Lend(GoldenPackets.NewMotion(Ascending(count), avatar: 1));
         BoneTransform[] room = new BoneTransform[59];
@@ -111,7 +111,7 @@ public sealed class MotionFrameTests
     [Theory]
     [InlineData(-1)]
     [InlineData(59)]
-    public void A_bone_that_does_not_exist_is_refused(int number)
+    public void An_unknown_bone_is_refused(int number)
     {
         foreach (int count in (int[])[180, 354])
         {
@@ -163,7 +163,7 @@ public sealed class MotionFrameTests
     [InlineData(186)]
     [InlineData(354)]
     [InlineData(360)]
-    public void A_body_gives_the_positions_that_the_stream_does_not(int count)
+    public void A_body_supplies_missing_positions(int count)
     {
         MotionFrame frame = Lend(GoldenPackets.NewMotion(Ascending(count)));
         var body = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperArm = 0.4f }, SkeletonVariant.Spine3);
@@ -198,7 +198,7 @@ public sealed class MotionFrameTests
     [InlineData(1)]
     [InlineData(2)]
     [InlineData(3)]
-    public void A_packet_at_any_address_is_read_the_same(int offset)
+    public void An_unaligned_packet_is_read_alike(int offset)
     {
         byte[] packet = GoldenPackets.NewMotion(Ascending(360), name: "Odd");
         MotionFrame even = Lend(packet);
@@ -210,7 +210,7 @@ public sealed class MotionFrameTests
     }
 
     [Fact]
-    public void A_lent_frame_shows_the_buffer_and_a_clone_does_not()
+    public void Only_a_clone_is_independent_of_the_buffer()
     {
         byte[] buffer = GoldenPackets.NewMotion(Ascending(354), avatar: 1, name: "Before", frame: 7);
         var frame = new MotionFrame(SkeletonFormat.Default);
@@ -232,7 +232,7 @@ public sealed class MotionFrameTests
     }
 
     [Fact]
-    public void A_frame_that_is_used_again_forgets_the_packet_before()
+    public void A_reused_frame_forgets_the_previous_packet()
     {
         var frame = new MotionFrame(SkeletonFormat.Default);
         foreach (int count in (int[])[354, 100, 180, 0, 360])
@@ -247,7 +247,7 @@ public sealed class MotionFrameTests
     [InlineData(1, 1, HeaderLayout.New)]
     [InlineData(1, 0, HeaderLayout.Old)]
     [InlineData(0, 0, HeaderLayout.Old)] // none: as text has it, and default(MotionHeader)
-    public void A_frame_can_be_made_without_a_stream(byte major, byte minor, HeaderLayout layout)
+    public void A_frame_can_be_created_without_a_stream(byte major, byte minor, HeaderLayout layout)
     {
         float[] values = Ascending(354);
         long before = Stopwatch.GetTimestamp();
@@ -275,11 +275,11 @@ public sealed class MotionFrameTests
     }
 
     [Fact]
-    public void A_frame_of_more_values_than_its_header_counts_is_refused() =>
+    public void More_values_than_the_header_counts_are_refused() =>
         Assert.Throws<InvalidOperationException>(() => new MotionFrame(new MotionHeader(), new float[65_536]));
 
     [Fact]
-    public void The_same_name_is_the_same_string()
+    public void Equal_names_share_a_string()
     {
         MotionFrame first = Lend(GoldenPackets.NewMotion(new float[180], name: "Cached"));
         MotionFrame second = Lend(GoldenPackets.OldMotion(new float[354], name: "Cached"));

@@ -8,7 +8,7 @@ namespace NeuronMocap.Tests.Frames;
 public sealed class StudioCalculationFrameTests
 {
     [Fact]
-    public void Every_field_of_every_bone_stands_where_a_foreign_encoder_put_it()
+    public void Every_field_of_every_bone_is_read()
     {
         byte[] packet = StreamFixture.Load("studio-calculation").Bytes;
         Assert.True(StudioCalculationHeader.TryRead(packet, out StudioCalculationHeader header));
@@ -30,7 +30,7 @@ public sealed class StudioCalculationFrameTests
     [InlineData(4957, 0xFEu, 2, false)]
     [InlineData(3, 0xFEu, 2, false)]
     [InlineData(1764, 0xFEu, 2, false)]
-    public void Another_mask_size_or_version_gives_the_bytes_and_no_values_of_bones(int size, uint mask, int major, bool isKnown)
+    public void An_unknown_mask_size_or_version_gives_only_bytes(int size, uint mask, int major, bool isKnown)
     {
         byte[] payload = new byte[size];
         new Random(1).NextBytes(payload);
@@ -45,7 +45,7 @@ public sealed class StudioCalculationFrameTests
     }
 
     [Fact]
-    public void A_bone_that_does_not_exist_is_refused()
+    public void An_unknown_bone_is_refused()
     {
         var frame = new StudioCalculationFrame(new StudioCalculationHeader(), new byte[StudioCalculationFrame.FullByteCount]);
         Assert.Throws<ArgumentOutOfRangeException>(() => frame.GetPosition((Bone)59));
@@ -53,7 +53,7 @@ public sealed class StudioCalculationFrameTests
     }
 
     [Fact]
-    public void A_frame_that_is_lent_again_forgets_the_one_before()
+    public void A_reused_frame_forgets_the_previous_one()
     {
         var frame = new StudioCalculationFrame();
         byte[] known = TestPackets.Studio(1);
@@ -82,7 +82,7 @@ public sealed class StudioCalculationFrameTests
     }
 
     [Fact]
-    public void The_size_is_checked_before_anything_is_kept_for_it()
+    public void The_size_is_checked_before_buffering()
     {
         byte[] packet = TestPackets.Studio(1);
         BinaryPrimitives.WriteUInt32LittleEndian(packet.AsSpan(6), 4 * 1240);

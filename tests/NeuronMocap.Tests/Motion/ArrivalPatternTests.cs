@@ -6,7 +6,7 @@ public sealed class ArrivalPatternTests
     [InlineData(1)]
     [InlineData(2)]
     [InlineData(3)]
-    public void The_pattern_has_the_figures_of_the_real_stream(int seed)
+    public void The_pattern_has_the_statistics_of_the_real_stream(int seed)
     {
         double[] arrivals = ArrivalPattern.Create(seed);
         double[] intervals = [.. arrivals.Skip(1).Zip(arrivals, (later, earlier) => Math.Round((later - earlier) * 1000))];

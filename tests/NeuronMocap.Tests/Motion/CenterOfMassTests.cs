@@ -13,7 +13,7 @@ public sealed class CenterOfMassTests
     [Theory]
     [InlineData(SkeletonVariant.Neck1)]
     [InlineData(SkeletonVariant.Spine3)]
-    public void Standing_it_is_in_the_middle_and_a_little_above_half_the_height(SkeletonVariant variant)
+    public void A_standing_body_has_it_above_half_its_height(SkeletonVariant variant)
     {
         BoneTransform[] pose = Rest(variant);
         float stature = 161.1f;
@@ -30,7 +30,7 @@ public sealed class CenterOfMassTests
     }
 
     [Fact]
-    public void It_moves_with_the_body()
+    public void The_center_of_mass_moves_with_the_body()
     {
         BoneTransform[] pose = Rest(SkeletonVariant.Neck1);
         Vector3 before = Compute(pose, SkeletonVariant.Neck1);
@@ -40,7 +40,7 @@ public sealed class CenterOfMassTests
     }
 
     [Fact]
-    public void A_raised_leg_moves_it_by_the_share_of_the_leg()
+    public void A_raised_leg_moves_it_by_the_legs_share()
     {
         BoneTransform[] pose = Rest(SkeletonVariant.Neck1);
         Vector3 before = Compute(pose, SkeletonVariant.Neck1);
@@ -53,7 +53,7 @@ public sealed class CenterOfMassTests
     }
 
     [Fact]
-    public void Over_standing_feet_an_actor_keeps_it_between_them()
+    public void An_actor_keeps_it_between_standing_feet()
     {
         // Stops within a programme of forty seconds: both feet planted for a second or more.
         var actor = new SyntheticSource(60);
@@ -78,7 +78,7 @@ public sealed class CenterOfMassTests
     }
 
     [Fact]
-    public void Nothing_is_allocated_and_fewer_transforms_are_refused()
+    public void Too_few_transforms_are_refused_and_nothing_is_allocated()
     {
         BoneTransform[] pose = Rest(SkeletonVariant.Neck1);
         Allocations.AssertNone(() => CenterOfMass.Compute(pose, SkeletonBody.GetDefault()));

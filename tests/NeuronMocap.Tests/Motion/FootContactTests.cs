@@ -11,7 +11,7 @@ public sealed class FootContactTests
     [InlineData(30)]
     [InlineData(60)]
     [InlineData(120)]
-    public void The_estimate_agrees_with_the_actor_who_knows(int rate)
+    public void The_estimate_agrees_with_the_actors_contacts(int rate)
     {
         var actor = new SyntheticSource(rate);
         var body = SkeletonBody.GetDefault();
@@ -59,7 +59,7 @@ public sealed class FootContactTests
     }
 
     [Fact]
-    public void What_calculation_data_says_is_taken()
+    public void Contacts_of_calculation_data_take_precedence()
     {
         float[] values = new float[CalculationFrame.FullValueCount];
         values[336] = 1;
@@ -76,7 +76,7 @@ public sealed class FootContactTests
     }
 
     [Fact]
-    public void Frames_that_come_at_once_change_nothing()
+    public void Frames_at_one_time_change_nothing()
     {
         var estimator = new FootContactEstimator();
         estimator.Update(Vector3.Zero, Vector3.Zero, 0);
@@ -86,7 +86,7 @@ public sealed class FootContactTests
     }
 
     [Fact]
-    public void An_empty_take_and_one_of_a_single_frame_are_takes()
+    public void Takes_of_no_and_one_frame_are_accepted()
     {
         var track = new FootContactTrack();
         Assert.Empty(track.EstimateContacts());

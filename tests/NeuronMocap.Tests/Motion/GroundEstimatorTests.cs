@@ -5,7 +5,7 @@ namespace NeuronMocap.Tests.Motion;
 public sealed class GroundEstimatorTests
 {
     [Fact]
-    public void The_ground_is_where_the_body_is_lowest()
+    public void The_ground_is_at_the_lowest_point()
     {
         var ground = new GroundEstimator();
         Assert.True(float.IsNaN(ground.Height));
@@ -15,7 +15,7 @@ public sealed class GroundEstimatorTests
     }
 
     [Fact]
-    public void A_jump_hardly_lifts_it()
+    public void A_jump_hardly_raises_the_ground()
     {
         // Half a second in the air, 30 cm high.
         var ground = new GroundEstimator();
@@ -32,7 +32,7 @@ public sealed class GroundEstimatorTests
     }
 
     [Fact]
-    public void Stairs_lift_it_and_what_is_no_number_is_left_out()
+    public void Stairs_raise_the_ground_and_NaN_is_ignored()
     {
         var ground = new GroundEstimator();
         for (int i = 0; i < 1300; i++)

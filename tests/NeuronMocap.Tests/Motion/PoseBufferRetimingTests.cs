@@ -25,7 +25,7 @@ public sealed class PoseBufferRetimingTests
     [InlineData(60, 40)]
     [InlineData(90, 40)]
     [InlineData(120, 40)]
-    public void The_retimed_motion_is_fifty_times_as_even_as_the_newest_frames(double displayRate, int delay)
+    public void Retiming_makes_motion_fifty_times_smoother(double displayRate, int delay)
     {
         double newest = VelocityNoise(Newest(displayRate), displayRate);
         double withIndex = VelocityNoise(Retimed(displayRate, delay, PoseInterpolationMethod.Cubic, hasIndex: true), displayRate);
@@ -42,7 +42,7 @@ public sealed class PoseBufferRetimingTests
     [Theory]
     [InlineData(60)]
     [InlineData(120)]
-    public void The_delay_is_the_one_that_was_asked_for(double displayRate)
+    public void The_delay_is_as_configured(double displayRate)
     {
         Vector3[] shown = Retimed(displayRate, 40, PoseInterpolationMethod.Cubic, hasIndex: true);
         Assert.Equal(0.040, FindLag(shown, displayRate), 0.002);

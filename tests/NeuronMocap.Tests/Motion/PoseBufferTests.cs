@@ -13,7 +13,7 @@ public sealed class PoseBufferTests
     private readonly BoneTransform[] _pose = new BoneTransform[BoneHierarchy.BoneCount];
 
     [Fact]
-    public void Before_the_first_frame_there_is_no_pose()
+    public void There_is_no_pose_before_the_first_frame()
     {
         _pose[0] = new BoneTransform(Vector3.One, Quaternion.Identity);
         Assert.Equal(PoseOrigin.None, new PoseBuffer().Sample(1, _pose));
@@ -21,7 +21,7 @@ public sealed class PoseBufferTests
     }
 
     [Fact]
-    public void The_first_frame_is_shown_until_its_moment_comes()
+    public void The_first_frame_is_held_until_it_is_due()
     {
         PoseBuffer buffer = Create(delay: 30);
         Push(buffer, 0, 1, 0);
@@ -32,7 +32,7 @@ public sealed class PoseBufferTests
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
-    public void Even_frames_give_the_pose_of_the_delay_before(bool hasIndex)
+    public void Even_frames_give_the_delayed_pose(bool hasIndex)
     {
         PoseBuffer buffer = Create(delay: 25);
         for (int i = 0; i < 500; i++)
@@ -51,7 +51,7 @@ public sealed class PoseBufferTests
     }
 
     [Fact]
-    public void Without_new_frames_the_motion_goes_on_slows_down_and_stands()
+    public void Motion_is_extrapolated_slows_down_and_stops_without_frames()
     {
         PoseBuffer buffer = Create(delay: 20, extrapolation: 40);
         for (int i = 0; i <= 50; i++)
@@ -78,7 +78,7 @@ public sealed class PoseBufferTests
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
-    public void Frames_that_come_at_once_at_the_start_have_no_speed_to_go_on_with(bool hasIndex)
+    public void An_initial_burst_is_not_extrapolated(bool hasIndex)
     {
         // Three within a millisecond, as a server sends what it has to a new client; the fourth a frame later.
         PoseBuffer buffer = Create(delay: 0);
@@ -95,7 +95,7 @@ public sealed class PoseBufferTests
     }
 
     [Fact]
-    public void Nothing_is_made_up_where_that_is_not_wanted()
+    public void Extrapolation_can_be_switched_off()
     {
         PoseBuffer buffer = Create(delay: 0, extrapolation: 0);
         for (int i = 0; i <= 50; i++)
@@ -106,7 +106,7 @@ public sealed class PoseBufferTests
     }
 
     [Fact]
-    public void Frames_that_come_late_together_twice_or_in_another_order_are_put_where_they_belong()
+    public void Late_repeated_and_reordered_frames_are_sorted()
     {
         PoseBuffer buffer = Create(delay: 60);
         var random = new Random(5);
@@ -149,7 +149,7 @@ public sealed class PoseBufferTests
     [InlineData(0u, true)] // the server starts again
     [InlineData(4_000_000_000u, true)]
     [InlineData(0u, false)]
-    public void A_sender_that_pauses_and_starts_again_is_followed(uint firstIndex, bool hasIndex)
+    public void A_paused_sender_is_followed_again(uint firstIndex, bool hasIndex)
     {
         PoseBuffer buffer = Create(delay: 30);
         for (int i = 0; i < 200; i++)
@@ -173,7 +173,7 @@ public sealed class PoseBufferTests
     [InlineData(8, 0)]
     [InlineData(8, 1e-7)]
     [InlineData(8, 0.001)]
-    public void A_counter_that_starts_again_before_the_rate_is_known_does_not_freeze_the_pose(int framesBefore, double intervalBefore)
+    public void An_early_restart_of_the_index_does_not_freeze_the_pose(int framesBefore, double intervalBefore)
     {
         PoseBuffer buffer = Create(delay: 30);
         for (int i = 0; i < framesBefore; i++)
@@ -188,7 +188,7 @@ public sealed class PoseBufferTests
     }
 
     [Fact]
-    public void A_counter_that_wraps_around_goes_on()
+    public void A_wrapping_index_continues()
     {
         PoseBuffer buffer = Create(delay: 30);
         for (int i = 0; i < 200; i++)
@@ -200,7 +200,7 @@ public sealed class PoseBufferTests
     }
 
     [Fact]
-    public void A_counter_that_stands_still_is_none()
+    public void A_constant_index_is_ignored()
     {
         PoseBuffer buffer = Create(delay: 30);
         for (int i = 0; i < 200; i++)
@@ -212,7 +212,7 @@ public sealed class PoseBufferTests
     }
 
     [Fact]
-    public void A_counter_that_counts_in_steps_is_as_good()
+    public void An_index_in_steps_is_used()
     {
         PoseBuffer buffer = Create(delay: 30);
         for (int i = 0; i < 200; i++)
@@ -226,7 +226,7 @@ public sealed class PoseBufferTests
     [InlineData(0.010, 1 / 60.0)]
     [InlineData(1 / 60.0, 1 / 120.0)]
     [InlineData(1 / 120.0, 1 / 30.0)]
-    public void Another_rate_is_found_within_half_a_second(double first, double second)
+    public void A_new_rate_is_found_within_half_a_second(double first, double second)
     {
         PoseBuffer buffer = Create(delay: 50);
         double time = 0;
@@ -247,7 +247,7 @@ public sealed class PoseBufferTests
     }
 
     [Fact]
-    public void Clocks_that_drift_apart_are_followed()
+    public void Clock_drift_is_followed()
     {
         // The sender's is slower by one in a thousand; over ten minutes it falls back by 0.6 s.
         PoseBuffer buffer = Create(delay: 30);
@@ -260,7 +260,7 @@ public sealed class PoseBufferTests
     }
 
     [Fact]
-    public void What_there_is_no_room_for_is_dropped_and_counted_and_the_newest_comes_through_again()
+    public void Full_queue_drops_and_counts_then_recovers()
     {
         var buffer = new PoseBuffer(new PoseBufferOptions { Capacity = 8 });
         for (int i = 0; i < 20; i++)
@@ -276,7 +276,7 @@ public sealed class PoseBufferTests
     }
 
     [Fact]
-    public void Moments_may_go_back_as_far_as_there_are_frames()
+    public void Times_may_go_back_as_far_as_the_buffer()
     {
         PoseBuffer buffer = Create(delay: 30);
         for (int i = 0; i < 50; i++)

@@ -51,7 +51,7 @@ public sealed class PoseBufferThreadTests
     }
 
     [Fact]
-    public void Slots_go_round_past_the_largest_number()
+    public void Slot_numbers_wrap_around()
     {
         var ring = new PoseRing(8, int.MaxValue - 20);
         int taken = int.MaxValue - 20;

@@ -11,7 +11,7 @@ public sealed class PoseInterpolationTests
     [InlineData(1, 90)]
     [InlineData(1.5, 135)]
     [InlineData(-0.5, -45)]
-    public void A_turn_has_a_constant_speed_and_goes_on_beyond_the_ends(double part, double degrees)
+    public void A_rotation_has_constant_speed_and_extrapolates(double part, double degrees)
     {
         foreach (float sign in (float[])[1, -1])
         {
@@ -26,7 +26,7 @@ public sealed class PoseInterpolationTests
     }
 
     [Fact]
-    public void The_smallest_turns_are_not_lost()
+    public void The_smallest_rotations_are_kept()
     {
         foreach (float angle in (float[])[1e-5f, 1e-3f, 0.01f, 0.0115f, 0.02f, 1, 179])
         {
@@ -61,7 +61,7 @@ public sealed class PoseInterpolationTests
     }
 
     [Fact]
-    public void A_cubic_turns_evenly_where_frames_are_far_apart()
+    public void A_cubic_rotates_evenly_between_distant_frames()
     {
         BoneTransform[] pose = new BoneTransform[1];
         PoseInterpolation.Cubic(Four((0, 1, 2, 3), static time => Turned((float)time * 90)), 1.25, pose);
@@ -69,7 +69,7 @@ public sealed class PoseInterpolationTests
     }
 
     [Fact]
-    public void Quaternions_become_continuous_and_keep_their_rotations()
+    public void Quaternions_are_made_continuous()
     {
         var random = new Random(2);
         BoneTransform[] before = [.. Enumerable.Range(0, 59).Select(i => Turned(i))];

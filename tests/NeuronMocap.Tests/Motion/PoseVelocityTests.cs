@@ -32,7 +32,7 @@ public sealed class PoseVelocityTests
     }
 
     [Fact]
-    public void The_sign_of_a_quaternion_is_no_turn()
+    public void The_sign_of_a_quaternion_is_no_rotation()
     {
         BoneTransform[] one = At(0.30);
         BoneTransform[] other = [one[0] with { Rotation = Quaternion.Negate(one[0].Rotation) }];
@@ -42,7 +42,7 @@ public sealed class PoseVelocityTests
     }
 
     [Fact]
-    public void Frames_at_one_time_have_no_velocity_between_them()
+    public void Frames_at_one_time_have_no_velocity()
     {
         var velocities = new BoneVelocity[1];
         PoseVelocity.ComputeBackward(At(0), At(1), 0, velocities);
@@ -56,7 +56,7 @@ public sealed class PoseVelocityTests
     }
 
     [Fact]
-    public void Nothing_is_allocated_and_less_room_is_refused()
+    public void Short_spans_are_refused_and_nothing_is_allocated()
     {
         BoneTransform[] pose = At(0);
         var velocities = new BoneVelocity[1];

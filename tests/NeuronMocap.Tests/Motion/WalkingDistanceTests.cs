@@ -7,7 +7,7 @@ namespace NeuronMocap.Tests.Motion;
 public sealed class WalkingDistanceTests
 {
     [Fact]
-    public void Standing_for_an_hour_walks_nothing_whatever_the_sway_and_the_noise()
+    public void Standing_for_an_hour_covers_no_distance()
     {
         var random = new Random(1);
         var walk = new WalkingDistance();
@@ -25,7 +25,7 @@ public sealed class WalkingDistanceTests
     [Theory]
     [InlineData(0)]
     [InlineData(3)]
-    public void A_walk_is_as_long_as_it_is_less_one_slack(float noise)
+    public void A_walk_is_its_length_minus_the_slack(float noise)
     {
         var random = new Random(2);
         var walk = new WalkingDistance();
@@ -42,7 +42,7 @@ public sealed class WalkingDistanceTests
     }
 
     [Fact]
-    public void The_speed_falls_to_nothing_after_a_walk()
+    public void The_speed_falls_to_zero_after_a_walk()
     {
         var walk = new WalkingDistance();
         for (int i = 0; i <= 600; i++)
@@ -53,7 +53,7 @@ public sealed class WalkingDistanceTests
     }
 
     [Fact]
-    public void The_actors_way_round_its_ring_is_measured()
+    public void The_actors_lap_is_measured()
     {
         // The lap is 42 steps of the ring of fourteen, with stops.
         const int Rate = 60;
@@ -78,7 +78,7 @@ public sealed class WalkingDistanceTests
     }
 
     [Fact]
-    public void Frames_that_say_nothing_are_left_out()
+    public void Frames_that_are_not_finite_are_ignored()
     {
         var walk = new WalkingDistance();
         walk.Update(Vector3.Zero, 0);
@@ -99,6 +99,6 @@ public sealed class WalkingDistanceTests
     [InlineData(-1)]
     [InlineData(float.NaN)]
     [InlineData(float.PositiveInfinity)]
-    public void A_slack_that_is_none_is_refused(float slack) =>
+    public void An_invalid_slack_is_refused(float slack) =>
         Assert.Throws<ArgumentOutOfRangeException>(() => new WalkingDistance(slack));
 }

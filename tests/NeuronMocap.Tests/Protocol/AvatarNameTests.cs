@@ -13,7 +13,7 @@ public sealed class AvatarNameTests
     [InlineData("🕺")]
     [InlineData("abcdefghijklmnopqrstuvwxyz012345")]
     [InlineData("🕺🕺🕺🕺🕺🕺🕺🕺")]
-    public void A_name_that_fits_comes_back_as_it_was(string text)
+    public void A_name_that_fits_round_trips(string text)
     {
         var name = new AvatarName(text);
         byte[] bytes = new byte[32];
@@ -37,7 +37,7 @@ public sealed class AvatarNameTests
         Assert.Equal(expected, new AvatarName(text).ToString());
 
     [Fact]
-    public void A_very_long_name_is_cut_too() =>
+    public void A_very_long_name_is_cut() =>
         Assert.Equal(new string('x', 32), new AvatarName(new string('x', 100_000)).ToString());
 
     [Theory]
@@ -71,7 +71,7 @@ public sealed class AvatarNameTests
     }
 
     [Fact]
-    public void Thirty_two_bytes_are_a_name_and_thirty_three_are_not()
+    public void A_name_has_at_most_32_bytes()
     {
         byte[] bytes = [.. Enumerable.Range(1, 33).Select(value => (byte)value)];
         byte[] copy = new byte[32];
@@ -82,7 +82,7 @@ public sealed class AvatarNameTests
     }
 
     [Fact]
-    public void A_name_from_no_text_is_refused() => Assert.Throws<ArgumentNullException>(() => new AvatarName((string)null!));
+    public void A_null_name_is_refused() => Assert.Throws<ArgumentNullException>(() => new AvatarName((string)null!));
 
     [Fact]
     public void A_destination_below_32_bytes_is_refused() =>

@@ -3,7 +3,7 @@ namespace NeuronMocap.Tests.Protocol;
 public sealed class CalculationHeaderTests
 {
     [Fact]
-    public void Every_field_is_read_from_its_place()
+    public void Every_field_is_read()
     {
         Assert.True(CalculationHeader.TryRead(GoldenPackets.Get("calculation").ByHand, out CalculationHeader header));
 
@@ -17,7 +17,7 @@ public sealed class CalculationHeaderTests
     }
 
     [Fact]
-    public void What_was_read_is_written_again_byte_for_byte()
+    public void A_header_round_trips_byte_for_byte()
     {
         byte[] packet = GoldenPackets.Get("calculation").ByHand;
         Assert.True(CalculationHeader.TryRead(packet, out CalculationHeader header));

@@ -5,7 +5,7 @@ namespace NeuronMocap.Tests.Protocol;
 public sealed class DataCommandHeaderTests
 {
     [Fact]
-    public void Every_field_is_read_from_its_place()
+    public void Every_field_is_read()
     {
         Assert.True(DataCommandHeader.TryRead(GoldenPackets.Get("command").ByHand, out DataCommandHeader header));
 
@@ -63,7 +63,7 @@ public sealed class DataCommandHeaderTests
 
     // Offsets 18 and 22, as protocol.md section 2.6 has them; written by hand.
     [Fact]
-    public void The_two_known_parameters_stand_at_the_start_of_the_40_bytes()
+    public void The_two_known_parameters_start_the_40_bytes()
     {
         byte[] packet = GoldenPackets.OldCommand(command: 3, count: 0, payload: 0);
         new byte[] { 0x02, 0, 0, 0, 0x78, 0, 0, 0 }.CopyTo(packet.AsSpan(18));

@@ -5,7 +5,7 @@ namespace NeuronMocap.Tests.Protocol;
 public sealed class GoldenPacketTests
 {
     [Theory, EveryGoldenPacket]
-    public void The_encoder_writes_the_bytes_that_the_protocol_asks_for(string name)
+    public void The_encoder_writes_the_bytes_of_the_protocol(string name)
     {
         GoldenPacket packet = GoldenPackets.Get(name);
         Assert.Equal(Convert.ToHexString(packet.ByHand), Convert.ToHexString(packet.ByEncoder));

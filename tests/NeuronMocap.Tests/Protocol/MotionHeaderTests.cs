@@ -3,7 +3,7 @@ namespace NeuronMocap.Tests.Protocol;
 public sealed class MotionHeaderTests
 {
     [Fact]
-    public void Every_field_of_the_new_layout_is_read_from_its_place()
+    public void Every_field_of_the_new_layout_is_read()
     {
         Assert.True(MotionHeader.TryRead(GoldenPackets.Get("new").ByHand, out MotionHeader header));
 
@@ -20,7 +20,7 @@ public sealed class MotionHeaderTests
     }
 
     [Fact]
-    public void Every_field_of_the_old_layout_is_read_from_its_place()
+    public void Every_field_of_the_old_layout_is_read()
     {
         Assert.True(MotionHeader.TryRead(GoldenPackets.Get("old").ByHand, out MotionHeader header));
 
@@ -36,7 +36,7 @@ public sealed class MotionHeaderTests
     }
 
     [Fact]
-    public void A_newer_server_fills_the_reserved_fields_and_they_are_kept()
+    public void Reserved_fields_are_kept()
     {
         Assert.True(MotionHeader.TryRead(GoldenPackets.Get("studio").ByHand, out MotionHeader header));
 
@@ -52,7 +52,7 @@ public sealed class MotionHeaderTests
     [InlineData("new")]
     [InlineData("studio")]
     [InlineData("old")]
-    public void What_was_read_is_written_again_byte_for_byte(string name)
+    public void A_header_round_trips_byte_for_byte(string name)
     {
         byte[] packet = GoldenPackets.Get(name).ByHand;
         Assert.True(MotionHeader.TryRead(packet, out MotionHeader header));
@@ -129,7 +129,7 @@ public sealed class MotionHeaderTests
     }
 
     [Fact]
-    public void Any_byte_but_zero_sets_a_flag_of_the_new_layout()
+    public void Any_nonzero_byte_sets_a_flag_of_the_new_layout()
     {
         byte[] packet = GoldenPackets.Get("new").ByHand;
         (packet[8], packet[9]) = (0x80, 0xFF);
@@ -152,7 +152,7 @@ public sealed class MotionHeaderTests
     }
 
     [Fact]
-    public void The_count_of_the_old_layout_is_not_cut_to_16_bits()
+    public void The_count_of_the_old_layout_has_32_bits()
     {
         byte[] header = new byte[64];
         new MotionHeader { Version = DataVersion.Old, ValueCount = 65_536 }.Write(header);
@@ -165,7 +165,7 @@ public sealed class MotionHeaderTests
     [Theory]
     [InlineData(PacketKind.Motion)]
     [InlineData(PacketKind.Calculation)]
-    public void A_count_whose_packet_no_array_can_hold_is_not_read(PacketKind kind)
+    public void A_count_over_the_array_limit_is_not_read(PacketKind kind)
     {
         Assert.True(TryReadSize(kind, 536_870_895, out int largest));
         Assert.Equal(int.MaxValue - 3, largest);
@@ -180,7 +180,7 @@ public sealed class MotionHeaderTests
     [InlineData(2, 0)]
     [InlineData(0, 1)]
     [InlineData(1, 7)]
-    public void A_header_of_an_unknown_version_is_written_and_understood_in_one_layout(byte major, byte minor)
+    public void A_header_of_an_unknown_version_round_trips(byte major, byte minor)
     {
         var header = new MotionHeader
         {
@@ -198,7 +198,7 @@ public sealed class MotionHeaderTests
     }
 
     [Fact]
-    public void A_new_header_without_a_frame_index_is_written_with_zero()
+    public void A_missing_frame_index_is_written_as_zero()
     {
         byte[] bytes = Filled(64);
         new MotionHeader().Write(bytes);

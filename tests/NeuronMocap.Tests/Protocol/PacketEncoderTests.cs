@@ -5,7 +5,7 @@ namespace NeuronMocap.Tests.Protocol;
 public sealed class PacketEncoderTests
 {
     [Fact]
-    public void A_destination_of_exactly_the_packets_size_is_enough_and_one_byte_less_is_not()
+    public void A_destination_needs_exactly_the_packets_size()
     {
         float[] values = new float[354];
 
@@ -16,7 +16,7 @@ public sealed class PacketEncoderTests
     }
 
     [Fact]
-    public void Nothing_is_written_behind_the_packet()
+    public void Nothing_is_written_after_the_packet()
     {
         byte[] destination = new byte[100];
         destination.AsSpan().Fill(0xCC);

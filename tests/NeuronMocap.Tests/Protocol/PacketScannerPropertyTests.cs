@@ -10,7 +10,7 @@ public sealed class PacketScannerPropertyTests
     private readonly PacketScanner _scanner = new(WireStream.MaxValues);
 
     [Fact]
-    public void Any_stream_in_any_pieces_gives_what_the_slow_reader_gives()
+    public void Any_stream_in_any_pieces_matches_the_reference_reader()
     {
         int packets = 0;
         int refused = 0;

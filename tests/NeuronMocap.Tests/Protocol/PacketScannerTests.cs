@@ -13,7 +13,7 @@ public sealed class PacketScannerTests
         AssertFound(splitting, [.. First, .. Second, .. Third, .. First], [First, Second, Third, First], skipped: 0);
 
     [Theory, EverySplitting]
-    public void Noise_before_between_and_behind_packets_is_skipped(Splitting splitting)
+    public void Noise_around_packets_is_skipped(Splitting splitting)
     {
         byte[] noise = [0x00, 0x01, 0xDD, 0xEE, 0x12, 0x88];
         AssertFound(splitting, [.. noise, .. First, .. noise, .. noise, .. Second, .. noise], [First, Second], skipped: 24);
@@ -47,14 +47,14 @@ public sealed class PacketScannerTests
     }
 
     [Theory, EverySplitting]
-    public void Bytes_of_tokens_in_no_order_are_noise(Splitting splitting)
+    public void Unordered_token_bytes_are_noise(Splitting splitting)
     {
         byte[] noise = new WireBytes().Hex("FF DD FF FF DD EE FF EE FF 88 FF 99 FF AA FF BB DD DD FF FF FF 88 99 AA BB EE FF DD").ToArray();
         AssertFound(splitting, [.. noise, .. First, .. noise, .. Third], [First, Third], skipped: 2 * noise.Length);
     }
 
     [Theory, EverySplitting]
-    public void A_look_alike_of_a_token_just_before_a_packet_does_not_swallow_it(Splitting splitting) =>
+    public void A_false_token_before_a_packet_does_not_hide_it(Splitting splitting) =>
         AssertFound(splitting, [0xFF, 0xDD, .. First, 0xFF, 0x88, .. Second, 0xFF, 0xAA, 0x00, .. Third], [First, Second, Third], skipped: 7);
 
     [Theory, EverySplitting]
@@ -72,7 +72,7 @@ public sealed class PacketScannerTests
     // The stream has neither length prefix nor checksum: the header's promise is kept with whatever follows, as the vendor's library does
     // (protocol.md section 5). The packet that was eaten into is lost, the one behind it is found.
     [Theory, EverySplitting]
-    public void A_truncated_packet_takes_the_bytes_of_the_next_one_as_its_values(Splitting splitting)
+    public void A_truncated_packet_consumes_bytes_of_the_next(Splitting splitting)
     {
         byte[] whole = GoldenPackets.NewMotion(new float[20]);
         byte[] truncated = whole[..^40];
@@ -97,7 +97,7 @@ public sealed class PacketScannerTests
     [Theory]
     [InlineData("01 00 01 01")]
     [InlineData("09 09 01 01")]
-    public void Revision_and_build_are_not_looked_at(string version)
+    public void Revision_and_build_are_ignored(string version)
     {
         byte[] packet = GoldenPackets.NewMotion([1], version: version);
         AssertFound(Splitting.Whole, packet, [packet], skipped: 0);
@@ -113,7 +113,7 @@ public sealed class PacketScannerTests
     }
 
     [Theory, EverySplitting]
-    public void Commands_are_as_long_as_id_and_count_say(Splitting splitting)
+    public void Commands_have_the_length_of_their_id_and_count(Splitting splitting)
     {
         byte[] sizes = GoldenPackets.OldCommand(command: 0, count: 2, payload: 128);
         byte[] text = GoldenPackets.OldCommand(command: 4, count: 3, payload: 3);
@@ -125,7 +125,7 @@ public sealed class PacketScannerTests
     [InlineData(1)]
     [InlineData(354)]
     [InlineData(10_224)]
-    public void The_limit_of_values_itself_is_allowed_and_one_more_is_not(int limit)
+    public void The_limit_of_values_is_inclusive(int limit)
     {
         float[] values = new float[limit + 1];
         byte[][] allowed = [.. Kinds(values.AsSpan(1))];
@@ -142,7 +142,7 @@ public sealed class PacketScannerTests
     }
 
     [Fact]
-    public void The_default_limit_is_the_largest_packet_that_the_vendors_library_delivers()
+    public void The_default_limit_is_the_vendors()
     {
         byte[] largest = GoldenPackets.NewMotion(new float[10_224]);
         Assert.Equal(40_960, largest.Length);
@@ -176,7 +176,7 @@ public sealed class PacketScannerTests
     [InlineData(4, 100_000u, 100_000, true)]
     [InlineData(4, 100_001u, 100_001, false)]
     [InlineData(4, uint.MaxValue, 0, false)]
-    public void A_commands_payload_ends_at_100000_bytes_whatever_the_limit_of_values(int command, uint count, int payload, bool allowed)
+    public void A_commands_payload_is_limited_to_100000_bytes(int command, uint count, int payload, bool allowed)
     {
         byte[] packet = GoldenPackets.OldCommand(command, count, payload);
         ScanResult result = new PacketScanner(maxValues: 1).Scan(packet);
@@ -188,7 +188,7 @@ public sealed class PacketScannerTests
     }
 
     [Fact]
-    public void A_packet_that_drips_in_byte_by_byte_is_looked_at_four_times()
+    public void A_packet_in_single_bytes_is_scanned_four_times()
     {
         byte[] packet = GoldenPackets.NewMotion(new float[354]);
         var scan = ScanAll.Of(Splits.Of(packet, Splitting.ByteByByte).Single());
@@ -205,11 +205,11 @@ public sealed class PacketScannerTests
     [InlineData(63, 64)]
     [InlineData(64, 76)]
     [InlineData(75, 76)]
-    public void The_length_asked_for_is_the_token_then_the_header_and_then_the_packet(int given, int asked) =>
+    public void The_needed_length_grows_from_token_to_header_to_packet(int given, int asked) =>
         Assert.Equal(new ScanResult(ScanStatus.NeedMoreData, asked), new PacketScanner().Scan(First.AsSpan(0, given)));
 
     [Fact]
-    public void Bytes_behind_the_packet_change_nothing()
+    public void Bytes_after_the_packet_are_ignored()
     {
         ScanResult result = new PacketScanner().Scan([.. First, 0xFF, 0x00]);
         Assert.Equal(new ScanResult(ScanStatus.Packet, First.Length, PacketKind.Motion), result);

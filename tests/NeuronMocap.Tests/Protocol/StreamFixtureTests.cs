@@ -8,7 +8,7 @@ public class StreamFixtureTests
 {
     [Theory]
     [EverySplitting("new-180", "new-186", "new-354", "new-360", "old-354", "studio-354", "calculation", "mixed", "zero-count")]
-    public void A_foreign_encoders_packets_come_out_exactly(string name, Splitting splitting)
+    public void Packets_of_the_test_encoder_are_found_exactly(string name, Splitting splitting)
     {
         StreamFixture fixture = Load(name);
         foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(fixture.Bytes, splitting))
@@ -26,7 +26,7 @@ public class StreamFixtureTests
 
     [Theory]
     [EverySplitting]
-    public void In_the_mixed_stream_the_command_is_one_packet_and_all_else_that_is_no_frame_is_skipped(Splitting splitting)
+    public void The_mixed_stream_gives_its_command_and_frames(Splitting splitting)
     {
         StreamFixture fixture = Load("mixed");
         foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(fixture.Bytes, splitting))
@@ -42,7 +42,7 @@ public class StreamFixtureTests
 
     [Theory]
     [EverySplitting]
-    public void A_line_of_text_comes_out_as_the_image_of_a_packet(Splitting splitting)
+    public void A_line_of_text_becomes_a_packet(Splitting splitting)
     {
         StreamFixture fixture = Load("text");
         foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(fixture.Bytes, splitting))
@@ -69,7 +69,7 @@ public class StreamFixtureTests
 
     [Theory]
     [EverySplitting]
-    public void Axis_studios_calculation_packet_is_one_packet(Splitting splitting)
+    public void An_Axis_Studio_calculation_packet_is_found(Splitting splitting)
     {
         StreamFixture fixture = Load("studio-calculation");
         foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(fixture.Bytes, splitting))

@@ -34,7 +34,7 @@ public class StreamScannerWorkTests
     [InlineData("1\u0001\n\u00CF\u00DC")]
     [InlineData("1 2 3 4 5 6 7 8 9 ")]
     [InlineData("0 A 1 2 3 4\u0001\n")]
-    public void Repeated_bytes_cost_a_few_looks_at_each(string pattern)
+    public void Repeated_bytes_are_scanned_a_few_times(string pattern)
     {
         byte[] bytes = Repeat(Encoding.Latin1.GetBytes(pattern), Length);
         Assert.InRange(Scan(bytes), 0, MostLooks * Length);
@@ -42,7 +42,7 @@ public class StreamScannerWorkTests
 
     // A packet that is announced and never comes keeps nothing from being passed over.
     [Fact]
-    public void Header_that_announces_much_costs_no_further_looks()
+    public void A_large_header_is_scanned_once()
     {
         byte[] header = TestPackets.Motion(1, layout: HeaderLayout.Old, count: 100_000)[..ProtocolConstants.HeaderSize];
         byte[] bytes = [.. header, .. Repeat("1\u0001\n"u8.ToArray(), 400_000), .. Repeat("1\u0001\n"u8.ToArray(), Length)];
@@ -50,7 +50,7 @@ public class StreamScannerWorkTests
     }
 
     [Fact]
-    public void Random_bytes_of_what_matters_cost_a_few_looks_at_each()
+    public void Random_token_bytes_are_scanned_a_few_times()
     {
         byte[] letters = [(byte)'1', (byte)' ', (byte)'\n', (byte)'\r', (byte)'|', (byte)'A', 0, 1, 0xFF, 0xDD, 0xCF, 0xDC];
         var random = new Random(1);
@@ -67,7 +67,7 @@ public class StreamScannerWorkTests
 
     // What is known to hold no packet may not hide one that comes later, nor a line.
     [Fact]
-    public void Packets_and_lines_behind_hostile_text_are_found_at_every_split()
+    public void Packets_and_lines_after_hostile_text_are_found_at_every_split()
     {
         byte[] hostile = Repeat("1\u0001\n"u8.ToArray(), 40);
         byte[] packet = TestPackets.Motion(1, count: 3);

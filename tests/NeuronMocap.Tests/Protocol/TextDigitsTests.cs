@@ -24,7 +24,7 @@ public class TextDigitsTests
     [InlineData(float.NaN, 6, "NaN")]
     [InlineData(float.PositiveInfinity, 6, "Infinity")]
     [InlineData(float.NegativeInfinity, 6, "-Infinity")]
-    public void Values_have_the_decimals_asked_for_or_as_many_as_they_need(float value, int decimals, string expected) =>
+    public void Values_have_the_given_decimals_or_the_shortest(float value, int decimals, string expected) =>
         Assert.Equal(expected, Write(value, decimals));
 
     [Fact]

@@ -9,7 +9,7 @@ public sealed class TextEncoderTests
     private readonly byte[] _buffer = new byte[100_000];
 
     [Fact]
-    public void The_lines_of_the_fixture_come_out_byte_for_byte_from_its_values()
+    public void The_fixtures_lines_are_written_byte_for_byte()
     {
         StreamFixture fixture = StreamFixture.Load("text");
         int offset = 0;
@@ -76,7 +76,7 @@ public sealed class TextEncoderTests
     [InlineData("7up", "7up")]
     [InlineData("演员 一", "演员_一")]
     [InlineData("01234567890123456789012345678901", "01234567890123456789012345678901")]
-    public void A_name_never_separates(string name, string expected)
+    public void Names_contain_no_separator(string name, string expected)
     {
         int length = TextEncoder.WriteMotion(_buffer, unchecked((int)4_000_000_000), new AvatarName(name), [1.5f, -2f], decimals: 1);
         Assert.Equal($"4000000000 {expected} 1.5 -2.0 ||\r\n", Encoding.UTF8.GetString(_buffer, 0, length));
@@ -95,7 +95,7 @@ public sealed class TextEncoderTests
     [InlineData(0)]
     [InlineData(2)]
     [InlineData(6)]
-    public void The_announced_room_is_exactly_enough_for_the_longest_line(int decimals)
+    public void The_maximum_length_is_exact(int decimals)
     {
         float[] values = [.. Enumerable.Repeat(-1e30f, 360)];
         var name = new AvatarName(new string('n', 32));
@@ -112,7 +112,7 @@ public sealed class TextEncoderTests
     [Theory]
     [InlineData(-1)]
     [InlineData(7)]
-    public void Other_decimals_are_refused(int decimals) =>
+    public void Unsupported_decimals_are_refused(int decimals) =>
         Assert.Throws<ArgumentOutOfRangeException>(() => TextEncoder.WriteCalculation(_buffer, [1], decimals));
 
     [Fact]

@@ -16,7 +16,7 @@ public sealed class TextLineTests
     [InlineData(360, PacketKind.Motion, true, true)]
     [InlineData(338, PacketKind.Calculation, false, false)]
     [InlineData(946, PacketKind.Calculation, false, false)]
-    public void The_number_of_values_says_what_a_line_is(int count, PacketKind kind, bool displacement, bool reference)
+    public void The_value_count_decides_the_kind_of_line(int count, PacketKind kind, bool displacement, bool reference)
     {
         PacketLog log = Read(Line(2, count, "||\r\n", lead: "3 Tänzer "));
         (PacketKind found, byte[] image, _) = Assert.Single(log.Packets);
@@ -41,7 +41,7 @@ public sealed class TextLineTests
     [InlineData(946, " ")]
     [InlineData(946, "\t")]
     [InlineData(946, " \t ")]
-    public void Columns_of_calculation_data_need_neither_number_nor_name(int count, string separator)
+    public void Calculation_columns_need_no_number_or_name(int count, string separator)
     {
         PacketLog log = Read(Line(2, count, "\n", lead: "", separator));
         (PacketKind kind, byte[] image, _) = Assert.Single(log.Packets);
@@ -72,7 +72,7 @@ public sealed class TextLineTests
     [InlineData("A B C D E F G", "A B C D E F G")] // the words of a line of 186 values
     [InlineData("演员 一", "演员 一")]
     [InlineData("演员一 演员一 演员一 演员一", "演员一 演员一 演员一 ")]
-    public void A_name_of_several_words_is_read_when_none_is_a_number(string name, string expected)
+    public void A_name_of_several_words_is_read_without_numbers(string name, string expected)
     {
         foreach (int count in (int[])[180, 186, 354, 360])
         {
@@ -85,7 +85,7 @@ public sealed class TextLineTests
     [Theory]
     [InlineData("Char 02")]
     [InlineData("Player 1 of 2")]
-    public void A_name_of_several_words_with_a_number_is_refused_and_told_as_that(string name)
+    public void A_name_with_a_number_among_its_words_is_refused(string name)
     {
         PacketLog log = Read(Line(1, 354, "||\r\n", lead: $"0 {name} ") + Line(2, 354, "||\r\n"));
         Assert.Equal(2, ValuesOf(Assert.Single(log.Packets).Bytes)[0]);
@@ -97,7 +97,7 @@ public sealed class TextLineTests
     [InlineData(186)]
     [InlineData(354)]
     [InlineData(360)]
-    public void A_line_of_values_without_an_avatar_is_refused_and_told_as_that(int count)
+    public void A_line_without_an_avatar_is_refused(int count)
     {
         string values = string.Join(' ', Enumerable.Range(0, count).Select(static value => $"{value}.50"));
         PacketLog log = Read($"{values} ||\r\n" + Line(2, 354, "||\r\n"));
@@ -108,7 +108,7 @@ public sealed class TextLineTests
 
     // Both lines' words are no name.
     [Fact]
-    public void A_line_whose_rest_is_missing_makes_no_name_of_the_next()
+    public void A_cut_line_does_not_take_the_next_as_its_name()
     {
         PacketLog log = Read("0 Anna Lena 1.00 2.00 " + Line(1, 354, "||\r\n", lead: "0 Anna Lena "));
         Assert.Empty(log.Packets);
@@ -151,7 +151,7 @@ public sealed class TextLineTests
     [InlineData("Char00")]
     [InlineData("0x10")]
     [InlineData("1.0;")]
-    public void A_line_with_a_word_that_is_no_number_is_refused_and_the_next_is_not(string word)
+    public void A_word_among_numbers_refuses_only_its_line(string word)
     {
         PacketLog log = ReadWith(word, behind: Line(9, 180, "||\r\n"));
         Assert.Equal(9, ValuesOf(Assert.Single(log.Packets).Bytes)[0]);
@@ -159,7 +159,7 @@ public sealed class TextLineTests
     }
 
     [Fact]
-    public void The_culture_changes_nothing()
+    public void The_culture_does_not_matter()
     {
         CultureInfo before = CultureInfo.CurrentCulture;
         var foreign = (CultureInfo)CultureInfo.InvariantCulture.Clone();
@@ -201,7 +201,7 @@ public sealed class TextLineTests
     }
 
     [Fact]
-    public void A_limit_of_values_holds_for_lines_too()
+    public void The_limit_of_values_applies_to_lines()
     {
         var log = new PacketLog();
         new PacketAssembler(new PacketScanner(maxValues: 353), log).Push(Encoding.UTF8.GetBytes(Line(1, 354, "||\r\n") + Line(2, 180, "||\r\n")), 0);

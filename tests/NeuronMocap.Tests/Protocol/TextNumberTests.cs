@@ -42,7 +42,7 @@ public class TextNumberTests
     [InlineData("1.00000017881393432617187499")]
     [InlineData("1.00000017881393432617187500")]
     [InlineData("1.00000017881393432617187501")]
-    public void Edges_of_the_range_and_of_the_short_way_are_read_as_the_nearest_float(string text) => AssertNearest(text);
+    public void Edges_of_the_range_are_read_as_the_nearest_float(string text) => AssertNearest(text);
 
     [Theory]
     [InlineData("")]
@@ -62,7 +62,7 @@ public class TextNumberTests
     [InlineData("--1")]
     [InlineData("1.#")]
     [InlineData("in")]
-    public void What_is_not_a_number_is_refused(string text)
+    public void Invalid_numbers_are_refused(string text)
     {
         Assert.False(TextNumber.TryParse(Encoding.UTF8.GetBytes(text), out float _));
         Assert.False(TextNumber.TryParse(Encoding.UTF8.GetBytes(text), out double _, out _));
@@ -93,7 +93,7 @@ public class TextNumberTests
 
     // Halfway between two floats and just beside it, in as few digits as a double needs and in more than it holds.
     [Fact]
-    public void Numbers_at_and_beside_the_middle_of_two_floats_are_read_as_the_nearest_float()
+    public void Halfway_numbers_are_read_as_the_nearest_float()
     {
         var random = new Random(3);
         for (int i = 0; i < 10_000; i++)
@@ -132,7 +132,7 @@ public class TextNumberTests
 
     // The exact middle of two floats has up to 113 digits; one digit, wherever it stands behind, takes it to the upper one.
     [Fact]
-    public void The_exact_middle_of_two_floats_is_told_from_what_lies_beside_it()
+    public void Exact_halfway_numbers_are_distinguished_from_their_neighbours()
     {
         var random = new Random(6);
         for (int i = 0; i < 20_000; i++)
@@ -175,7 +175,7 @@ public class TextNumberTests
     }
 
     [Fact]
-    public void Words_that_take_the_long_way_cost_no_allocation()
+    public void The_slow_path_allocates_nothing()
     {
         byte[] word = Encoding.UTF8.GetBytes("16777217." + new string('0', 200) + "1e-3");
         Allocations.AssertNone(() => Assert.True(TextNumber.TryParse(word, out float _)));
@@ -193,7 +193,7 @@ public class TextNumberTests
     [InlineData("-90")]
     [InlineData("123456789012345")]
     [InlineData("1.23456789012345")]
-    public void Numbers_of_motion_files_are_read_in_the_plain_way(string text)
+    public void Numbers_of_motion_files_take_the_fast_path(string text)
     {
         foreach (char space in " \t\r\n\v\f")
         {
@@ -224,7 +224,7 @@ public class TextNumberTests
     [InlineData("1.234567:")]
     [InlineData("1.23456/ ")]
     [InlineData("1.2345/7 ")]
-    public void Whatever_is_not_plain_is_left_to_the_other_way(string text)
+    public void Other_numbers_take_the_slow_path(string text)
     {
         byte[] bytes = Encoding.UTF8.GetBytes(text + new string(' ', 32));
         Assert.False(TextNumber.TryParsePlain(bytes, out _, out _));
@@ -233,7 +233,7 @@ public class TextNumberTests
 
     // Both ways of reading digits, all counts of them, and what may stand behind: never another number than the framework's.
     [Fact]
-    public void What_is_read_in_the_plain_way_is_what_the_framework_reads()
+    public void The_fast_path_matches_the_framework()
     {
         var random = new Random(4);
         int plain = 0;
@@ -255,7 +255,7 @@ public class TextNumberTests
     }
 
     [Fact]
-    public void Doubles_are_read_with_the_place_of_their_last_digit()
+    public void Doubles_are_read_with_their_last_decimal_place()
     {
         Assert.True(TextNumber.TryParse("0.0080"u8, out double value, out int lastDigit));
         Assert.Equal((0.008, -4), (value, lastDigit));
@@ -265,7 +265,7 @@ public class TextNumberTests
 
     // Of the framework's parsers, every version reads these right.
     [Fact]
-    public void The_exact_reading_of_these_tests_is_the_frameworks_for_ordinary_decimals()
+    public void The_reference_parser_matches_the_framework()
     {
         var random = new Random(7);
         for (int i = 0; i < 20_000; i++)

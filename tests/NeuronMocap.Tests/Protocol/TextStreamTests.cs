@@ -45,7 +45,7 @@ public sealed class TextStreamTests
     }
 
     [Fact]
-    public void Zero_bytes_count_for_nothing_wherever_they_stand()
+    public void Zero_bytes_are_ignored_everywhere()
     {
         string line = Line(6, 180, " ||\r\n");
         PacketLog log = Read(line[..9] + "\0" + line[9..100] + "\0\0" + line[100..] + "\0\0\0" + line);
@@ -71,7 +71,7 @@ public sealed class TextStreamTests
 
     // Of 360 values the last 356 words could be the number, the name and the values of a line of 354.
     [Fact]
-    public void A_sender_that_is_heard_late_gets_no_frame_from_the_rest_of_a_line()
+    public void A_late_start_gives_no_frame_from_a_partial_line()
     {
         string line = "0 Char00 1 2 3 4 " + Line(1, 354, " ||\r\n", lead: "5 6 ");
         string rest = line[(line.IndexOf(" 5 6 ", StringComparison.Ordinal) + 1)..];
@@ -87,7 +87,7 @@ public sealed class TextStreamTests
     }
 
     [Fact]
-    public void A_sender_that_is_heard_late_is_read_from_its_first_named_line()
+    public void A_late_start_reads_from_the_first_named_line()
     {
         var log = new PacketLog();
         var assembler = new PacketAssembler(new PacketScanner(), log);
@@ -97,7 +97,7 @@ public sealed class TextStreamTests
     }
 
     [Fact]
-    public void Packets_and_lines_take_turns_on_one_connection()
+    public void Packets_and_lines_may_alternate()
     {
         byte[] stream =
         [
@@ -117,7 +117,7 @@ public sealed class TextStreamTests
     [InlineData("\n1 2 3 |")]
     [InlineData("\n0 \u00E6\u00CF")]
     [InlineData("garbage\n7")]
-    public void What_looks_like_text_never_holds_a_packet_up(string noise)
+    public void Text_never_delays_a_packet(string noise)
     {
         byte[] bytes = Encoding.Latin1.GetBytes(noise);
         foreach (byte[] packet in (byte[][])[TestPackets.Motion(1), TestPackets.Calculation(1), TestPackets.Studio(1)])
@@ -129,7 +129,7 @@ public sealed class TextStreamTests
     }
 
     [Fact]
-    public void Text_without_an_end_is_given_up_and_takes_bounded_memory()
+    public void Endless_text_takes_bounded_memory()
     {
         var log = new PacketLog();
         var assembler = new PacketAssembler(new PacketScanner(), log);

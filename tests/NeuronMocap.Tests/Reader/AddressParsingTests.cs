@@ -26,7 +26,7 @@ public sealed class AddressParsingTests : AddressContract
     [Theory]
     [InlineData("studio", "studio", 8013)]
     [InlineData("tcp://[::1]:8014/", "::1", 8014)]
-    public void An_address_of_a_command_channel_has_another_usual_port(string address, string host, int port)
+    public void A_command_address_has_its_own_default_port(string address, string host, int port)
     {
         var options = NeuronCommandOptions.Parse(address);
         Assert.Equal((host, port), (options.Host, options.Port));

@@ -9,7 +9,7 @@ namespace NeuronMocap.Tests.Reader;
 public sealed class AddressTests
 {
     [Fact]
-    public async Task Localhost_is_found_whichever_of_its_addresses_the_server_uses()
+    public async Task Localhost_is_found_on_both_addresses()
     {
         using var server = new TestServer();
         NeuronReaderOptions options = server.Options();
@@ -33,7 +33,7 @@ public sealed class AddressTests
     }
 
     [Fact]
-    public async Task An_address_that_does_not_answer_is_passed_over_for_one_that_does()
+    public async Task A_silent_address_is_skipped_for_a_working_one()
     {
         Loopback.NeedManyAddresses();
         using var blackHole = new BlackHole();
@@ -79,7 +79,7 @@ public sealed class AddressTests
     }
 
     [Fact]
-    public void A_connection_to_a_server_is_none_to_itself()
+    public void A_connection_to_a_server_is_no_self_connection()
     {
         using var server = new TestServer();
         using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);

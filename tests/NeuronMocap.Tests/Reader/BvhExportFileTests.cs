@@ -9,7 +9,7 @@ namespace NeuronMocap.Tests.Reader;
 public sealed class BvhExportFileTests : BvhExportTest
 {
     [Fact]
-    public async Task A_file_that_is_there_is_replaced_only_when_asked_for_and_only_when_a_frame_comes()
+    public async Task An_existing_file_is_replaced_only_by_option_and_with_a_frame()
     {
         await File.WriteAllTextAsync(Target, "precious", TestContext.Current.CancellationToken);
         using var reader = new NeuronReader(Server.Options());
@@ -30,7 +30,7 @@ public sealed class BvhExportFileTests : BvhExportTest
     [Theory]
     [InlineData(0)]
     [InlineData(3)]
-    public async Task A_file_that_was_there_stays_where_the_export_is_empty(int room)
+    public async Task An_empty_export_keeps_an_existing_file(int room)
     {
         await File.WriteAllTextAsync(Target, string.Empty, TestContext.Current.CancellationToken);
         await using var reader = new NeuronReader(Server.Options());
@@ -68,7 +68,7 @@ public sealed class BvhExportFileTests : BvhExportTest
     }
 
     [Fact]
-    public async Task A_file_that_cannot_be_closed_ends_the_export_as_well()
+    public async Task A_failed_close_fails_the_export()
     {
         await using var reader = new NeuronReader(Server.Options());
         await using BvhExport export = reader.ExportBvhTo(Target, options: null, static _ => new UnclosableStream());
@@ -95,7 +95,7 @@ public sealed class BvhExportFileTests : BvhExportTest
     }
 
     [Fact]
-    public async Task A_full_disk_ends_the_export_and_the_file_holds_what_is_told()
+    public async Task A_full_disk_ends_the_export_with_the_reported_frames()
     {
         const int Sent = 200;
         var events = new System.Collections.Concurrent.ConcurrentQueue<ReaderEvent>();
@@ -129,7 +129,7 @@ public sealed class BvhExportFileTests : BvhExportTest
 
     // What a process that is killed at this moment would leave behind: what the system has.
     [Fact]
-    public async Task At_any_moment_the_file_opens_with_what_was_flushed()
+    public async Task The_file_is_always_readable_up_to_the_last_flush()
     {
         await using var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticSource(240)], Port = 0 });
         broadcaster.Start();

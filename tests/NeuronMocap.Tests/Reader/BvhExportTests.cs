@@ -12,7 +12,7 @@ namespace NeuronMocap.Tests.Reader;
 public sealed class BvhExportTests : BvhExportTest
 {
     [Fact]
-    public async Task Every_frame_of_a_take_that_is_broadcast_stands_in_the_file_bit_for_bit()
+    public async Task A_broadcast_take_is_exported_bit_for_bit()
     {
         BvhDocument take = BvhDocument.Parse(NeuronTake.Write(600));
         await using var broadcaster = new Broadcaster(new BroadcasterOptions
@@ -60,7 +60,7 @@ public sealed class BvhExportTests : BvhExportTest
     }
 
     [Fact]
-    public async Task Only_the_first_avatar_is_exported_unless_asked_otherwise()
+    public async Task Only_the_first_avatar_is_exported_by_default()
     {
         byte[][] packets = [TestPackets.Motion(0, 3), TestPackets.Motion(0, 1), TestPackets.Motion(1, 3), TestPackets.Motion(1, 3, count: 17), TestPackets.Calculation(1, 3)];
         BvhExport export = await ExportAsync(packets);
@@ -84,7 +84,7 @@ public sealed class BvhExportTests : BvhExportTest
     }
 
     [Fact]
-    public async Task Another_layout_in_the_middle_begins_another_file()
+    public async Task A_changed_layout_begins_another_file()
     {
         BvhExport export = await ExportAsync([TestPackets.Motion(0), TestPackets.Motion(1, count: 180), TestPackets.Motion(2, count: 180), TestPackets.Motion(3)]);
 
@@ -95,7 +95,7 @@ public sealed class BvhExportTests : BvhExportTest
     }
 
     [Fact]
-    public async Task A_server_that_changes_its_layout_all_the_time_ends_the_export_and_not_the_reader()
+    public async Task Endless_layout_changes_end_the_export_but_not_the_reader()
     {
         byte[][] packets = [.. Enumerable.Range(0, 120).Select(static frame => TestPackets.Motion(frame, count: frame % 2 == 0 ? 180 : 354))];
         BvhExport export = await ExportAsync(packets);
@@ -105,7 +105,7 @@ public sealed class BvhExportTests : BvhExportTest
     }
 
     [Fact]
-    public async Task The_hierarchy_and_the_rotation_order_are_those_of_the_command_channel()
+    public async Task Hierarchy_and_rotation_order_come_from_the_command_channel()
     {
         var told = new SkeletonFormat(RotationOrder.ZXY, SkeletonVariant.Spine3);
         var body = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperLeg = 0.5f }, SkeletonVariant.Spine3);
@@ -123,7 +123,7 @@ public sealed class BvhExportTests : BvhExportTest
     }
 
     [Fact]
-    public async Task Without_a_header_the_bone_sizes_make_the_hierarchy()
+    public async Task Bone_sizes_replace_a_missing_header()
     {
         BoneDimensions dimensions = SkeletonBody.GetDefault().Measure() with { UpperLeg = 0.5f };
         byte[] sizes = new byte[BoneDimensions.Size];
@@ -141,7 +141,7 @@ public sealed class BvhExportTests : BvhExportTest
     }
 
     [Fact]
-    public async Task A_command_channel_that_does_not_answer_is_not_waited_for_longer_than_said()
+    public async Task A_silent_command_channel_delays_the_export_up_to_a_limit()
     {
         using var commands = new CommandScript(static _ => Task.CompletedTask);
         BvhExport export = await ExportAsync(
@@ -152,7 +152,7 @@ public sealed class BvhExportTests : BvhExportTest
     }
 
     [Fact]
-    public async Task As_many_frames_as_asked_for_are_exported()
+    public async Task The_frame_limit_ends_the_export()
     {
         BvhExport export = await ExportAsync([TestPackets.Motions(0, 300)], new BvhExportOptions { MaxFrames = 257 });
         Assert.Equal(257, export.FramesWritten);
@@ -161,7 +161,7 @@ public sealed class BvhExportTests : BvhExportTest
 
     // The writer waits for the command channel; a disk that does not answer is no different.
     [Fact]
-    public async Task What_does_not_fit_into_the_queue_is_dropped_and_counted_and_holds_up_nobody()
+    public async Task A_full_export_queue_drops_and_counts_without_blocking()
     {
         using var commands = new CommandScript(static _ => Task.CompletedTask);
         NeuronReaderOptions options = Server.Options();
@@ -182,7 +182,7 @@ public sealed class BvhExportTests : BvhExportTest
     }
 
     [Fact]
-    public async Task The_beginning_and_the_end_of_an_export_are_told()
+    public async Task Start_and_end_of_an_export_are_reported()
     {
         var events = new System.Collections.Concurrent.ConcurrentQueue<ReaderEvent>();
         var reader = new NeuronReader(Server.Options());
@@ -203,7 +203,7 @@ public sealed class BvhExportTests : BvhExportTest
     }
 
     [Fact]
-    public async Task An_export_begins_and_ends_while_the_reader_runs()
+    public async Task An_export_may_start_and_end_while_the_reader_runs()
     {
         await using var reader = new NeuronReader(Server.Options());
         reader.Start();

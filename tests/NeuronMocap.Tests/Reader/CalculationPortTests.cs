@@ -30,7 +30,7 @@ public sealed class CalculationPortTests : IDisposable
     [Theory]
     [InlineData(TransportKind.Tcp)]
     [InlineData(TransportKind.Udp)]
-    public async Task Frames_of_both_ports_come_to_all_consumers_with_one_source(TransportKind transport)
+    public async Task Frames_of_both_ports_reach_all_consumers_as_one_sender(TransportKind transport)
     {
         List<int> motionSources = [], calculationSources = [];
         FrameQueue? queue = null;
@@ -56,7 +56,7 @@ public sealed class CalculationPortTests : IDisposable
     }
 
     [Fact]
-    public async Task A_refused_calculation_port_is_told_and_does_not_stop_the_motion()
+    public async Task A_refused_calculation_port_is_reported_while_motion_continues()
     {
         int port = _calculation.Port;
         _calculation.Dispose();
@@ -85,7 +85,7 @@ public sealed class CalculationPortTests : IDisposable
 
     // Each change of the calculation port tells the first connection's state again.
     [Fact]
-    public async Task A_calculation_port_that_comes_and_goes_asks_the_command_channel_nothing_again()
+    public async Task An_unstable_calculation_port_repeats_no_commands()
     {
         using CommandScript commands = FormatDiscoveryTests.Commands(new SkeletonFormat(RotationOrder.ZXY, SkeletonVariant.Spine3));
         NeuronReaderOptions options = _motion.Options(reconnect: true);
@@ -109,7 +109,7 @@ public sealed class CalculationPortTests : IDisposable
     }
 
     [Fact]
-    public void An_ordinary_stop_is_not_told_as_a_lack_of_calculation_data()
+    public void A_normal_stop_is_not_reported_as_missing_calculation()
     {
         List<ConnectionStatus> told = [];
         var joint = new CombinedStatus(told.Add, 7003);
@@ -124,7 +124,7 @@ public sealed class CalculationPortTests : IDisposable
     }
 
     [Fact]
-    public async Task Each_connection_reconnects_by_itself()
+    public async Task Each_connection_reconnects_independently()
     {
         await using NeuronReader reader = CreateReader(TransportKind.Tcp, reconnect: true);
         reader.Start();
@@ -142,7 +142,7 @@ public sealed class CalculationPortTests : IDisposable
     }
 
     [Fact]
-    public async Task A_silent_calculation_port_is_told_though_motion_arrives()
+    public async Task A_silent_calculation_port_is_reported_while_motion_arrives()
     {
         await using NeuronReader reader = CreateReader(TransportKind.Tcp, silence: TimeSpan.FromMilliseconds(100));
         var log = new StatusLog(reader);
@@ -161,7 +161,7 @@ public sealed class CalculationPortTests : IDisposable
     }
 
     [Fact]
-    public async Task Motion_on_the_calculation_port_is_skipped_and_told()
+    public async Task Motion_on_the_calculation_port_is_skipped_and_reported()
     {
         await using NeuronReader reader = CreateReader(TransportKind.Tcp, silence: TimeSpan.FromMilliseconds(100));
         reader.Start();
@@ -248,7 +248,7 @@ public sealed class CalculationPortTests : IDisposable
     }
 
     [Fact]
-    public async Task A_restarted_server_of_two_udp_ports_goes_on_with_both()
+    public async Task A_restarted_server_continues_on_both_UDP_ports()
     {
         await using NeuronReader reader = CreateReader(TransportKind.Udp);
         for (int i = 1; i <= 2; i++)

@@ -10,7 +10,7 @@ namespace NeuronMocap.Tests.Reader;
 public sealed class ConnectionTests
 {
     [Fact]
-    public async Task A_refused_connection_says_which_setting_to_look_at()
+    public async Task A_refused_connection_names_the_setting()
     {
         int port = FreePort();
         await using var reader = new NeuronReader(new NeuronReaderOptions { Port = port, Reconnect = { Enabled = false } });
@@ -23,7 +23,7 @@ public sealed class ConnectionTests
     }
 
     [Fact]
-    public async Task A_reset_connection_says_so()
+    public async Task A_reset_connection_is_reported()
     {
         using var server = new TestServer();
         await using var reader = new NeuronReader(server.Options());
@@ -53,7 +53,7 @@ public sealed class ConnectionTests
     }
 
     [Fact]
-    public async Task A_silent_server_is_told_apart_from_one_that_sends_something_else()
+    public async Task A_silent_server_and_an_unknown_format_are_distinguished()
     {
         using var server = new TestServer();
         NeuronReaderOptions options = server.Options();
@@ -94,7 +94,7 @@ public sealed class ConnectionTests
     }
 
     [Fact]
-    public async Task A_reader_reconnects_and_goes_on_whatever_ended_the_connection()
+    public async Task A_reader_reconnects_after_every_kind_of_end()
     {
         using var server = new TestServer();
         await using var reader = new NeuronReader(server.Options(reconnect: true));
@@ -120,7 +120,7 @@ public sealed class ConnectionTests
     }
 
     [Fact]
-    public async Task A_server_that_closes_at_once_is_tried_again_only_after_a_delay()
+    public async Task A_server_that_closes_at_once_is_retried_after_a_delay()
     {
         using var server = new TestServer();
         await using var reader = new NeuronReader(server.Options(reconnect: true));
@@ -135,7 +135,7 @@ public sealed class ConnectionTests
     }
 
     [Fact]
-    public async Task A_link_that_fails_in_an_unforeseen_way_is_tried_again()
+    public async Task An_unexpected_failure_is_retried()
     {
         using var server = new TestServer();
         int links = 0;

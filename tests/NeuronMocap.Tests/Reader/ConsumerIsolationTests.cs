@@ -17,7 +17,7 @@ public sealed class ConsumerIsolationTests : IDisposable
     private readonly ManualResetEventSlim _release = new();
 
     [Fact]
-    public async Task Slow_throwing_and_stuck_consumers_lose_their_own_frames_and_nobody_elses()
+    public async Task Slow_throwing_and_stuck_consumers_lose_only_their_own_frames()
     {
         await using var reader = new NeuronReader(_server.Options());
         var called = new RunOfFrames();
@@ -72,7 +72,7 @@ public sealed class ConsumerIsolationTests : IDisposable
 
     // Each visitor leaves, and the next one comes, in the middle of the frames that the first one asked for.
     [Fact]
-    public async Task Queues_that_come_and_go_each_see_a_run_without_gaps()
+    public async Task Temporary_queues_see_no_gaps()
     {
         const int visits = 40;
         const int portion = Sent / visits;

@@ -7,7 +7,7 @@ public sealed class EventTests
     private readonly List<ReaderEvent> _events = [];
 
     [Fact]
-    public async Task States_losses_garbage_and_failures_are_told_once_each()
+    public async Task States_losses_garbage_and_failures_are_reported_once()
     {
         using var server = new TestServer();
         NeuronReaderOptions options = server.Options();
@@ -60,7 +60,7 @@ public sealed class EventTests
     }
 
     [Fact]
-    public async Task A_reader_may_be_disposed_of_by_a_handler_of_events()
+    public async Task An_event_handler_may_dispose_the_reader()
     {
         using var server = new TestServer();
         using var reader = new NeuronReader(server.Options());
@@ -76,7 +76,7 @@ public sealed class EventTests
     }
 
     [Fact]
-    public async Task A_reader_may_be_disposed_of_by_a_handler_of_losses()
+    public async Task A_loss_handler_may_dispose_the_reader()
     {
         using var server = new TestServer();
         using var reader = new NeuronReader(server.Options());
@@ -105,7 +105,7 @@ public sealed class EventTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public async Task A_stop_waits_for_a_handler_of_losses_and_nothing_comes_after_it(bool asynchronous)
+    public async Task A_stop_waits_for_a_loss_handler(bool asynchronous)
     {
         using var server = new TestServer();
         var reader = new NeuronReader(server.Options());
@@ -141,7 +141,7 @@ public sealed class EventTests
     }
 
     [Fact]
-    public async Task What_was_lost_before_anybody_listened_is_told_to_the_first_who_does()
+    public async Task Earlier_losses_are_reported_to_the_first_listener()
     {
         using var server = new TestServer();
         NeuronReaderOptions options = server.Options();
@@ -159,7 +159,7 @@ public sealed class EventTests
     }
 
     [Fact]
-    public async Task An_exception_whose_message_throws_does_not_keep_a_reader_from_ending()
+    public async Task An_exception_with_a_throwing_message_does_not_block_the_end()
     {
         using var server = new TestServer();
         using var reader = new NeuronReader(server.Options());

@@ -19,7 +19,7 @@ public sealed class FormatDiscoveryTests : IDisposable
     public void Dispose() => _server.Dispose();
 
     [Fact]
-    public async Task Frames_are_understood_as_the_command_channel_says_and_the_status_says_so()
+    public async Task The_command_channel_sets_the_format_and_the_status_shows_it()
     {
         using CommandScript commands = Commands(Told);
         (MotionFrame frame, ConnectionStatus status) = await ReceiveAsync(
@@ -31,7 +31,7 @@ public sealed class FormatDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task The_options_win_and_what_the_command_channel_says_otherwise_is_told()
+    public async Task The_options_win_over_the_command_channel_with_a_warning()
     {
         using CommandScript commands = Commands(Told);
         NeuronReaderOptions options = Options(commands);
@@ -45,7 +45,7 @@ public sealed class FormatDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task Another_variant_than_the_option_is_told()
+    public async Task A_variant_other_than_the_option_is_reported()
     {
         using CommandScript commands = Commands(Told);
         NeuronReaderOptions options = Options(commands);
@@ -58,7 +58,7 @@ public sealed class FormatDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task A_command_channel_that_does_not_answer_is_told_and_frames_come_all_the_same()
+    public async Task A_silent_command_channel_is_reported_while_frames_arrive()
     {
         using var nobody = new TestServer();
         int port = nobody.Port;
@@ -74,7 +74,7 @@ public sealed class FormatDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task A_header_of_another_skeleton_leaves_the_variant_and_is_told()
+    public async Task A_header_of_another_skeleton_is_reported()
     {
         const string Other = "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 3 Yrotation Xrotation Zrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n";
         using var commands = new CommandScript(request => request.ReplyAsync(request.Id == 1003 ? [2, 0, 0, 0] : Encoding.ASCII.GetBytes(Other)));
@@ -103,7 +103,7 @@ public sealed class FormatDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task Who_was_not_answered_asks_again_while_the_connection_stands()
+    public async Task Unanswered_requests_are_repeated_on_the_connection()
     {
         int requests = 0;
         using var commands = new CommandScript(request => Interlocked.Increment(ref requests) == 1 ? request.ReplyAsync([9, 0, 0, 0]) : AnswerAsync(request, Told));
@@ -124,7 +124,7 @@ public sealed class FormatDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task An_exception_that_nobody_expects_is_told_and_the_server_is_asked_again()
+    public async Task An_unexpected_exception_is_reported_and_the_request_repeated()
     {
         using CommandScript commands = Commands(Told);
         int calls = 0;
@@ -148,7 +148,7 @@ public sealed class FormatDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public void One_port_cannot_be_that_of_frames_and_of_commands()
+    public void Data_and_command_port_must_differ()
     {
         ArgumentException exception = Assert.Throws<ArgumentException>(() => new NeuronReader(new NeuronReaderOptions { Port = 7001, CommandPort = 7001 }));
         Assert.Contains("CommandPort and Port are both 7001", exception.Message, StringComparison.Ordinal);
@@ -156,7 +156,7 @@ public sealed class FormatDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task A_reader_that_waits_for_the_answer_stops_at_once()
+    public async Task A_reader_waiting_for_an_answer_stops_at_once()
     {
         var asked = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         using var commands = new CommandScript(_ =>

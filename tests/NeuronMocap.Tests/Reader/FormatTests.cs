@@ -18,7 +18,7 @@ public sealed class FormatTests
 
     [Theory]
     [MemberData(nameof(Ways))]
-    public async Task Every_frame_arrives_as_the_source_made_it(BroadcastFormat format, bool isOld, int? fragment, bool isUdp)
+    public async Task Every_frame_arrives_unchanged(BroadcastFormat format, bool isOld, int? fragment, bool isUdp)
     {
         BroadcasterOptions options = CreateOptions(format, isOld, fragment);
         NeuronReader? listening = isUdp ? await ListenAsync(options) : null;

@@ -22,7 +22,7 @@ public abstract class HostileServerTests
     [InlineData(64)]
     [InlineData(700)]
     [InlineData(1479)]
-    public async Task A_reset_in_mid_frame_costs_that_frame_and_the_next_connection_starts_afresh(int cut)
+    public async Task A_reset_within_a_frame_loses_only_that_frame(int cut)
     {
         NeuronReader? reader = null;
         await using Broadcaster broadcaster = Started();
@@ -57,7 +57,7 @@ public abstract class HostileServerTests
     }
 
     [Fact]
-    public async Task A_half_closed_connection_is_an_end_and_what_came_before_it_is_delivered()
+    public async Task A_half_closed_connection_delivers_everything_before_the_end()
     {
         await using Broadcaster broadcaster = Started();
         await using var proxy = new FaultProxy(broadcaster.LocalEndPoint!, async link =>
@@ -79,7 +79,7 @@ public abstract class HostileServerTests
     [Theory]
     [InlineData(1)]
     [InlineData(61)]
-    public async Task A_stream_that_drips_loses_nothing(int pieceSize)
+    public async Task A_slow_stream_loses_nothing(int pieceSize)
     {
         await using Broadcaster broadcaster = Started();
         await using var proxy = new FaultProxy(broadcaster.LocalEndPoint!, async link =>
@@ -97,7 +97,7 @@ public abstract class HostileServerTests
     }
 
     [Fact]
-    public async Task Pauses_between_frames_and_in_one_are_told_and_lose_nothing()
+    public async Task Pauses_are_reported_and_lose_nothing()
     {
         NeuronReader? told = null;
         await using Broadcaster broadcaster = Started();
@@ -131,7 +131,7 @@ public abstract class HostileServerTests
     }
 
     [Fact]
-    public async Task Bytes_lost_and_bytes_put_in_between_cost_no_more_than_the_frames_they_hit()
+    public async Task Lost_and_inserted_bytes_lose_only_the_frames_they_hit()
     {
         byte[] noise = [.. Enumerable.Repeat((byte)0xFF, 1000)];
         await using Broadcaster broadcaster = Started();
@@ -154,7 +154,7 @@ public abstract class HostileServerTests
     }
 
     [Fact]
-    public async Task Counts_of_four_billion_are_refused_before_anything_waits_for_them()
+    public async Task Counts_of_four_billion_are_refused_at_once()
     {
         byte[] calculation = TestPackets.Calculation(1, count: 0);
         calculation.AsSpan(6, 4).Fill(0xFF);

@@ -37,7 +37,7 @@ public sealed class LostReaderTests : IDisposable
     }
 
     [Fact]
-    public async Task A_reader_that_runs_goes_on_though_nobody_refers_to_it()
+    public async Task A_running_reader_is_not_collected()
     {
         using var received = new CountdownEvent(2);
         Lose(received);

@@ -15,7 +15,7 @@ namespace NeuronMocap.Tests.Reader;
 public sealed class PacketFateTests
 {
     [Fact]
-    public void Every_packet_and_every_byte_has_one_fate()
+    public void Every_packet_and_byte_is_counted_once()
     {
         Gen<FateCase> cases =
             from stream in WireStream.Any

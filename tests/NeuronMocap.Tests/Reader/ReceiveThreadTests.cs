@@ -12,7 +12,7 @@ public sealed partial class ReceiveThreadTests : IDisposable
     [InlineData(ReceiveThread.Auto)]
     [InlineData(ReceiveThread.Dedicated)]
     [InlineData(ReceiveThread.Pool)]
-    public async Task The_status_says_which_thread_runs_the_handlers(ReceiveThread wanted)
+    public async Task The_status_names_the_receive_thread(ReceiveThread wanted)
     {
         NeuronReaderOptions options = _server.Options();
         options.ReceiveThread = wanted;
@@ -38,7 +38,7 @@ public sealed partial class ReceiveThreadTests : IDisposable
     }
 
     [Fact]
-    public void A_kind_of_thread_that_there_is_not_is_refused()
+    public void An_unknown_thread_option_is_refused()
     {
         var exception = Assert.Throws<ArgumentException>(() => new NeuronReader(new NeuronReaderOptions { ReceiveThread = (ReceiveThread)3 }));
         Assert.Contains("ReceiveThread", exception.Message, StringComparison.Ordinal);

@@ -15,7 +15,7 @@ public sealed partial class ReceiveThreadTests
     };
 
     [Fact]
-    public async Task A_udp_port_gets_a_thread_where_it_is_asked_for()
+    public async Task A_udp_port_gets_a_thread_on_request()
     {
         await using var reader = new NeuronReader(Udp);
         bool? isPooled = null;

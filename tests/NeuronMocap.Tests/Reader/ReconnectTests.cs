@@ -12,7 +12,7 @@ public sealed class ReconnectTests
     private const int Restarts = 1000;
 
     [Fact]
-    public async Task A_server_that_is_restarted_a_thousand_times_costs_nothing_but_what_it_cut()
+    public async Task A_thousand_restarts_lose_only_cut_frames()
     {
         int sockets = ProcessResources.Sockets;
         int threads = ProcessResources.LibraryThreads;
@@ -125,7 +125,7 @@ public sealed class ReconnectTests
     }
 
     [Fact]
-    public async Task A_real_broadcast_that_is_restarted_is_found_again_each_time()
+    public async Task A_restarted_broadcast_is_found_again_each_time()
     {
         BroadcasterOptions options = Expect.Options();
         options.FrameRate = 1000;

@@ -31,7 +31,7 @@ public sealed class ServerDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task An_export_a_recording_and_a_program_share_the_answers_of_a_connection()
+    public async Task Export_recording_and_program_share_a_connections_answers()
     {
         using CommandScript commands = Commands(_ => Tall(0.5f));
         await using var reader = new NeuronReader(Options(commands));
@@ -59,7 +59,7 @@ public sealed class ServerDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task A_new_connection_asks_for_the_bodies_again()
+    public async Task A_new_connection_requests_the_bodies_again()
     {
         float leg = 0.5f;
         using CommandScript commands = Commands(_ => Tall(Volatile.Read(ref leg)));
@@ -79,7 +79,7 @@ public sealed class ServerDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task Without_a_header_the_sizes_make_the_body()
+    public async Task Bone_sizes_make_the_body_without_a_header()
     {
         byte[] sizes = new byte[BoneDimensions.Size];
         Tall(0.5f).Measure().Write(sizes);
@@ -96,7 +96,7 @@ public sealed class ServerDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public void Without_a_command_port_there_is_no_body()
+    public void There_is_no_body_without_a_command_port()
     {
         using var reader = new NeuronReader(_server.Options());
         Assert.False(reader.TryGetBody(0, out SkeletonBody? body));
@@ -104,7 +104,7 @@ public sealed class ServerDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task Made_up_avatars_are_not_asked_for_without_end()
+    public async Task Requests_for_forged_avatars_are_limited()
     {
         using CommandScript commands = Commands(_ => Tall(0.5f));
         using ServerDiscovery discovery = Create(commands);
@@ -117,7 +117,7 @@ public sealed class ServerDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task A_known_body_costs_no_allocation()
+    public async Task A_known_body_allocates_nothing()
     {
         using CommandScript commands = Commands(_ => Tall(0.5f));
         using ServerDiscovery discovery = Create(commands);
@@ -128,7 +128,7 @@ public sealed class ServerDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task A_server_that_fails_again_and_again_is_asked_less_and_less_often()
+    public async Task A_failing_server_is_asked_less_and_less_often()
     {
         int requests = 0;
         using var commands = new CommandScript(request =>
@@ -165,7 +165,7 @@ public sealed class ServerDiscoveryTests : IDisposable
     }
 
     [Fact]
-    public async Task A_new_avatar_asks_a_server_that_does_not_answer_only_once()
+    public async Task A_new_avatar_asks_a_silent_server_once()
     {
         int requests = 0;
         using var commands = new CommandScript(request =>

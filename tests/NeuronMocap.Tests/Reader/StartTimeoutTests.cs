@@ -7,7 +7,7 @@ public sealed class StartTimeoutTests
     private static readonly TimeSpan Short = TimeSpan.FromSeconds(2);
 
     [Fact]
-    public async Task A_server_that_refuses_ends_the_wait_with_its_reason_and_the_reader_goes_on()
+    public async Task A_refusal_ends_the_wait_with_its_reason_and_the_reader_continues()
     {
         using var nobody = new RefusingPort();
         await using var reader = new NeuronReader(new NeuronReaderOptions
@@ -62,7 +62,7 @@ public sealed class StartTimeoutTests
     [InlineData(0)]
     [InlineData(-1)]
     [InlineData(25 * 24 * 3600)]
-    public async Task A_time_out_of_range_is_refused_before_the_start(int seconds)
+    public async Task A_timeout_out_of_range_is_refused_before_the_start(int seconds)
     {
         using var reader = new NeuronReader("127.0.0.1");
         await Assert.ThrowsAsync<ArgumentOutOfRangeException>(() => reader.StartAsync(TimeSpan.FromSeconds(seconds)));

@@ -7,7 +7,7 @@ namespace NeuronMocap.Tests.Reader;
 public sealed partial class StarvedStartTests
 {
     [Fact]
-    public Task A_udp_port_with_a_thread_of_its_own_starts_receives_and_stops_without_the_pool() => StarvedPool.RunAsync(() =>
+    public Task A_UDP_port_with_its_own_thread_needs_no_pool() => StarvedPool.RunAsync(() =>
     {
         var reader = new NeuronReader(new NeuronReaderOptions
         {

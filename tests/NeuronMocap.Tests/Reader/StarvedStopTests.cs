@@ -15,7 +15,7 @@ public sealed partial class StarvedStopTests : IDisposable
     public void Dispose() => _server.Dispose();
 
     [Fact]
-    public Task Of_a_start_that_no_thread_had_time_for()
+    public Task Before_any_thread_ran()
     {
         NeuronReaderOptions options = _server.Options();
         options.ReceiveThread = ReceiveThread.Pool;
@@ -61,7 +61,7 @@ public sealed partial class StarvedStopTests : IDisposable
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public async Task Of_a_udp_port(bool receives)
+    public async Task While_receiving_UDP(bool receives)
     {
         await using UdpEnd end = await UdpEnd.StartAsync();
         if (receives)

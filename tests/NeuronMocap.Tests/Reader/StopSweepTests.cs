@@ -62,7 +62,7 @@ public sealed partial class StopSweepTests(ITestOutputHelper output)
 
     [Theory]
     [MemberData(nameof(All))]
-    public Task Every_stop_ends_by_itself_and_nothing_is_left(Situation situation, Stopping stopping) =>
+    public Task Every_stop_completes_and_leaves_nothing(Situation situation, Stopping stopping) =>
         SweepAsync(situation, stopping, static () => TcpReceivers.Shared.Take());
 
     private async Task SweepAsync(Situation situation, Stopping stopping, Func<TcpReceiver> takeReceiver)

@@ -21,6 +21,6 @@ public sealed partial class StopSweepTests
 
     [Theory]
     [MemberData(nameof(Pooled))]
-    public Task No_stop_of_a_connection_without_a_thread_takes_a_second_and_nothing_is_left(Situation situation, Stopping stopping) =>
+    public Task Stopping_a_connection_without_a_thread_is_fast_and_leaves_nothing(Situation situation, Stopping stopping) =>
         SweepAsync(situation, stopping, static () => new PooledTcpReceiver());
 }

@@ -168,7 +168,7 @@ public sealed class StopTests
     }
 
     [Fact]
-    public async Task A_status_handler_that_is_still_busy_is_waited_for_and_none_comes_after_the_end()
+    public async Task A_stop_waits_for_a_busy_status_handler_and_none_follows()
     {
         using var server = new TestServer();
         NeuronReaderOptions options = server.Options(reconnect: true);
@@ -199,7 +199,7 @@ public sealed class StopTests
     }
 
     [Fact]
-    public async Task A_handler_that_is_still_busy_is_waited_for()
+    public async Task A_stop_waits_for_a_busy_handler()
     {
         using var server = new TestServer();
         var reader = new NeuronReader(server.Options());
@@ -225,7 +225,7 @@ public sealed class StopTests
     }
 
     [Fact]
-    public async Task A_handler_of_the_end_that_does_not_return_is_left_behind()
+    public async Task A_stuck_handler_of_the_end_is_abandoned()
     {
         using var server = new TestServer();
         NeuronReaderOptions options = server.Options(reconnect: true);

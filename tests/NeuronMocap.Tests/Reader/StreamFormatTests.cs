@@ -22,7 +22,7 @@ public sealed class StreamFormatTests
 
     [Theory]
     [MemberData(nameof(Streams))]
-    public async Task The_status_says_what_arrives(string name, StreamFormat format, string text)
+    public async Task The_status_describes_the_stream(string name, StreamFormat format, string text)
     {
         using var server = new TestServer();
         await using var reader = new NeuronReader(server.Options());
@@ -38,7 +38,7 @@ public sealed class StreamFormatTests
     }
 
     [Fact]
-    public async Task A_change_in_the_middle_of_a_connection_is_told_again()
+    public async Task A_change_within_a_connection_is_reported()
     {
         using var server = new TestServer();
         await using var reader = new NeuronReader(server.Options());
@@ -62,7 +62,7 @@ public sealed class StreamFormatTests
     }
 
     [Fact]
-    public async Task A_stream_that_changes_with_every_frame_is_not_told_with_every_frame()
+    public async Task Constant_changes_are_reported_at_intervals()
     {
         using var server = new TestServer();
         await using var reader = new NeuronReader(server.Options());
@@ -116,7 +116,7 @@ public sealed class StreamFormatTests
     }
 
     [Fact]
-    public async Task What_is_learnt_otherwise_is_told_and_used_from_then_on()
+    public async Task A_format_learnt_later_is_reported_and_used()
     {
         using var server = new TestServer();
         await using var reader = new NeuronReader(server.Options());
@@ -135,7 +135,7 @@ public sealed class StreamFormatTests
     }
 
     [Fact]
-    public async Task Datagrams_that_begin_in_the_middle_of_a_line_are_no_unknown_format()
+    public async Task Datagrams_that_begin_within_a_line_are_recognised()
     {
         NeuronReaderOptions options = new() { Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0, SilenceTimeout = TimeSpan.FromSeconds(0.1) };
         await using var reader = new NeuronReader(options);
@@ -162,7 +162,7 @@ public sealed class StreamFormatTests
     [Theory]
     [InlineData("0 Char00 ")]
     [InlineData("0 Anna Lena ")]
-    public async Task A_lost_piece_of_a_line_costs_that_line_alone(string lead)
+    public async Task A_lost_piece_loses_only_its_line(string lead)
     {
         await using var reader = new NeuronReader(new NeuronReaderOptions { Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0 });
         using FrameQueue queue = reader.OpenQueue();
@@ -184,7 +184,7 @@ public sealed class StreamFormatTests
     }
 
     [Fact]
-    public async Task Lines_of_another_skeleton_are_told_with_what_to_change()
+    public async Task Lines_of_another_skeleton_name_the_setting()
     {
         using var server = new TestServer();
         NeuronReaderOptions options = server.Options();
@@ -206,7 +206,7 @@ public sealed class StreamFormatTests
     [Theory]
     [InlineData("")]
     [InlineData("12.50 0.25 ||\r\n")]
-    public async Task A_name_with_a_space_and_a_number_is_told_with_what_to_change(string rest)
+    public async Task An_ambiguous_avatar_name_names_the_setting(string rest)
     {
         using var server = new TestServer();
         NeuronReaderOptions options = server.Options();
@@ -224,7 +224,7 @@ public sealed class StreamFormatTests
     }
 
     [Fact]
-    public async Task Axis_studios_calculation_frames_come_by_all_four_ways_and_are_counted()
+    public async Task Axis_Studio_calculation_frames_reach_every_consumer()
     {
         using var server = new TestServer();
         await using var reader = new NeuronReader(server.Options());

@@ -16,7 +16,7 @@ public sealed class StreamRecognizerTests
     private long _now = 1;
 
     [Fact]
-    public void Of_two_senders_that_both_go_on_the_first_is_told()
+    public void The_first_of_two_active_senders_is_reported()
     {
         for (int i = 0; i < 500; i++)
         {
@@ -27,7 +27,7 @@ public sealed class StreamRecognizerTests
     }
 
     [Fact]
-    public void A_sender_that_stopped_makes_room_after_a_second_and_does_not_push_itself_in_again()
+    public void A_stopped_sender_makes_room_after_a_second()
     {
         Receive(Studio, source: 0);
         for (int i = 0; i < 90; i++)

@@ -18,7 +18,7 @@ public class TakeTests
     [InlineData(1480)]
     [InlineData(1481)]
     [InlineData(65_536)]
-    public async Task Every_value_of_the_file_arrives_whatever_the_pieces(int? fragment)
+    public async Task Every_value_of_the_file_arrives_in_any_pieces(int? fragment)
     {
         BvhDocument take = Load();
         await using var broadcaster = new Broadcaster(new BroadcasterOptions
@@ -45,7 +45,7 @@ public class TakeTests
     }
 
     [Fact]
-    public async Task With_displacement_the_positions_are_the_files_offsets_and_the_rotations_its_values()
+    public async Task Positions_with_displacement_are_the_files_offsets()
     {
         BvhDocument take = Load();
         await using var broadcaster = new Broadcaster(new BroadcasterOptions

@@ -17,7 +17,7 @@ public sealed class TcpReaderTests : IDisposable
     [InlineData(1481)]
     [InlineData(65_536)]
     [InlineData(int.MaxValue)]
-    public async Task Every_frame_arrives_once_and_in_order_however_it_was_cut(int pieceSize)
+    public async Task Every_frame_arrives_once_and_in_order_at_every_split(int pieceSize)
     {
         await using var reader = new NeuronReader(_server.Options());
         List<MotionFrame> called = [];
@@ -94,7 +94,7 @@ public sealed class TcpReaderTests : IDisposable
     }
 
     [Fact]
-    public async Task Values_over_the_limit_are_skipped_and_counted()
+    public async Task Packets_over_the_limit_are_skipped_and_counted()
     {
         NeuronReaderOptions options = _server.Options();
         options.MaxValues = 354;
@@ -109,7 +109,7 @@ public sealed class TcpReaderTests : IDisposable
     }
 
     [Fact]
-    public async Task Several_readers_in_one_process_do_not_disturb_each_other()
+    public async Task Several_readers_are_independent()
     {
         NeuronReader[] readers = [.. Enumerable.Range(0, 5).Select(_ => new NeuronReader(_server.Options()))];
         foreach (NeuronReader reader in readers)
@@ -131,7 +131,7 @@ public sealed class TcpReaderTests : IDisposable
     }
 
     [Fact]
-    public async Task A_throwing_handler_is_surfaced_and_counted_and_disturbs_nobody()
+    public async Task A_throwing_handler_is_reported_and_isolated()
     {
         await using var reader = new NeuronReader(_server.Options());
         int others = 0;
@@ -154,7 +154,7 @@ public sealed class TcpReaderTests : IDisposable
     }
 
     [Fact]
-    public async Task A_queue_that_nobody_pumps_drops_the_newest_and_stops_nobody()
+    public async Task An_unpumped_queue_drops_without_blocking()
     {
         await using var reader = new NeuronReader(_server.Options());
         using FrameQueue idle = reader.OpenQueue(capacity: 8);
@@ -173,7 +173,7 @@ public sealed class TcpReaderTests : IDisposable
     }
 
     [Fact]
-    public async Task An_enumeration_gives_frames_to_keep_and_ends_with_the_connection()
+    public async Task An_enumeration_gives_lasting_frames_and_ends_with_the_connection()
     {
         await using var reader = new NeuronReader(_server.Options());
         Task<List<MotionFrame>> reading = Task.Run(async () =>

@@ -11,7 +11,7 @@ public sealed class TracedFailureTests
     [InlineData(false, false, 1)]
     [InlineData(true, false, 0)]
     [InlineData(false, true, 0)]
-    public async Task The_first_exception_of_a_handler_is_traced_unless_somebody_is_told_otherwise(bool hasFailureHandler, bool hasEventHandler, int traced)
+    public async Task The_first_unhandled_handler_exception_is_traced(bool hasFailureHandler, bool hasEventHandler, int traced)
     {
         using var server = new TestServer();
         NeuronReaderOptions options = server.Options();
@@ -43,7 +43,7 @@ public sealed class TracedFailureTests
     }
 
     [Fact]
-    public async Task A_listener_that_throws_harms_nothing()
+    public async Task A_throwing_listener_is_harmless()
     {
         using var server = new TestServer();
         NeuronReaderOptions options = server.Options();

@@ -58,7 +58,7 @@ public sealed class UdpFaultTests
     }
 
     [Fact]
-    public async Task Many_senders_in_turn_are_told_apart()
+    public async Task Many_alternating_senders_are_distinguished()
     {
         const int Senders = 60;
         await using UdpEnd end = await UdpEnd.StartAsync();
@@ -75,7 +75,7 @@ public sealed class UdpFaultTests
     }
 
     [Fact]
-    public async Task The_largest_datagrams_there_are_lose_nothing()
+    public async Task The_largest_datagrams_lose_nothing()
     {
         const int Largest = 65_507;
         await using UdpEnd end = await UdpEnd.StartAsync();
@@ -100,7 +100,7 @@ public sealed class UdpFaultTests
     }
 
     [Fact]
-    public async Task Several_readers_of_one_port_each_get_what_is_broadcast_and_one_of_them_what_is_not()
+    public async Task Readers_of_one_port_all_get_broadcasts_and_one_gets_unicasts()
     {
         await using UdpEnd first = await UdpEnd.StartAsync(options =>
         {

@@ -35,7 +35,7 @@ public sealed class UdpReaderTests
     }
 
     [Fact]
-    public async Task Two_senders_of_the_same_avatar_are_told_apart()
+    public async Task Two_senders_of_the_same_avatar_are_distinguished()
     {
         await using NeuronReader reader = await StartAsync();
         using FrameQueue queue = reader.OpenQueue();
@@ -57,7 +57,7 @@ public sealed class UdpReaderTests
     }
 
     [Fact]
-    public async Task A_port_in_use_says_so()
+    public async Task A_port_in_use_is_reported()
     {
         using var other = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         other.Bind(new IPEndPoint(IPAddress.Any, 0));
@@ -69,7 +69,7 @@ public sealed class UdpReaderTests
     }
 
     [Fact]
-    public async Task The_status_tells_the_receive_buffer_that_the_system_grants()
+    public async Task The_status_shows_the_granted_receive_buffer()
     {
         await using NeuronReader reader = await StartAsync();
         using var other = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ReceiveBufferSize = 4 * 1024 * 1024 };
@@ -98,7 +98,7 @@ public sealed class UdpReaderTests
     }
 
     [Fact]
-    public async Task An_empty_and_a_huge_datagram_do_no_harm()
+    public async Task Empty_and_huge_datagrams_are_harmless()
     {
         await using NeuronReader reader = await StartAsync();
         using Socket sender = Sender(reader);

@@ -21,7 +21,7 @@ public sealed class UdpRestartTests : IDisposable
     [Theory]
     [InlineData(240, 240)]
     [InlineData(30, 30)]
-    public async Task A_restarted_server_goes_on_in_the_one_file_of_an_export(int before, int after)
+    public async Task A_restarted_server_continues_the_exported_file(int before, int after)
     {
         await using UdpEnd end = await UdpEnd.StartAsync();
         using BvhExport export = end.Reader.ExportBvh(Target, new BvhExportOptions { FrameTime = BvhFrameTime.Default });
@@ -38,7 +38,7 @@ public sealed class UdpRestartTests : IDisposable
 
     // Whether the stop comes before or after the wait for the old port's silence.
     [Fact]
-    public async Task Frames_that_wait_when_the_reader_is_stopped_are_counted()
+    public async Task Waiting_frames_are_counted_when_the_reader_stops()
     {
         await using UdpEnd end = await UdpEnd.StartAsync();
         await SendAsync(end, end.CreateSender(), 10);
@@ -52,7 +52,7 @@ public sealed class UdpRestartTests : IDisposable
     }
 
     [Fact]
-    public async Task Two_servers_of_a_computer_that_both_live_stay_two()
+    public async Task Two_active_servers_of_a_computer_stay_separate()
     {
         await using UdpEnd end = await UdpEnd.StartAsync();
         using BvhExport export = end.Reader.ExportBvh(Target, new BvhExportOptions { FrameTime = BvhFrameTime.Default });
@@ -70,7 +70,7 @@ public sealed class UdpRestartTests : IDisposable
     }
 
     [Fact]
-    public async Task A_flood_from_a_thousand_ports_of_the_servers_address_leaves_its_export_whole()
+    public async Task A_flood_from_the_servers_address_leaves_its_export_complete()
     {
         const int Frames = 300;
         await using UdpEnd end = await UdpEnd.StartAsync();
@@ -125,7 +125,7 @@ public sealed class UdpRestartTests : IDisposable
     }
 
     [Fact]
-    public async Task Frames_of_a_restarted_server_arrive_though_nothing_follows_them()
+    public async Task The_last_frames_of_a_restarted_server_arrive()
     {
         await using UdpEnd end = await UdpEnd.StartAsync();
         await end.SendAsync(end.CreateSender(), TestPackets.Motion(1));
@@ -138,7 +138,7 @@ public sealed class UdpRestartTests : IDisposable
     // one is handed out when the first port has been silent for a quarter of a second. On a busy computer it may arrive later than that, and waits
     // for nothing: then it is tried again.
     [Fact]
-    public async Task Frames_that_waited_keep_the_time_of_their_arrival()
+    public async Task Delayed_frames_keep_their_arrival_time()
     {
         for (int attempt = 0; attempt < 20; attempt++)
         {

@@ -11,7 +11,7 @@ namespace NeuronMocap.Tests.Reader;
 public sealed class UdpSenderTests
 {
     [Fact]
-    public async Task Datagrams_of_senders_that_are_not_allowed_are_dropped_and_counted()
+    public async Task Datagrams_of_blocked_senders_are_dropped_and_counted()
     {
         Loopback.NeedManyAddresses();
         await using UdpEnd end = await UdpEnd.StartAsync(options => options.AllowedSenders = [IPAddress.Parse("127.0.77.6"), IPAddress.Parse("127.0.77.7")]);
@@ -31,7 +31,7 @@ public sealed class UdpSenderTests
     }
 
     [Fact]
-    public async Task Where_only_others_send_the_silence_names_them_and_the_setting()
+    public async Task Silence_names_blocked_senders_and_the_setting()
     {
         Loopback.NeedManyAddresses();
         await using UdpEnd end = await UdpEnd.StartAsync(options => options.AllowedSenders = [IPAddress.Parse("127.0.77.6")]);
@@ -58,7 +58,7 @@ public sealed class UdpSenderTests
     }
 
     [Fact]
-    public async Task Allowed_senders_are_known_by_their_ipv6_addresses_too()
+    public async Task Allowed_senders_match_their_IPv6_addresses()
     {
         Loopback.NeedIPv6();
         foreach (bool isAllowed in (bool[])[true, false])
@@ -92,7 +92,7 @@ public sealed class UdpSenderTests
     }
 
     [Fact]
-    public async Task A_reader_listens_on_every_interface_unless_told_and_a_broadcaster_on_loopback()
+    public async Task A_reader_defaults_to_every_interface_and_a_broadcaster_to_loopback()
     {
         await using UdpEnd end = await UdpEnd.StartAsync(options => options.LocalAddress = null);
         Assert.Equal(IPAddress.Any, end.EndPoint.Address);
@@ -102,7 +102,7 @@ public sealed class UdpSenderTests
     }
 
     [Fact]
-    public async Task A_reader_that_is_bound_to_an_address_hears_nothing_of_another()
+    public async Task A_reader_bound_to_an_address_ignores_others()
     {
         Loopback.NeedManyAddresses();
         await using UdpEnd end = await UdpEnd.StartAsync(options => options.LocalAddress = IPAddress.Parse("127.0.77.9"));
@@ -121,7 +121,7 @@ public sealed class UdpSenderTests
 public sealed class UdpFloodTests
 {
     [Fact]
-    public async Task A_flood_from_thousands_of_senders_keeps_memory_bounded_and_a_real_sender_loses_nothing()
+    public async Task A_flood_of_senders_takes_bounded_memory_and_loses_no_real_frames()
     {
         Loopback.NeedManyAddresses();
         const int Forged = 5000;

@@ -7,7 +7,7 @@ namespace NeuronMocap.Tests.Retargeting;
 public sealed class BoneWeightsTests
 {
     [Fact]
-    public void Each_joint_bends_as_far_as_its_weight_says()
+    public void Each_joint_bends_by_its_weight()
     {
         for (int seed = 0; seed < 300; seed++)
         {
@@ -41,7 +41,7 @@ public sealed class BoneWeightsTests
     }
 
     [Fact]
-    public void Without_weight_a_bone_is_at_rest_and_what_hangs_from_it_bends_as_before()
+    public void A_bone_without_weight_rests_and_its_children_still_bend()
     {
         TargetRig rig = new RandomRig(1, RigScales.None, HumanoidBoneSet.All).Create();
         BoneTransform[] pose = RandomPoses.Pose(new Random(2));
@@ -94,7 +94,7 @@ public sealed class BoneWeightsTests
     [InlineData(BodyParts.RightLeg)]
     [InlineData(BodyParts.Legs)]
     [InlineData(BodyParts.All)]
-    public void A_mask_drives_its_parts_and_no_others(BodyParts parts)
+    public void A_mask_drives_only_its_parts(BodyParts parts)
     {
         RetargetedPose humanoid = Retarget(TestRigs.Humanoid(), RandomPoses.Pose(new Random(6)), BoneWeights.Only(parts));
         foreach (HumanoidBone bone in TestRigs.Order)
@@ -140,7 +140,7 @@ public sealed class BoneWeightsTests
     }
 
     [Fact]
-    public void Bones_of_a_generic_rig_have_weights_of_their_own()
+    public void Bones_of_a_generic_rig_have_their_own_weights()
     {
         TargetRig rig = TestRigs.Actor(SkeletonBody.GetDefault());
         BoneTransform[] pose = RandomPoses.Pose(new Random(8));
@@ -178,7 +178,7 @@ public sealed class BoneWeightsTests
     }
 
     [Fact]
-    public void No_such_bone_or_part()
+    public void Unknown_bones_and_parts_are_refused()
     {
         var weights = new BoneWeights();
         Assert.Throws<ArgumentOutOfRangeException>(() => weights[(HumanoidBone)55]);

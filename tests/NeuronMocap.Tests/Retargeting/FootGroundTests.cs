@@ -25,7 +25,7 @@ public sealed class FootGroundTests
     }
 
     [Fact]
-    public void The_feet_settle_on_the_ground_that_is_set_and_the_hips_follow()
+    public void Feet_settle_on_the_given_ground_and_hips_follow()
     {
         foreach (float height in new[] { -0.04f, 0, 0.03f })
         {
@@ -42,7 +42,7 @@ public sealed class FootGroundTests
     }
 
     [Fact]
-    public void Ground_that_is_learnt_is_where_the_feet_come_down()
+    public void The_ground_is_learnt_from_the_feet()
     {
         FootWalk walk = FootWalk.OfActor(
             new StandingRig().Create(), Rate, 8, options: new RetargetOptions { HeightOffset = 0.5f }, planting: new FootPlanterOptions { GroundHeight = null });
@@ -55,7 +55,7 @@ public sealed class FootGroundTests
     }
 
     [Fact]
-    public void Ground_that_is_set_anew_takes_standing_feet_along()
+    public void Changing_the_ground_moves_standing_feet()
     {
         double time = Stand(0, 1);
         foreach (float height in new[] { 0.03f, 0.05f, -0.02f, 0 })
@@ -72,7 +72,7 @@ public sealed class FootGroundTests
     }
 
     [Fact]
-    public void Ground_that_moves_carries_the_feet()
+    public void Moving_ground_carries_the_feet()
     {
         double time = Stand(0, 1);
         for (int frame = 1; frame <= 60; frame++)
@@ -84,7 +84,7 @@ public sealed class FootGroundTests
     }
 
     [Fact]
-    public void A_clock_that_begins_again_begins_anew()
+    public void A_restarted_clock_resets_the_planter()
     {
         Stand(100, 1);
         _planter.Options.GroundHeight = 0.03f;
@@ -98,7 +98,7 @@ public sealed class FootGroundTests
     [Theory]
     [InlineData(0.4)]
     [InlineData(0.9)]
-    public void A_step_in_frames_that_were_missed_is_a_step(double missed)
+    public void A_step_within_missed_frames_is_a_step(double missed)
     {
         var actor = new SyntheticSource(Rate);
         int gap = (int)(missed * Rate);

@@ -11,7 +11,7 @@ public sealed class FootPlanterOptionsTests
     [Theory]
     [InlineData(FootRotation.Keep)]
     [InlineData(FootRotation.Flatten)]
-    public void The_sole_is_kept_as_the_actor_has_it_or_flat(FootRotation rotation)
+    public void The_sole_follows_the_actor_or_stays_flat(FootRotation rotation)
     {
         TargetRig rig = new StandingRig().WithAxes(new Random(3)).Create();
         var walk = new FootWalk(rig, SkeletonBody.GetDefault(), Rate, planting: new FootPlanterOptions { FootRotation = rotation });
@@ -30,7 +30,7 @@ public sealed class FootPlanterOptionsTests
     }
 
     [Fact]
-    public void Legs_and_hips_that_are_not_driven_are_left_alone()
+    public void Undriven_legs_and_hips_are_left_alone()
     {
         var options = new RetargetOptions();
         options.Weights.SetPart(BodyParts.LeftLeg | BodyParts.Hips, 0);

@@ -34,7 +34,7 @@ public sealed class FootPlanterTests
     }
 
     [Fact]
-    public void A_drifting_actor_and_one_of_other_steps_are_held_too()
+    public void Feet_of_a_drifting_actor_are_held()
     {
         for (int seed = 0; seed < 8; seed++)
         {
@@ -93,7 +93,7 @@ public sealed class FootPlanterTests
     [InlineData(0, 1, 0, 180)]
     [InlineData(1, 0, 0, -90)]
     [InlineData(1, 0, 0, 90)]
-    public void A_character_that_rests_turned_in_its_root_is_held_on_its_own_ground(float x, float y, float z, float degrees)
+    public void A_character_turned_in_its_root_stands_on_its_own_ground(float x, float y, float z, float degrees)
     {
         // About its root, so that its soles are still at the root's height, whichever way that is.
         StandingRig rig = new StandingRig(0.5f, 0.38f, 0.1f, 0.3f, 0.3f).WithAxes(new Random(2));
@@ -147,7 +147,7 @@ public sealed class FootPlanterTests
     }
 
     [Fact]
-    public void A_foot_that_the_leg_cannot_hold_is_let_go_gently()
+    public void An_unreachable_foot_is_released_smoothly()
     {
         var walk = new FootWalk(new StandingRig().Create(), SkeletonBody.GetDefault(), Rate);
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
@@ -166,7 +166,7 @@ public sealed class FootPlanterTests
     }
 
     [Fact]
-    public void Toes_of_a_planted_foot_do_not_go_into_the_ground()
+    public void Toes_of_a_planted_foot_stay_above_the_ground()
     {
         TargetRig rig = new StandingRig().Create();
         var walk = new FootWalk(rig, SkeletonBody.GetDefault(), Rate);
@@ -199,7 +199,7 @@ public sealed class FootPlanterTests
     }
 
     [Fact]
-    public void Without_contacts_feet_go_where_the_actor_has_them()
+    public void Feet_without_contact_follow_the_actor()
     {
         var walk = new FootWalk(new StandingRig().WithAxes(new Random(9)).Create(), SkeletonBody.GetDefault(), Rate);
         var actor = new SyntheticSource(Rate);
@@ -233,7 +233,7 @@ public sealed class FootPlanterTests
     }
 
     [Fact]
-    public void Time_that_stands_still_and_a_long_gap_are_no_trouble()
+    public void Constant_time_and_long_gaps_are_handled()
     {
         TargetRig rig = new StandingRig().Create();
         var planter = new FootPlanter(rig);

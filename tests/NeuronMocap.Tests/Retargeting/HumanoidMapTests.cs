@@ -21,7 +21,7 @@ public sealed class HumanoidMapTests
     [Theory]
     [InlineData(SkeletonVariant.Neck1)]
     [InlineData(SkeletonVariant.Spine3)]
-    public void Every_bone_has_the_source_that_the_table_gives(SkeletonVariant variant)
+    public void Every_bone_has_the_source_of_the_table(SkeletonVariant variant)
     {
         foreach (bool chest in (ReadOnlySpan<bool>)[false, true])
         {
@@ -130,7 +130,7 @@ public sealed class HumanoidMapTests
     }
 
     [Fact]
-    public void A_set_holds_what_was_put_in()
+    public void A_set_contains_its_bones()
     {
         HumanoidBoneSet set = default;
         Assert.Equal(0, set.Count);
@@ -146,7 +146,7 @@ public sealed class HumanoidMapTests
     }
 
     [Fact]
-    public void No_such_bone()
+    public void Unknown_bones_are_refused()
     {
         Assert.Throws<ArgumentOutOfRangeException>(() => HumanoidBones.GetName((HumanoidBone)55));
         Assert.Throws<ArgumentOutOfRangeException>(() => HumanoidBones.GetParent((HumanoidBone)(-1)));

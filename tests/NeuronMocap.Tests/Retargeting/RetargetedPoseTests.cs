@@ -7,7 +7,7 @@ namespace NeuronMocap.Tests.Retargeting;
 public sealed class RetargetedPoseTests
 {
     [Fact]
-    public void It_begins_and_resets_at_rest()
+    public void A_pose_starts_and_resets_at_rest()
     {
         TargetRig rig = new RandomRig(1, RigScales.Signs).Create();
         var pose = new RetargetedPose(rig);
@@ -20,7 +20,7 @@ public sealed class RetargetedPoseTests
 
     // What corrects legs turns one node after the other in the world, and reads where the rest has gone.
     [Fact]
-    public void A_node_is_turned_and_all_that_hangs_from_it_follows()
+    public void Turning_a_node_moves_its_descendants()
     {
         for (int seed = 0; seed < 200; seed++)
         {
@@ -45,7 +45,7 @@ public sealed class RetargetedPoseTests
     }
 
     [Fact]
-    public void The_hips_are_moved_to_a_place_in_the_root()
+    public void The_hips_are_placed_in_the_root()
     {
         for (int seed = 0; seed < 100; seed++)
         {

@@ -12,7 +12,7 @@ public sealed class RetargeterInvarianceTests
 
     // Which way an armature was exported makes no difference to what is inside.
     [Fact]
-    public void A_character_that_is_turned_in_its_root_moves_alike()
+    public void A_root_rotation_does_not_change_the_motion()
     {
         var random = new Random(5);
         BoneTransform[] pose = RandomPoses.Pose(random);
@@ -31,7 +31,7 @@ public sealed class RetargeterInvarianceTests
     }
 
     [Fact]
-    public void Turned_by_half_an_arm_that_goes_down_goes_down()
+    public void An_arm_of_a_reversed_character_goes_down()
     {
         var half = Quaternion.CreateFromAxisAngle(Vector3.UnitY, MathF.PI);
         RigNode[] nodes = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, half), TestRigs.HumanoidNodes());
@@ -52,7 +52,7 @@ public sealed class RetargeterInvarianceTests
     [InlineData(-1, 1, -1)]
     [InlineData(0.01f, 0.01f, 0.01f)]
     [InlineData(-100, 100, 100)]
-    public void A_scaled_armature_that_is_undone_below_makes_no_difference(float x, float y, float z)
+    public void A_cancelled_armature_scale_does_not_matter(float x, float y, float z)
     {
         var scale = new Vector3(x, y, z);
         var signs = new Vector3(MathF.Sign(x), MathF.Sign(y), MathF.Sign(z));

@@ -37,7 +37,7 @@ public sealed class RetargeterReferenceTests
 
     // The sentence that everything else follows from, without a hierarchy: away from its rest rotation, a bone is turned as the actor's.
     [Fact]
-    public void Every_mapped_bone_keeps_the_actors_turn_in_the_world()
+    public void Every_mapped_bone_has_the_actors_world_rotation()
     {
         for (int seed = 0; seed < 300; seed++)
         {

@@ -78,7 +78,7 @@ public sealed class RetargeterTests
     }
 
     [Fact]
-    public void A_twist_bone_between_stays_at_rest_and_what_hangs_from_it_is_right()
+    public void A_twist_bone_rests_without_affecting_its_children()
     {
         RigNode[] nodes = TestRigs.HumanoidNodes();
         int[] nodeByBone = TestRigs.NodeOf();
@@ -126,7 +126,7 @@ public sealed class RetargeterTests
 
     // Quaternions that are recorded or blended number by number must not change their sign from frame to frame.
     [Fact]
-    public void Rotations_go_on_in_the_same_hemisphere()
+    public void Rotations_stay_in_one_hemisphere()
     {
         for (int seed = 0; seed < 20; seed++)
         {

@@ -69,7 +69,7 @@ public sealed class RigBinderTests
     }
 
     [Fact]
-    public void The_exact_name_is_better_than_a_similar_one_and_the_given_one_is_best()
+    public void Explicit_names_win_over_exact_and_similar_ones()
     {
         string[] names = ["Hips", "left_arm", "LeftArm", "Bone042"];
         Assert.Equal(2, RigBinder.Bind(names).GetNode(Bone.LeftArm));
@@ -81,7 +81,7 @@ public sealed class RigBinderTests
     }
 
     [Fact]
-    public void Nodes_that_are_equally_good_are_named_and_the_first_is_taken()
+    public void Ambiguous_nodes_are_named_and_the_first_is_used()
     {
         RigBinding binding = RigBinder.Bind(["Hips", "Head", "left_hand", "Head", "hand.l"], "");
         Assert.Equal((1, 2), (binding.GetNode(Bone.Head), binding.GetNode(Bone.LeftHand)));
@@ -91,14 +91,14 @@ public sealed class RigBinderTests
     }
 
     [Fact]
-    public void Of_two_figures_the_one_with_more_bones_is_bound()
+    public void The_figure_with_more_bones_is_bound()
     {
         RigBinding binding = RigBinder.Bind(["Prop_Hips", "Prop_Spine", "Robot_Hips", "Robot_Spine", "Robot_Head"]);
         Assert.Equal(("Robot_", 2, 4), (binding.Prefix, binding.GetNode(Bone.Hips), binding.GetNode(Bone.Head)));
     }
 
     [Fact]
-    public void Nothing_is_found_where_there_is_nothing()
+    public void An_empty_rig_binds_nothing()
     {
         Assert.Equal(59, RigBinder.Bind([]).Missing.Count);
         Assert.Equal(59, RigBinder.Bind(["", "Cube", "Right", "Left", "L", "hand", "_", ":"]).Missing.Count);

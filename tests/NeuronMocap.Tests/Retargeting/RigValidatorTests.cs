@@ -7,7 +7,7 @@ namespace NeuronMocap.Tests.Retargeting;
 public sealed class RigValidatorTests
 {
     [Fact]
-    public void Of_a_good_rig_there_is_nothing_to_say()
+    public void A_valid_rig_has_no_findings()
     {
         Assert.Empty(Examine(new StandingRig()));
         Assert.Empty(Examine(new StandingRig().WithAxes(new Random(1))));
@@ -16,7 +16,7 @@ public sealed class RigValidatorTests
     }
 
     [Fact]
-    public void The_default_body_is_a_good_rig()
+    public void The_default_body_is_a_valid_rig()
     {
         foreach (SkeletonVariant variant in new[] { SkeletonVariant.Neck1, SkeletonVariant.Spine3 })
         {
@@ -69,7 +69,7 @@ public sealed class RigValidatorTests
     [Theory]
     [InlineData(float.NaN)]
     [InlineData(0)]
-    public void A_transform_that_is_none_is_named(float scale)
+    public void An_invalid_transform_is_named(float scale)
     {
         (RigNode[] nodes, int[] nodeByBone) = new StandingRig().Build();
         nodes[3] = nodes[3] with { Scale = new Vector3(1, scale, 1) };
@@ -79,7 +79,7 @@ public sealed class RigValidatorTests
     }
 
     [Fact]
-    public void Sides_that_are_exchanged_are_named_by_the_names_of_the_nodes()
+    public void Swapped_sides_are_found_by_node_names()
     {
         StandingRig rig = new StandingRig().Rename(HumanoidBone.LeftHand, "Hand.R").Rename(HumanoidBone.RightHand, "Hand.L");
         Assert.Equal(
@@ -91,7 +91,7 @@ public sealed class RigValidatorTests
     [InlineData(true, true, HumanoidBone.LeftUpperLeg)]
     [InlineData(true, false, HumanoidBone.LeftUpperLeg)]
     [InlineData(false, true, HumanoidBone.LeftUpperArm)]
-    public void Sides_that_are_exchanged_are_named_by_the_way_that_the_feet_point(bool legs, bool arms, HumanoidBone named)
+    public void Swapped_sides_are_found_by_foot_direction(bool legs, bool arms, HumanoidBone named)
     {
         StandingRig rig = new StandingRig().WithAxes(new Random(7));
         foreach (HumanoidBone bone in Enumerable.Range(0, 55).Select(i => (HumanoidBone)i))
@@ -122,7 +122,7 @@ public sealed class RigValidatorTests
     [InlineData(HumanoidBone.LeftFoot, 40, 0, 1, 0)]
     [InlineData(HumanoidBone.RightHand, 50, 0, 0, 1)]
     [InlineData(HumanoidBone.LeftIndexProximal, 60, 0, 0, 1)]
-    public void A_limb_that_points_elsewhere_is_named_with_its_angle_and_set_right(HumanoidBone bone, float degrees, float x, float y, float z)
+    public void A_misdirected_limb_is_named_with_its_angle_and_corrected(HumanoidBone bone, float degrees, float x, float y, float z)
     {
         StandingRig rig = new StandingRig().WithAxes(new Random(4)).Turn(bone, new Vector3(x, y, z), degrees);
         RigIssue issue = Assert.Single(Examine(rig), issue => issue.Fault == RigFault.NotInTPose);
@@ -133,7 +133,7 @@ public sealed class RigValidatorTests
     }
 
     [Fact]
-    public void A_palm_that_looks_elsewhere_is_named_and_turned_down()
+    public void A_misdirected_palm_is_named_and_turned_down()
     {
         StandingRig rig = new StandingRig().Turn(HumanoidBone.LeftHand, Vector3.UnitX, 90).Turn(HumanoidBone.RightHand, Vector3.UnitX, -60);
         Assert.Equal(
@@ -143,7 +143,7 @@ public sealed class RigValidatorTests
     }
 
     [Fact]
-    public void Arms_that_hang_with_the_palms_to_the_thighs_become_arms_to_the_sides_with_the_palms_down()
+    public void Hanging_arms_become_a_T_pose_with_palms_down()
     {
         StandingRig rig = new StandingRig().Turn(HumanoidBone.LeftUpperArm, Vector3.UnitZ, 82).Turn(HumanoidBone.RightUpperArm, Vector3.UnitZ, -82);
         Assert.Equal(2, Examine(rig).Count);
@@ -157,7 +157,7 @@ public sealed class RigValidatorTests
     [InlineData(180)]
     [InlineData(90)]
     [InlineData(-35)]
-    public void A_figure_that_looks_elsewhere_is_named_and_turned(float degrees)
+    public void A_misdirected_figure_is_named_and_turned(float degrees)
     {
         StandingRig rig = new StandingRig().WithAxes(new Random(4)).Turn(HumanoidBone.Hips, Vector3.UnitY, degrees);
         RigIssue issue = Assert.Single(Examine(rig));
@@ -171,7 +171,7 @@ public sealed class RigValidatorTests
     [InlineData(1, 0, 0, -90)]
     [InlineData(0, 0, 1, 40)]
     [InlineData(1, 1, 1, 120)]
-    public void A_figure_that_lies_is_named_and_stood_on_its_feet(float x, float y, float z, float degrees)
+    public void A_lying_figure_is_named_and_raised(float x, float y, float z, float degrees)
     {
         StandingRig rig = new StandingRig().WithAxes(new Random(4)).Turn(HumanoidBone.Hips, new Vector3(x, y, z), degrees);
         Assert.Contains(Examine(rig), issue => issue is { Fault: RigFault.NotUpright, CanFix: true });
@@ -179,7 +179,7 @@ public sealed class RigValidatorTests
     }
 
     [Fact]
-    public void Joints_in_one_place_are_named()
+    public void Coincident_joints_are_named()
     {
         StandingRig rig = new StandingRig();
         rig.Move(HumanoidBone.LeftFoot, rig.At(HumanoidBone.LeftLowerLeg) - rig.At(HumanoidBone.LeftFoot));
@@ -202,14 +202,14 @@ public sealed class RigValidatorTests
     [Theory]
     [InlineData(0.3f)]
     [InlineData(-0.9f)]
-    public void Feet_that_are_not_where_the_ground_is_are_named(float height)
+    public void Feet_off_the_ground_are_named(float height)
     {
         RigIssue issue = Assert.Single(Examine(new StandingRig().Move(HumanoidBone.Hips, new Vector3(0, height, 0))));
         Assert.Equal((RigFault.NotOnGround, RigSeverity.Warning, false), (issue.Fault, issue.Severity, issue.CanFix));
     }
 
     [Fact]
-    public void Whatever_a_rig_rests_like_it_is_set_right()
+    public void Every_rest_pose_is_corrected()
     {
         int examined = 0;
         for (int seed = 0; seed < 200; seed++)
@@ -238,14 +238,14 @@ public sealed class RigValidatorTests
     }
 
     [Fact]
-    public void A_rig_in_t_pose_is_left_as_it_is()
+    public void A_rig_in_T_pose_is_unchanged()
     {
         TargetRig rig = StandingRig.Random(new Random(2)).Create();
         Assert.Same(rig, TPose.Enforce(rig));
     }
 
     [Fact]
-    public void The_worst_comes_first_and_nonsense_is_refused()
+    public void Findings_are_sorted_by_severity()
     {
         (RigNode[] nodes, int[] nodeByBone) = new StandingRig().Rename(HumanoidBone.Jaw, "Head").Build();
         nodeByBone[(int)HumanoidBone.LeftHand] = -1;

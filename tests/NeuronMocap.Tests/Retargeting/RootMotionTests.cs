@@ -13,7 +13,7 @@ public sealed class RootMotionTests
     [InlineData(RootMotion.Full, -1, 0.2f, 0.5f)]
     [InlineData(RootMotion.Horizontal, -1, 0, 0.5f)]
     [InlineData(RootMotion.InPlace, 0, 0.2f, 0)]
-    public void The_hips_go_what_is_asked_for_in_the_measure_of_the_legs(RootMotion motion, float x, float y, float z)
+    public void Hip_motion_is_scaled_by_leg_length(RootMotion motion, float x, float y, float z)
     {
         foreach (float size in (ReadOnlySpan<float>)[0.5f, 1, 2])
         {
@@ -23,7 +23,7 @@ public sealed class RootMotionTests
     }
 
     [Fact]
-    public void A_scale_of_ones_own_counts_instead()
+    public void A_given_scale_replaces_leg_length()
     {
         Vector3 place = HipsOf(TestRigs.Humanoid(2), new RetargetOptions { Scale = 0.1f });
         AssertNear(new Vector3(0, 2 * Height, 0) + (Way * 0.1f), place);
@@ -43,7 +43,7 @@ public sealed class RootMotionTests
 
     // A character that lies in its root, as Z-up files do: its ways lie, too.
     [Fact]
-    public void Ways_and_offset_turn_with_the_character()
+    public void Motion_and_offset_turn_with_the_character()
     {
         var lying = Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2);
         RigNode[] nodes = TestRigs.Under(new RigNode("Armature", -1, new Vector3(3, 4, 5), lying), TestRigs.HumanoidNodes());
@@ -57,7 +57,7 @@ public sealed class RootMotionTests
     }
 
     [Fact]
-    public void A_characters_place_at_rest_is_where_the_actors_origin_is()
+    public void The_characters_rest_position_is_the_actors_origin()
     {
         RigNode[] nodes = TestRigs.HumanoidNodes();
         nodes[0] = nodes[0] with { Position = new Vector3(0.1f, 1.1f, -0.2f) };
@@ -77,7 +77,7 @@ public sealed class RootMotionTests
     }
 
     [Fact]
-    public void The_legs_of_the_actor_count_too()
+    public void The_actors_legs_count()
     {
         TargetRig rig = TestRigs.Humanoid();
         var tall = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperLeg = 0.6f, LowerLeg = 0.6f });
@@ -90,7 +90,7 @@ public sealed class RootMotionTests
     }
 
     [Fact]
-    public void Without_legs_the_height_of_the_hips_counts_and_else_nothing()
+    public void Hip_height_replaces_missing_legs()
     {
         HumanoidBone[] shins = [HumanoidBone.LeftLowerLeg, HumanoidBone.RightLowerLeg];
         Assert.Equal(2, new Retargeter(TestRigs.Humanoid(2, shins), SkeletonBody.GetDefault()).Scale, 1e-5f);
@@ -121,7 +121,7 @@ public sealed class RootMotionTests
 
     // Displacement is the actor's: the character keeps its own bones.
     [Fact]
-    public void Positions_of_bones_other_than_the_hips_do_not_count()
+    public void Only_the_hips_position_counts()
     {
         TargetRig rig = TestRigs.Humanoid();
         BoneTransform[] pose = RandomPoses.Pose(new Random(3));
@@ -140,7 +140,7 @@ public sealed class RootMotionTests
     [Theory]
     [InlineData(float.NaN)]
     [InlineData(float.PositiveInfinity)]
-    public void Options_are_numbers(float value)
+    public void Options_must_be_finite(float value)
     {
         var options = new RetargetOptions();
         Assert.Throws<ArgumentOutOfRangeException>(() => options.HeightOffset = value);

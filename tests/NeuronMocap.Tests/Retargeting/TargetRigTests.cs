@@ -42,7 +42,7 @@ public sealed class TargetRigTests
 
     // From the T-pose alone, to quarter turns: exactly none for the many characters that stand as they should.
     [Fact]
-    public void Which_way_a_character_faces_is_found()
+    public void The_facing_of_a_character_is_found()
     {
         Assert.Equal(Quaternion.Identity, TestRigs.Humanoid().Facing);
         Assert.Equal(Quaternion.Identity, TestRigs.Actor(SkeletonBody.GetDefault()).Facing);
@@ -57,7 +57,7 @@ public sealed class TargetRigTests
     }
 
     [Fact]
-    public void Where_it_is_not_clear_a_character_faces_forward()
+    public void An_ambiguous_character_faces_forward()
     {
         var between = Quaternion.CreateFromAxisAngle(Vector3.UnitY, MathF.PI / 4);
         RigNode[] nodes = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, between), TestRigs.HumanoidNodes());
@@ -80,7 +80,7 @@ public sealed class TargetRigTests
     }
 
     [Fact]
-    public void A_shear_is_seen()
+    public void A_shear_is_detected()
     {
         RigNode[] nodes = TestRigs.HumanoidNodes();
         nodes[0] = nodes[0] with { Scale = new Vector3(1, 1.1f, 1) };
@@ -95,7 +95,7 @@ public sealed class TargetRigTests
     }
 
     [Fact]
-    public void What_is_no_rig_is_refused()
+    public void An_invalid_rig_is_refused()
     {
         AssertRefused("stands before its parent", nodes => nodes[2] = nodes[2] with { Parent = 2 });
         AssertRefused("stands before its parent", nodes => nodes[2] = nodes[2] with { Parent = -2 });
@@ -117,7 +117,7 @@ public sealed class TargetRigTests
 
     // Bones that hang side by side, as some exporters and physics set-ups have them.
     [Fact]
-    public void A_flat_rig_takes_over_the_turns_in_the_world()
+    public void A_flat_rig_gets_world_rotations()
     {
         RigNode[] nodes = [.. TestRigs.HumanoidNodes().Select(node => node with { Parent = -1 }).Reverse()];
         int[] nodeByBone = [.. TestRigs.NodeOf().Select(node => nodes.Length - 1 - node)];

@@ -42,7 +42,7 @@ public sealed class TwoBoneIkTests
     }
 
     [Fact]
-    public void A_target_where_the_end_is_turns_nothing()
+    public void A_target_at_the_end_turns_nothing()
     {
         var random = new Random(3);
         for (int i = 0; i < 2000; i++)
@@ -84,7 +84,7 @@ public sealed class TwoBoneIkTests
     }
 
     [Fact]
-    public void Out_of_reach_the_limb_is_stretched_towards_the_target()
+    public void A_limb_stretches_towards_an_unreachable_target()
     {
         var random = new Random(4);
         for (int i = 0; i < 1000; i++)
@@ -97,7 +97,7 @@ public sealed class TwoBoneIkTests
     }
 
     [Fact]
-    public void Nearer_than_the_limb_folds_it_is_folded()
+    public void A_limb_folds_towards_a_target_that_is_too_near()
     {
         var limb = new Limb(new Vector3(0, 1, 0), new Vector3(0, 0.4f, 0.01f), Vector3.Zero, Vector3.UnitZ);
         Assert.Equal(limb.Upper - limb.Lower, Vector3.Distance(limb.Root, limb.Turned(limb.Solve(limb.Root)).End), 1e-4f);
@@ -115,7 +115,7 @@ public sealed class TwoBoneIkTests
     };
 
     [Theory, MemberData(nameof(Impossible))]
-    public void What_is_no_limb_is_left_as_it_is(Vector3 root, Vector3 middle, Vector3 end, Vector3 target, Vector3 forward)
+    public void A_degenerate_limb_is_left_alone(Vector3 root, Vector3 middle, Vector3 end, Vector3 target, Vector3 forward)
     {
         TwoBoneSolution solution = TwoBoneIk.Solve(root, middle, end, target, forward);
         Assert.Equal((Quaternion.Identity, Quaternion.Identity), (solution.Upper, solution.Lower));
@@ -123,7 +123,7 @@ public sealed class TwoBoneIkTests
 
     // Every direction of everything at right angles: where formulas divide by zero.
     [Fact]
-    public void Nothing_is_ever_a_number_that_is_none()
+    public void Results_are_always_finite()
     {
         Vector3[] places = [Vector3.Zero, Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ, -Vector3.UnitX, -Vector3.UnitY, -Vector3.UnitZ, 2 * Vector3.UnitY, new(1e-5f)];
         foreach (Vector3 middle in places)

@@ -10,7 +10,7 @@ public sealed class UnityAxesTests
 
     // What the vendor's scripts make of the same values.
     [Fact]
-    public void The_vendors_vectors_come_out()
+    public void Vectors_match_the_vendors()
     {
         AssertNear(new Vector3(-1, 0.9f, 0.5f), UnityAxes.ToUnityPosition(new Vector3(100, 90, 50)), 1e-7f);
         Assert.Equal(new Vector3(0, -30, 0), UnityAxes.ToUnityEuler(new Vector3(30, 0, 0), RotationOrder.YXZ));
@@ -59,7 +59,7 @@ public sealed class UnityAxesTests
     }
 
     [Fact]
-    public void The_streams_own_order_keeps_its_angles()
+    public void The_streams_order_keeps_its_angles()
     {
         var degrees = new Vector3(-350.5f, 179.25f, 721);
         Assert.Equal(new Vector3(179.25f, 350.5f, -721), UnityAxes.ToUnityEuler(degrees, RotationOrder.YXZ));
@@ -67,7 +67,7 @@ public sealed class UnityAxesTests
     }
 
     [Fact]
-    public void The_way_back_is_the_same_way()
+    public void The_conversion_is_its_own_inverse()
     {
         var random = new Random(3);
         for (int i = 0; i < 200; i++)
@@ -80,7 +80,7 @@ public sealed class UnityAxesTests
     }
 
     [Fact]
-    public void No_such_order() =>
+    public void An_unknown_order_is_refused() =>
         Assert.Throws<ArgumentOutOfRangeException>(() => UnityAxes.ToUnityEuler(Vector3.Zero, (RotationOrder)6));
 
     private static Affine ReferenceOf(Vector3 degrees, RotationOrder order)

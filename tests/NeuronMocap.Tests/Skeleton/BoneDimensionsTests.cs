@@ -78,7 +78,7 @@ public class BoneDimensionsTests
     [InlineData(float.NaN)]
     [InlineData(float.PositiveInfinity)]
     [InlineData(float.NegativeInfinity)]
-    public void What_no_body_can_have_is_not_read(float wrong)
+    public void Impossible_sizes_are_not_read(float wrong)
     {
         for (int i = 0; i < 12; i++)
         {

@@ -21,10 +21,10 @@ public sealed class BoneHierarchyTests
     [InlineData(Bone.RightHandPinky3, 35)]
     [InlineData(Bone.LeftShoulder, 36)]
     [InlineData(Bone.LeftHandPinky3, 58)]
-    public void A_bones_number_is_its_place_in_the_data_block(Bone bone, int expected) => Assert.Equal(expected, (int)bone);
+    public void A_bones_number_is_its_index_in_the_data(Bone bone, int expected) => Assert.Equal(expected, (int)bone);
 
     [Fact]
-    public void In_the_newer_variant_names_and_parents_are_those_of_Appendix_B()
+    public void Names_and_parents_of_the_newer_variant_match_Appendix_B()
     {
         foreach ((string name, string? parent, _, _, _) in ManualTables.AppendixB)
         {
@@ -82,7 +82,7 @@ public sealed class BoneHierarchyTests
     [InlineData("hips", SkeletonVariant.Neck1)]
     [InlineData("Hips ", SkeletonVariant.Neck1)]
     [InlineData("", SkeletonVariant.Neck1)]
-    public void A_name_of_no_bone_is_not_found(string name, SkeletonVariant variant) =>
+    public void An_unknown_name_is_not_found(string name, SkeletonVariant variant) =>
         Assert.False(BoneHierarchy.TryFind(name, variant, out _));
 
     [Theory]
@@ -90,7 +90,7 @@ public sealed class BoneHierarchyTests
     [InlineData(59)]
     [InlineData(int.MaxValue)]
     [InlineData(int.MinValue)]
-    public void A_number_that_is_no_bone_is_refused(int number)
+    public void An_invalid_bone_number_is_refused(int number)
     {
         var bone = (Bone)number;
         Assert.Throws<ArgumentOutOfRangeException>(() => BoneHierarchy.GetParent(bone));

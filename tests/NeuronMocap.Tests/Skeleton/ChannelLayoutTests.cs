@@ -18,7 +18,7 @@ public sealed class ChannelLayoutTests
     }
 
     [Fact]
-    public void Four_numbers_of_values_are_a_skeleton_and_no_other()
+    public void Exactly_four_value_counts_are_a_skeleton()
     {
         int[] found = [.. Enumerable.Range(-10, 2000).Where(count => ChannelLayout.TryFromValueCount(count, out _))];
         Assert.Equal([180, 186, 354, 360], found);
@@ -48,7 +48,7 @@ public sealed class ChannelLayoutTests
     [InlineData(360, 10, 66, 69)]
     [InlineData(360, 16, 102, 105)]
     [InlineData(360, 58, 354, 357)]
-    public void A_bones_values_stand_where_the_manual_says(int values, int bone, int position, int rotation)
+    public void A_bones_values_have_the_manuals_indices(int values, int bone, int position, int rotation)
     {
         Assert.True(ChannelLayout.TryFromValueCount(values, out ChannelLayout layout));
         Assert.Equal(position, layout.GetPositionIndex((Bone)bone));

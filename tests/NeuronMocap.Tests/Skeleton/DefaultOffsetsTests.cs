@@ -68,7 +68,7 @@ public sealed class DefaultOffsetsTests
     [Theory]
     [InlineData(SkeletonVariant.Neck1)]
     [InlineData(SkeletonVariant.Spine3)]
-    public void In_both_variants_head_shoulders_and_hands_are_at_the_same_place(SkeletonVariant variant)
+    public void Head_shoulders_and_hands_are_equal_in_both_variants(SkeletonVariant variant)
     {
         Assert.Equal(new Vector3(0, 144.102f, 0), StandingAt(Bone.Head, variant), Within(1e-3f));
         Assert.Equal(new Vector3(2.55f, 130.002f, 0), StandingAt(Bone.LeftShoulder, variant), Within(1e-3f));

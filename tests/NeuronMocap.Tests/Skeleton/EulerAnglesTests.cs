@@ -31,7 +31,7 @@ public sealed class EulerAnglesTests
     [InlineData(RotationOrder.YZX, 0, 0, 90, "+X +Z -Y")]
     [InlineData(RotationOrder.ZXY, -90, 0, 0, "-Y +X +Z")]
     [InlineData(RotationOrder.YXZ, 180, 0, 0, "-X +Y -Z")]
-    public void Quarter_turns_carry_the_axes_where_a_right_hand_says(
+    public void Quarter_turns_follow_the_right_hand_rule(
         RotationOrder order, float first, float second, float third, string expected)
     {
         Quaternion rotation = EulerAngles.ToQuaternion(new Vector3(first, second, third), order);
@@ -54,7 +54,7 @@ public sealed class EulerAnglesTests
     }
 
     [Theory, MemberData(nameof(Orders))]
-    public void The_angles_of_a_rotation_describe_it_again(RotationOrder order)
+    public void Angles_reproduce_their_rotation(RotationOrder order)
     {
         var random = new Random(2);
         for (int i = 0; i < 2000; i++)
@@ -70,7 +70,7 @@ public sealed class EulerAnglesTests
     }
 
     [Theory, MemberData(nameof(Orders))]
-    public void Angles_inside_the_range_come_back_as_they_were(RotationOrder order)
+    public void Angles_within_the_range_round_trip(RotationOrder order)
     {
         var random = new Random(3);
         for (int i = 0; i < 1000; i++)
@@ -82,7 +82,7 @@ public sealed class EulerAnglesTests
     }
 
     [Theory, MemberData(nameof(Orders))]
-    public void With_the_second_angle_at_or_near_90_degrees_the_rotation_is_still_kept(RotationOrder order)
+    public void Rotations_at_gimbal_lock_are_kept(RotationOrder order)
     {
         var random = new Random(4);
         float[] fromPole = [0, 1e-6f, 1e-5f, 1e-4f, 1e-3f, 1e-2f, 0.1f, 1];

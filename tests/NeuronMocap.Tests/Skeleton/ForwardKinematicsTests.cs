@@ -21,7 +21,7 @@ public sealed class ForwardKinematicsTests
     }
 
     [Fact]
-    public void A_quarter_turn_of_the_shoulder_swings_the_arm_down_and_nothing_else()
+    public void A_shoulder_rotation_moves_only_the_arm()
     {
         BoneTransform[] pose = RestPose(SkeletonVariant.Neck1);
         BoneTransform[] rest = new BoneTransform[59];
@@ -40,7 +40,7 @@ public sealed class ForwardKinematicsTests
     [Theory]
     [InlineData(SkeletonVariant.Neck1)]
     [InlineData(SkeletonVariant.Spine3)]
-    public void Random_poses_come_out_as_in_double_precision(SkeletonVariant variant)
+    public void Random_poses_match_double_precision(SkeletonVariant variant)
     {
         for (int seed = 0; seed < 50; seed++)
         {
@@ -66,7 +66,7 @@ public sealed class ForwardKinematicsTests
     [Theory]
     [InlineData(SkeletonVariant.Neck1)]
     [InlineData(SkeletonVariant.Spine3)]
-    public void World_to_local_is_the_way_back(SkeletonVariant variant)
+    public void World_to_local_is_the_inverse(SkeletonVariant variant)
     {
         for (int seed = 0; seed < 50; seed++)
         {

@@ -10,7 +10,7 @@ public sealed class HalfAnglesTests
     private const double NearZero = 1e-9;
 
     [Fact]
-    public void Angles_that_streams_carry_are_right_to_two_units_in_the_last_place() =>
+    public void Usual_angles_are_accurate_to_two_ulps() =>
         AssertRight(Enumerable.Range(0, 720_000).Select(i => (i - 360_000) / 1000f));
 
     [Fact]
@@ -26,7 +26,7 @@ public sealed class HalfAnglesTests
     }
 
     [Fact]
-    public void An_angle_that_is_no_number_has_no_sine_and_spoils_no_other()
+    public void A_NaN_angle_affects_no_other()
     {
         float[] angles = [float.NaN, 90, float.PositiveInfinity, -90, float.NegativeInfinity, 180];
         (float[] sines, float[] cosines) = Compute(angles);

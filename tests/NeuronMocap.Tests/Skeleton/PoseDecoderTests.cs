@@ -21,7 +21,7 @@ public sealed class PoseDecoderTests
     }
 
     [Theory, MemberData(nameof(Cases))]
-    public void A_frame_comes_out_as_in_double_precision(int count, RotationOrder order)
+    public void A_frame_matches_double_precision(int count, RotationOrder order)
     {
         Assert.True(ChannelLayout.TryFromValueCount(count, out ChannelLayout layout) || count == 180);
         foreach (SkeletonVariant variant in Enum.GetValues<SkeletonVariant>())

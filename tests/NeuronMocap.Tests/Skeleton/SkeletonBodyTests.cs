@@ -51,7 +51,7 @@ public sealed class SkeletonBodyTests
     [InlineData(-1)]
     [InlineData(float.NaN)]
     [InlineData(float.PositiveInfinity)]
-    public void Sizes_that_none_has_are_refused(float size) =>
+    public void Impossible_sizes_are_refused(float size) =>
         Assert.Throws<ArgumentException>(() => SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { Palm = size }));
 
     [Fact]
@@ -72,7 +72,7 @@ public sealed class SkeletonBodyTests
     }
 
     [Fact]
-    public void A_body_keeps_what_it_was_given()
+    public void A_body_copies_its_input()
     {
         Vector3[] offsets = SkeletonBody.GetDefault().Offsets.ToArray();
         Vector3[] ends = SkeletonBody.GetDefault().EndSites.ToArray();

@@ -15,7 +15,7 @@ public sealed class EventReporterTests
     public EventReporterTests() => _reporter = new EventReporter("studio", _figures, _events.Add);
 
     [Fact]
-    public async Task The_first_loss_is_told_at_once_and_what_follows_once_in_ten_seconds()
+    public async Task The_first_loss_is_reported_at_once_and_others_every_ten_seconds()
     {
         for (int tick = 0; tick < 60; tick++)
         {
@@ -35,7 +35,7 @@ public sealed class EventReporterTests
     }
 
     [Fact]
-    public void What_may_be_a_reduced_frequency_is_no_loss_yet()
+    public void A_possible_reduced_frequency_is_not_reported_as_loss()
     {
         _figures.Statistics = new ReaderStatistics { Lost = 12 };
         _figures.UnsettledLoss = 12;
@@ -85,7 +85,7 @@ public sealed class EventReporterTests
     }
 
     [Fact]
-    public async Task A_report_that_hangs_holds_up_neither_the_next_look_nor_the_end_and_tells_nothing_after_it()
+    public async Task A_hanging_report_blocks_neither_polling_nor_the_end()
     {
         using var release = new ManualResetEventSlim();
         using var reporting = new ManualResetEventSlim();
@@ -110,7 +110,7 @@ public sealed class EventReporterTests
     }
 
     [Fact]
-    public async Task The_end_waits_for_a_running_report_and_tells_what_that_one_left()
+    public async Task The_end_waits_for_a_running_report_and_reports_the_rest()
     {
         using var release = new ManualResetEventSlim();
         using var reporting = new ManualResetEventSlim();
@@ -131,7 +131,7 @@ public sealed class EventReporterTests
     }
 
     [Fact]
-    public void What_turns_out_to_be_a_reduced_frequency_during_a_look_is_no_loss()
+    public void A_frequency_that_is_found_while_polling_is_no_loss()
     {
         _figures.Statistics = new ReaderStatistics { Lost = 12 };
         _figures.UnsettledLoss = 12;
@@ -143,7 +143,7 @@ public sealed class EventReporterTests
     }
 
     [Fact]
-    public void One_is_no_plural()
+    public void Singular_and_plural_are_correct()
     {
         _figures.Consumers.Add(new("draw", 1, 0));
         _figures.Skipped[SkipReason.NoTokens] = 1;
@@ -154,7 +154,7 @@ public sealed class EventReporterTests
     }
 
     [Fact]
-    public async Task An_exception_whose_message_throws_ends_nothing()
+    public async Task An_exception_with_a_throwing_message_is_handled()
     {
         _reporter.OnFailure(new Unspeakable());
         _figures.Statistics = new ReaderStatistics { CallbackFailures = 1 };
@@ -166,7 +166,7 @@ public sealed class EventReporterTests
     }
 
     [Fact]
-    public void A_look_that_finds_nothing_new_allocates_nothing()
+    public void Polling_without_news_allocates_nothing()
     {
         _figures.Consumers.Add(new("draw", 3, 0));
         _figures.Skipped[SkipReason.NoTokens] = 7;

@@ -7,7 +7,7 @@ namespace NeuronMocap.Tests.Telemetry;
 public sealed class ReaderLoggerTests
 {
     [Fact]
-    public async Task A_run_writes_a_line_for_each_change_and_each_kind_of_loss()
+    public async Task A_run_logs_each_change_and_kind_of_loss()
     {
         using var server = new TestServer();
         using var log = new LineLog();
@@ -38,7 +38,7 @@ public sealed class ReaderLoggerTests
     }
 
     [Fact]
-    public void Silence_and_waiting_carry_reason_attempt_and_delay()
+    public void Silence_and_waiting_log_reason_attempt_and_delay()
     {
         using var log = new LineLog();
         var logger = new ReaderLogger(log);
@@ -54,7 +54,7 @@ public sealed class ReaderLoggerTests
     }
 
     [Fact]
-    public async Task A_throwing_logger_breaks_nothing_and_is_counted()
+    public async Task A_throwing_logger_is_counted_and_isolated()
     {
         using var server = new TestServer();
         using var log = new LineLog { Throws = true };

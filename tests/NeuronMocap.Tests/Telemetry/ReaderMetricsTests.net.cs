@@ -10,7 +10,7 @@ namespace NeuronMocap.Tests.Telemetry;
 public sealed class ReaderMetricsTests
 {
     [Fact]
-    public async Task Counters_tell_what_the_statistics_tell()
+    public async Task Counters_match_the_statistics()
     {
         using var server = new TestServer();
         using var reader = Reader(server, "counters");
@@ -46,7 +46,7 @@ public sealed class ReaderMetricsTests
     }
 
     [Fact]
-    public async Task What_closed_queues_dropped_stays_counted_under_their_name()
+    public async Task Drops_of_closed_queues_stay_counted()
     {
         using var server = new TestServer();
         using var reader = Reader(server, "closed queues");
@@ -64,7 +64,7 @@ public sealed class ReaderMetricsTests
     }
 
     [Fact]
-    public async Task Times_are_recorded_while_somebody_listens()
+    public async Task Times_are_recorded_while_observed()
     {
         using var server = new TestServer();
         using var reader = Reader(server, "times");
@@ -104,7 +104,7 @@ public sealed class ReaderMetricsTests
     }
 
     [Fact]
-    public void A_reader_that_was_disposed_of_reports_no_more()
+    public void A_disposed_reader_reports_no_metrics()
     {
         using var log = new MetricsLog("gone");
         using (var reader = new NeuronReader(new NeuronReaderOptions { Name = "gone" }))
@@ -114,7 +114,7 @@ public sealed class ReaderMetricsTests
     }
 
     [Fact]
-    public void Two_readers_of_one_name_are_told_apart_and_a_free_name_is_used_again()
+    public void Readers_of_equal_name_are_distinguished_and_names_are_reused()
     {
         var first = new NeuronReader(new NeuronReaderOptions { Name = "twin" });
         using var second = new NeuronReader(new NeuronReaderOptions { Name = "twin" });
@@ -125,7 +125,7 @@ public sealed class ReaderMetricsTests
     }
 
     [Fact]
-    public async Task The_meter_keeps_no_reader_alive()
+    public async Task The_meter_does_not_keep_readers_alive()
     {
         List<WeakReference> started = [];
         for (int i = 0; i < 20; i++)

@@ -9,7 +9,7 @@ public sealed class StatusLevelsTests
     private readonly List<(double Seconds, ConnectionState State)> _lines = [];
 
     [Fact]
-    public void A_server_that_is_down_for_long_is_one_warning()
+    public void A_long_outage_is_one_warning()
     {
         for (int attempt = 0; attempt < 100; attempt++)
         {
@@ -36,7 +36,7 @@ public sealed class StatusLevelsTests
 
     // The newest line above Debug says how things stand.
     [Fact]
-    public void An_outage_soon_after_another_comes_to_a_line()
+    public void Repeated_outages_share_a_line()
     {
         Flap(0);
         Flap(1);

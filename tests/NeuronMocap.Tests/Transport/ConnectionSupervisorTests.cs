@@ -74,7 +74,7 @@ public sealed class ConnectionSupervisorTests
     }
 
     [Fact]
-    public async Task A_link_that_ended_before_the_stop_keeps_its_reason_where_no_other_follows()
+    public async Task A_link_that_ended_before_the_stop_keeps_its_reason()
     {
         ConnectionStatus end = await SuperviseAsync(new ReconnectPolicy { Enabled = false }, () => new FakeLink(_ =>
         {
@@ -85,7 +85,7 @@ public sealed class ConnectionSupervisorTests
     }
 
     [Fact]
-    public async Task A_link_that_would_have_been_followed_by_another_was_ended_by_the_stop()
+    public async Task A_link_with_a_pending_retry_is_ended_by_the_stop()
     {
         ConnectionStatus end = await SuperviseAsync(new ReconnectPolicy(), () => new FakeLink(_ =>
         {
@@ -96,7 +96,7 @@ public sealed class ConnectionSupervisorTests
     }
 
     [Fact]
-    public async Task Delays_follow_the_policy_and_start_anew_after_frames()
+    public async Task Delays_follow_the_policy_and_reset_after_frames()
     {
         int made = 0;
         await SuperviseAsync(new ReconnectPolicy { InitialDelay = TimeSpan.FromMilliseconds(1), MaxDelay = TimeSpan.FromMilliseconds(4) }, () => new FakeLink(receiver =>
@@ -114,7 +114,7 @@ public sealed class ConnectionSupervisorTests
     }
 
     [Fact]
-    public async Task What_fails_before_there_is_a_link_does_not_end_the_reader_and_is_told_in_plain_words()
+    public async Task A_failure_before_the_link_is_reported_and_retried()
     {
         int made = 0;
         ConnectionStatus end = await SuperviseAsync(new ReconnectPolicy { InitialDelay = TimeSpan.FromMilliseconds(1) }, () => ++made == 1

@@ -7,7 +7,7 @@ public sealed class HostResolverTests
 {
     // Other tests have timers of their own, but by far not as many.
     [Fact]
-    public async Task A_name_that_is_found_leaves_no_timer_behind()
+    public async Task A_resolved_name_leaves_no_timer()
     {
         const int Names = 5000;
         var options = new LinkOptions("studio", 7001)

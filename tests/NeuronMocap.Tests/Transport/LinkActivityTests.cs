@@ -23,7 +23,7 @@ public sealed class LinkActivityTests
     }
 
     [Fact]
-    public void The_first_packet_makes_it_receiving_once()
+    public void The_first_packet_changes_the_state_to_receiving_once()
     {
         Deliver(0);
         Deliver(1);
@@ -32,7 +32,7 @@ public sealed class LinkActivityTests
     }
 
     [Fact]
-    public void Silence_is_told_once_and_ends_with_the_next_packet()
+    public void Silence_is_reported_once_and_ends_with_the_next_packet()
     {
         Deliver(0);
         _activity.Check(After(2.9));
@@ -53,7 +53,7 @@ public sealed class LinkActivityTests
     [InlineData("SSH-2.0-OpenSSH_9.6", "SSH")]
     [InlineData("\u0016\u0003\u0001\u0002", "TLS")]
     [InlineData("\u0016\u0004\u0001\u0002", "16 04 01 02")]
-    public void Data_of_another_format_is_named_with_what_to_change(string bytes, string expected)
+    public void An_unknown_format_names_the_setting(string bytes, string expected)
     {
         foreach (char value in bytes)
             _activity.OnSkipped([(byte)value], SkipReason.NoTokens);
@@ -72,7 +72,7 @@ public sealed class LinkActivityTests
     }
 
     [Fact]
-    public void Garbage_that_packets_followed_is_not_what_made_it_silent()
+    public void Garbage_before_packets_is_not_the_reason_for_silence()
     {
         _activity.OnSkipped("HTTP/1.1"u8, SkipReason.NoTokens);
         Deliver(0);
@@ -81,7 +81,7 @@ public sealed class LinkActivityTests
     }
 
     [Fact]
-    public void Nothing_is_told_while_there_is_no_connection()
+    public void Nothing_is_reported_without_a_connection()
     {
         _status.Set(new ConnectionStatus(ConnectionState.Waiting, ConnectionReason.Refused, "waiting"));
         _activity.Check(After(100));
@@ -89,7 +89,7 @@ public sealed class LinkActivityTests
     }
 
     [Fact]
-    public void A_handler_that_takes_long_is_not_a_silent_server()
+    public void A_slow_handler_is_not_a_silent_server()
     {
         _activity.BeginDelivery(Packet(0));
         _activity.Check(After(10));
@@ -112,7 +112,7 @@ public sealed class LinkActivityTests
     }
 
     [Fact]
-    public void Packets_without_frames_before_the_last_frame_are_not_what_made_it_silent()
+    public void Earlier_empty_packets_are_not_the_reason_for_silence()
     {
         _activity.BeginDelivery(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(1, count: 0), After(0), 0));
         _activity.EndDelivery();
@@ -122,7 +122,7 @@ public sealed class LinkActivityTests
     }
 
     [Fact]
-    public void Packets_whose_rest_never_comes_are_named()
+    public void Incomplete_packets_are_named()
     {
         _activity.OnSkipped(TestPackets.Motion(1).AsSpan(0, 1024), SkipReason.Incomplete);
         _activity.Check(After(4));
@@ -142,14 +142,14 @@ public sealed class LinkActivityTests
     [InlineData("Welcome to port 7001 ", "starts with 57")]
     [InlineData("CCCC 1.00 93.02 1.0 2.0 3.0", "instead of the avatar's number")]
     [InlineData("CCCC\u0010\u0027\0\0\u001F\u008A", "starts with 43 43 43 43")]
-    public void Numbers_are_no_greeting(string bytes, string expected)
+    public void Numbers_are_not_a_greeting(string bytes, string expected)
     {
         FormatGuess guess = FormatGuess.Of(System.Text.Encoding.ASCII.GetBytes(bytes), SkipReason.NoTokens);
         Assert.Contains(expected, guess.Description, StringComparison.Ordinal);
     }
 
     [Fact]
-    public void A_stray_datagram_that_was_refused_is_no_advice_to_let_its_sender_in()
+    public void A_single_blocked_datagram_gives_no_advice()
     {
         var filter = new SenderFilter([IPAddress.Loopback]);
         LinkActivity activity = OverUdp(filter);
@@ -160,7 +160,7 @@ public sealed class LinkActivityTests
     }
 
     [Fact]
-    public void A_stream_that_is_refused_is_told_as_long_as_it_lasts()
+    public void A_blocked_stream_is_reported_while_it_lasts()
     {
         var filter = new SenderFilter([IPAddress.Loopback]);
         LinkActivity activity = OverUdp(filter);

@@ -72,7 +72,7 @@ public sealed class PacketAssemblerTests
     }
 
     [Fact]
-    public void A_header_that_announces_too_much_is_skipped_before_anything_is_kept_for_it()
+    public void An_oversized_header_is_skipped_before_buffering()
     {
         var log = new PacketLog();
         var assembler = new PacketAssembler(new PacketScanner(maxValues: 354), log);
@@ -89,7 +89,7 @@ public sealed class PacketAssemblerTests
 
     // Found by fuzzing: anybody's 64 bytes took 100 KB here, for as many senders as are kept.
     [Fact]
-    public void Memory_follows_what_has_arrived_and_not_what_a_header_announces()
+    public void Memory_follows_received_bytes_not_headers()
     {
         byte[] header = new byte[64];
         new DataCommandHeader { CommandId = DataCommandId.BvhText, DataCount = ProtocolConstants.MaxCommandPayload }.Write(header);

@@ -8,7 +8,7 @@ public sealed class PooledTcpReceiverTests : TcpReceiverTests
     internal override TcpReceiver Create() => new PooledTcpReceiver();
 
     [Fact]
-    public void Only_so_many_connections_have_a_thread()
+    public void The_number_of_connection_threads_is_limited()
     {
         var receivers = new TcpReceivers(maxThreads: 2);
         TcpReceiver first = receivers.Take();
@@ -24,7 +24,7 @@ public sealed class PooledTcpReceiverTests : TcpReceiverTests
     }
 
     [Fact]
-    public void Who_wants_a_thread_or_none_gets_it_whatever_the_limit()
+    public void Explicit_thread_options_ignore_the_limit()
     {
         var receivers = new TcpReceivers(maxThreads: 1);
         Assert.IsType<PooledTcpReceiver>(receivers.Take(ReceiveThread.Pool));
@@ -41,7 +41,7 @@ public sealed class PooledTcpReceiverTests : TcpReceiverTests
     }
 
     [Fact]
-    public async Task A_link_gives_its_thread_back_when_it_is_closed()
+    public async Task A_closed_link_returns_its_thread()
     {
         var receivers = new TcpReceivers(maxThreads: 1);
         using var server = new TestServer();

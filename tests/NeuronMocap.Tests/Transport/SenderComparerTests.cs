@@ -8,7 +8,7 @@ public sealed class SenderComparerTests
 {
     // Mono's addresses have 8 bytes, and are numbered by the runtime: neither may matter.
     [Fact]
-    public void Addresses_are_the_same_when_their_bytes_are()
+    public void Addresses_compare_by_bytes()
     {
         SocketAddress[] addresses = [Address(8, 1, 5000), Address(8, 2, 5000), Address(8, 1, 5001), Address(16, 1, 5000), new IPEndPoint(IPAddress.IPv6Loopback, 5000).Serialize()];
         foreach (SocketAddress address in addresses)

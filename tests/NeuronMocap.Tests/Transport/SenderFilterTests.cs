@@ -15,7 +15,7 @@ public sealed class SenderFilterTests
     [InlineData("fe80::21", false)]
     [InlineData("10.0.0.7", true)]
     [InlineData("::ffff:192.168.1.20", false)]
-    public void Only_listed_addresses_may_send_whatever_their_port(string sender, bool expected)
+    public void Listed_addresses_may_send_from_any_port(string sender, bool expected)
     {
         var filter = new SenderFilter([IPAddress.Parse("192.168.1.20"), IPAddress.Parse("fe80::20"), IPAddress.Parse("::ffff:10.0.0.7")]);
         Assert.Equal(expected, filter.Allows(Address(sender, 1)));
@@ -26,7 +26,7 @@ public sealed class SenderFilterTests
     public void An_empty_list_lets_everyone_send() => Assert.True(new SenderFilter([]).Allows(Address("192.168.1.20", 7002)));
 
     [Fact]
-    public void A_flood_of_refused_senders_is_counted_and_only_the_first_four_are_remembered()
+    public void Blocked_senders_are_counted_and_four_are_remembered()
     {
         var filter = new SenderFilter([IPAddress.Parse("10.0.0.1")]);
         for (int i = 0; i < 20_000; i++)
@@ -37,7 +37,7 @@ public sealed class SenderFilterTests
     }
 
     [Fact]
-    public void A_refused_datagram_is_not_looked_into_and_costs_no_memory()
+    public void A_blocked_datagram_is_not_parsed()
     {
         var filter = new SenderFilter([IPAddress.Parse("10.0.0.1")]);
         var log = new PacketLog();

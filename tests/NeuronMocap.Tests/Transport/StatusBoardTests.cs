@@ -5,7 +5,7 @@ namespace NeuronMocap.Tests.Transport;
 public sealed class StatusBoardTests
 {
     [Fact]
-    public void A_change_made_by_a_handler_is_told_after_the_one_it_handles()
+    public void A_change_made_by_a_handler_is_reported_after_the_current_one()
     {
         List<string> told = [];
         StatusPublisher? board = null;
@@ -30,7 +30,7 @@ public sealed class StatusBoardTests
     }
 
     [Fact]
-    public void A_change_that_is_not_allowed_is_not_told()
+    public void An_invalid_change_is_not_reported()
     {
         var board = new StatusPublisher(_ => Assert.Fail("told"));
         Assert.False(board.TrySet(_ => false, _ => Status("never")));
@@ -38,7 +38,7 @@ public sealed class StatusBoardTests
     }
 
     [Fact]
-    public async Task Changes_of_many_threads_are_told_one_at_a_time_and_none_is_missed()
+    public async Task Changes_of_many_threads_are_reported_one_at_a_time()
     {
         int telling = 0;
         int told = 0;

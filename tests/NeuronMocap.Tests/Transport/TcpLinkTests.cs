@@ -9,7 +9,7 @@ namespace NeuronMocap.Tests.Transport;
 public sealed class TcpLinkTests
 {
     [Fact]
-    public async Task A_name_without_an_address_says_so()
+    public async Task A_name_without_an_address_is_reported()
     {
         LinkEnd end = await OpenAsync(_ => Task.FromException<IPAddress[]>(new SocketException((int)SocketError.HostNotFound)));
         Assert.Equal(ConnectionReason.HostNotFound, end.Reason);
@@ -17,7 +17,7 @@ public sealed class TcpLinkTests
     }
 
     [Fact]
-    public async Task A_name_that_resolves_to_nothing_says_so() =>
+    public async Task A_name_that_resolves_to_nothing_is_reported() =>
         Assert.Equal(ConnectionReason.HostNotFound, (await OpenAsync(_ => Task.FromResult<IPAddress[]>([]))).Reason);
 
     [Fact]
@@ -29,7 +29,7 @@ public sealed class TcpLinkTests
     }
 
     [Fact]
-    public async Task A_name_that_the_resolver_refuses_says_so()
+    public async Task A_resolver_failure_is_reported()
     {
         using var link = new TcpLink(new LinkOptions(new string('x', 300), 7001));
         Assert.Equal(ConnectionReason.HostNotFound, (await link.OpenAsync(CancellationToken.None).Soon()).Reason);
@@ -38,7 +38,7 @@ public sealed class TcpLinkTests
     [Theory]
     [InlineData("::1", "127.0.0.1")]
     [InlineData("127.0.0.1", "::1")]
-    public async Task A_local_address_of_another_kind_than_the_servers_says_so(string host, string local)
+    public async Task A_local_address_of_another_family_is_reported(string host, string local)
     {
         using var link = new TcpLink(new LinkOptions(host, 7001) { LocalAddress = IPAddress.Parse(local) });
         LinkEnd end = await link.OpenAsync(CancellationToken.None).Soon();
@@ -47,7 +47,7 @@ public sealed class TcpLinkTests
     }
 
     [Fact]
-    public async Task Of_several_addresses_the_most_telling_failure_is_reported()
+    public async Task The_most_specific_failure_of_several_addresses_is_reported()
     {
         using var server = new TestServer();
         int port = server.Port;
@@ -73,7 +73,7 @@ public sealed class TcpLinkTests
     }
 
     [Fact]
-    public async Task A_local_address_of_another_machine_is_named()
+    public async Task A_foreign_local_address_is_named()
     {
         var options = new LinkOptions("127.0.0.1", 7001) { LocalAddress = IPAddress.Parse("192.0.2.1") };
         using var link = new TcpLink(options);
@@ -83,7 +83,7 @@ public sealed class TcpLinkTests
     }
 
     [Fact]
-    public async Task A_server_that_does_not_answer_is_given_up_after_the_time_out()
+    public async Task A_silent_server_times_out()
     {
         // A listener whose queue of connections is full drops what else arrives, as a black hole does.
         using var blackHole = new BlackHole();
@@ -96,7 +96,7 @@ public sealed class TcpLinkTests
 
     // On Linux a socket's time-out for sending, which commands have, holds for connecting too.
     [Fact]
-    public async Task No_other_time_out_makes_connecting_shorter()
+    public async Task Only_its_own_timeout_limits_connecting()
     {
         using var blackHole = new BlackHole();
         var timeout = TimeSpan.FromSeconds(1.5);

@@ -113,7 +113,7 @@ public sealed class BlockingTcpReceiverTests : TcpReceiverTests
     internal override TcpReceiver Create() => new BlockingTcpReceiver();
 
     [Fact]
-    public void Its_thread_is_given_back_once()
+    public void The_thread_is_returned_once()
     {
         int released = 0;
         var receiver = new BlockingTcpReceiver(() => released++);

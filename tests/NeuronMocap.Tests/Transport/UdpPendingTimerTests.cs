@@ -17,7 +17,7 @@ public sealed class UdpPendingTimerTests
     public UdpPendingTimerTests() => _senders = new UdpSenders(new PacketScanner(), _receiver, new SenderFilter([]));
 
     [Fact]
-    public async Task What_waits_comes_out_by_the_timer_again_and_again()
+    public async Task The_timer_delivers_waiting_frames_repeatedly()
     {
         using var settling = new UdpPendingTimer(_senders, _gate);
         for (int port = 5000; port < 5003; port++)
@@ -30,7 +30,7 @@ public sealed class UdpPendingTimerTests
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
-    public void The_end_hands_out_what_waits(bool isClosed)
+    public void The_end_delivers_waiting_frames(bool isClosed)
     {
         var settling = new UdpPendingTimer(_senders, _gate);
         PushBoth();
@@ -43,7 +43,7 @@ public sealed class UdpPendingTimerTests
     }
 
     [Fact]
-    public async Task A_blocked_handler_of_the_timer_holds_back_the_receive_loop_and_the_end_until_it_returns()
+    public async Task A_blocked_timer_handler_holds_back_the_receive_loop_and_the_end()
     {
         using var blocked = new ManualResetEventSlim();
         using var release = new ManualResetEventSlim();
@@ -68,7 +68,7 @@ public sealed class UdpPendingTimerTests
     }
 
     [Fact]
-    public async Task An_exception_of_the_timer_goes_to_the_one_who_awaits_the_end_and_the_gate_is_closed()
+    public async Task An_exception_of_the_timer_reaches_the_awaiter_of_the_end()
     {
         using var settling = new UdpPendingTimer(_senders, _gate);
         Task end = _gate.UntilClosedAsync(new TaskCompletionSource<bool>().Task);
@@ -80,7 +80,7 @@ public sealed class UdpPendingTimerTests
     }
 
     [Fact]
-    public async Task A_link_ends_with_an_exception_of_the_timer_as_with_one_of_the_receive_thread()
+    public async Task An_exception_of_the_timer_ends_the_link()
     {
         using var link = new UdpLink(
             new NeuronReaderOptions { Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0 }.Link, new SenderFilter([]));

@@ -21,13 +21,13 @@ public sealed class UdpSendersPropertyTests
         select (WirePart)new Packet(shape, count, Filling.Numbers, (uint)avatar);
 
     [Fact]
-    public void Datagrams_of_a_few_senders_give_what_the_slow_joiner_gives() => HoldsForSenders(3, mostFrames: 24, count: 2_000);
+    public void Datagrams_of_a_few_senders_match_the_reference_joiner() => HoldsForSenders(3, mostFrames: 24, count: 2_000);
 
     [Fact]
-    public void Datagrams_of_more_senders_than_are_kept_give_what_the_slow_joiner_gives() => HoldsForSenders(90, mostFrames: 400, count: 50);
+    public void Datagrams_of_too_many_senders_match_the_reference_joiner() => HoldsForSenders(90, mostFrames: 400, count: 50);
 
     [Fact]
-    public void A_frame_whose_halves_arrive_one_after_the_other_from_its_sender_is_delivered()
+    public void Consecutive_halves_of_a_sender_are_delivered()
     {
         int joined = 0;
         Properties.Hold(Sending(4, 24, Frame), Simpler, count: 1_000, frames =>
@@ -47,7 +47,7 @@ public sealed class UdpSendersPropertyTests
 
     // As many hosts as are kept, and a few that send from several ports: whoever speaks, makes room or is replaced, every byte comes out once.
     [Fact]
-    public void Every_byte_of_a_crowd_that_sends_split_frames_from_several_ports_is_delivered_or_skipped()
+    public void Every_byte_of_many_senders_is_delivered_or_skipped()
     {
         byte[] frame = TestPackets.Motion(1);
         Gen<Spoken[]> cases =

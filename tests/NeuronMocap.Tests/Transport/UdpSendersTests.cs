@@ -37,7 +37,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void A_lost_second_half_costs_one_frame_and_never_makes_one_of_two()
+    public void A_lost_second_half_loses_one_frame()
     {
         byte[] second = TestPackets.Motion(2);
         Push(5000, TestPackets.Motion(1)[..1024]);
@@ -48,7 +48,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void A_lost_first_half_costs_one_frame()
+    public void A_lost_first_half_loses_one_frame()
     {
         byte[] second = TestPackets.Motion(2);
         Push(5000, TestPackets.Motion(1)[1024..]);
@@ -66,7 +66,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void A_flood_of_forged_headers_keeps_a_real_sender()
+    public void A_flood_of_forged_headers_does_not_evict_a_real_sender()
     {
         byte[] frame = TestPackets.Motion(1);
         for (int forged = 1; forged <= 20_000; forged++)
@@ -86,7 +86,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void A_flood_of_forged_frames_never_evicts_a_sender_that_delivers()
+    public void A_flood_of_forged_frames_does_not_evict_an_active_sender()
     {
         byte[] frame = TestPackets.Motion(1);
         for (int forged = 1; forged <= 20_000; forged++)
@@ -118,7 +118,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void Bytes_without_a_header_make_no_sender()
+    public void Bytes_without_a_header_create_no_sender()
     {
         PushFrom(Host(1), 5000, new byte[500]);
         PushFrom(Host(2), 5000, TestPackets.Motion(1)[1024..]);
@@ -127,7 +127,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void A_port_that_follows_a_silent_one_of_its_address_goes_on_as_its_source()
+    public void A_new_port_continues_a_silent_one_of_its_address()
     {
         Push(5000, TestPackets.Motion(1), seconds: 0);
         Push(5001, TestPackets.Motion(2), seconds: 10);
@@ -136,7 +136,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void A_port_that_follows_at_once_waits_until_the_one_before_has_been_silent_and_loses_nothing()
+    public void A_new_port_waits_for_the_silence_of_the_old_without_loss()
     {
         for (int i = 0; i < 10; i++)
             Push(5000, TestPackets.Motion(i), seconds: i * 0.016);
@@ -148,7 +148,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void What_waits_comes_out_without_another_datagram()
+    public void Waiting_frames_are_delivered_without_another_datagram()
     {
         Push(5000, TestPackets.Motion(1), seconds: 0);
         Push(5001, TestPackets.Motion(2), seconds: 0.01);
@@ -161,7 +161,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void Two_ports_of_an_address_that_both_send_are_two_sources()
+    public void Two_active_ports_of_an_address_are_two_sources()
     {
         for (int i = 0; i < 100; i++)
         {
@@ -175,7 +175,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void A_slow_server_that_lives_keeps_its_source_from_another_one()
+    public void A_slow_active_server_keeps_its_source()
     {
         for (int i = 0; i < 5; i++)
             Push(5000, TestPackets.Motion(i), seconds: i * 0.2);
@@ -191,7 +191,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void One_that_speaks_again_after_it_was_replaced_is_a_second_server()
+    public void A_replaced_port_that_sends_again_is_a_second_server()
     {
         Push(5000, TestPackets.Motion(1), seconds: 0);
         Push(5001, TestPackets.Motion(2), seconds: 10);
@@ -206,7 +206,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void Of_two_servers_of_an_address_the_one_that_restarts_is_the_silent_one()
+    public void A_new_port_continues_the_silent_one_of_two_servers()
     {
         for (int i = 0; i < 50; i++)
         {
@@ -222,7 +222,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void Calculation_data_of_another_port_of_the_address_joins_the_motion_at_once()
+    public void Calculation_from_another_port_joins_the_motion_at_once()
     {
         Push(5000, TestPackets.Motion(1), seconds: 0);
         Push(5001, TestPackets.Calculation(1), seconds: 0.001);
@@ -232,7 +232,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void A_second_server_that_begins_with_calculation_data_does_not_mix_its_motion_in()
+    public void A_second_server_that_begins_with_calculation_stays_separate()
     {
         Push(5000, TestPackets.Motion(1), seconds: 0);
         Push(5001, TestPackets.Calculation(7), seconds: 0.001);
@@ -243,7 +243,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void A_flood_of_new_ports_of_the_servers_own_address_neither_evicts_nor_replaces_it()
+    public void A_flood_of_ports_of_its_address_does_not_displace_a_server()
     {
         for (int i = 0; i < 600; i++)
         {
@@ -260,7 +260,7 @@ public sealed class UdpSendersTests
 
     // The datagram that makes room for another port of its own address must not lose its own place by that.
     [Fact]
-    public void A_sender_does_not_make_room_while_its_own_datagram_is_taken()
+    public void A_sender_is_not_evicted_by_its_own_datagram()
     {
         byte[] frame = TestPackets.Motion(1);
         for (int host = 1; host <= UdpSenders.Limit - 1; host++)
@@ -277,7 +277,7 @@ public sealed class UdpSendersTests
     }
 
     [Fact]
-    public void The_callers_address_object_may_change_afterwards()
+    public void The_callers_address_is_copied()
     {
         SocketAddress address = Address(5000);
         byte[] frame = TestPackets.Motion(1);

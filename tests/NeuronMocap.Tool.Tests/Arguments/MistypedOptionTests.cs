@@ -48,7 +48,7 @@ public sealed class MistypedOptionTests
     [InlineData("convert", "a.bvh", "b.bvh", "c.bvh")]
     [InlineData("convert", "a.bvh")]
     [InlineData("play", "a.nmrec", "b.nmrec")]
-    public async Task More_or_fewer_files_than_it_takes_are_refused(string verb, params string[] args) => await AssertRefusedAsync(verb, [verb, .. args]);
+    public async Task A_wrong_number_of_files_is_refused(string verb, params string[] args) => await AssertRefusedAsync(verb, [verb, .. args]);
 
     // An output that nobody has thought of: it throws what no stream of a system throws.
     [Fact]

@@ -41,7 +41,7 @@ public sealed partial class OptionNamesTests
 
     [Theory]
     [MemberData(nameof(ReaderOptions))]
-    public void A_fault_of_a_reader_option_is_said_in_words_of_the_program(string name)
+    public void A_reader_option_is_reported_as_an_option_of_the_program(string name)
     {
         var options = new NeuronReaderOptions { CommandPort = 8013 };
         PropertyInfo property = typeof(NeuronReaderOptions).GetProperty(name)!;
@@ -52,7 +52,7 @@ public sealed partial class OptionNamesTests
     [Theory]
     [InlineData(nameof(ReconnectPolicy.InitialDelay))]
     [InlineData(nameof(ReconnectPolicy.MaxDelay))]
-    public void A_fault_of_the_reconnecting_is_said_in_words_of_the_program(string name)
+    public void A_reconnect_option_is_reported_as_an_option_of_the_program(string name)
     {
         var options = new NeuronReaderOptions();
         typeof(ReconnectPolicy).GetProperty(name)!.SetValue(options.Reconnect, TimeSpan.FromDays(-1));
@@ -61,7 +61,7 @@ public sealed partial class OptionNamesTests
 
     [Theory]
     [MemberData(nameof(RecordingSettings))]
-    public async Task A_fault_of_a_recording_option_is_said_in_words_of_the_program(string name)
+    public async Task A_recording_option_is_reported_as_an_option_of_the_program(string name)
     {
         await using var reader = new NeuronReader(new NeuronReaderOptions());
         var options = new RecordingOptions { MaxFileSize = 1 << 20 };

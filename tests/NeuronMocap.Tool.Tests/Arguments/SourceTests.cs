@@ -14,10 +14,10 @@ public sealed class SourceTests
     [InlineData("/tmp/")]
     [InlineData(@"takes\monday")]
     [InlineData("./demo")]
-    public void A_name_of_a_file_is_a_file_there_or_not(string text) => Assert.Equal(Source.OfFile(text), Parse(text));
+    public void A_file_name_is_a_file_even_if_missing(string text) => Assert.Equal(Source.OfFile(text), Parse(text));
 
     [Fact]
-    public void A_file_that_is_there_is_one_whatever_its_name()
+    public void An_existing_file_may_have_any_name()
     {
         string path = Path.GetFileName(Path.GetTempFileName());
         string here = Path.Combine(Directory.GetCurrentDirectory(), path[..^4]);
@@ -36,7 +36,7 @@ public sealed class SourceTests
     [Theory]
     [InlineData("demo")]
     [InlineData("DEMO")]
-    public void Demo_is_the_simulator_inside_the_program(string text) => Assert.Equal(Source.Demo, Parse(text));
+    public void Demo_is_the_built_in_simulator(string text) => Assert.Equal(Source.Demo, Parse(text));
 
     private static Source Parse(string text)
     {

@@ -18,7 +18,7 @@ public sealed class CommandRunTests : IDisposable
     });
 
     [Fact]
-    public async Task The_report_has_sizes_order_and_what_the_header_says()
+    public async Task The_report_has_sizes_order_and_header()
     {
         using CommandServer server = Start();
         ToolResult result = await ToolRunner.RunAsync("command", AddressOf(server), "--avatar", "1");
@@ -79,7 +79,7 @@ public sealed class CommandRunTests : IDisposable
     }
 
     [Fact]
-    public async Task The_header_can_be_had_as_a_file()
+    public async Task The_header_can_be_written_to_a_file()
     {
         using CommandServer server = Start();
         using var output = new MemoryStream();
@@ -92,7 +92,7 @@ public sealed class CommandRunTests : IDisposable
     [Theory]
     [InlineData("Avatar 1 of ", "1", "--avatar", "1")]
     [InlineData("All avatars of ", "\"all\"")]
-    public async Task A_zero_out_turns_and_says_so(string told, string target, params string[] args)
+    public async Task A_zero_out_is_done_and_confirmed(string told, string target, params string[] args)
     {
         using CommandServer server = Start();
         ToolResult result = await ToolRunner.RunAsync(["command", AddressOf(server), "zero-out", .. args]);
@@ -108,7 +108,7 @@ public sealed class CommandRunTests : IDisposable
     [InlineData("avatar 9", "zero-out", "--avatar", "9")]
     [InlineData("avatar 9", "bones", "--avatar", "9")]
     [InlineData("avatar 9", "header", "--avatar", "9")]
-    public async Task What_the_server_does_not_have_ends_with_1_and_one_line(string told, params string[] args)
+    public async Task A_missing_answer_ends_with_1_and_one_line(string told, params string[] args)
     {
         using CommandServer server = Start();
         ToolResult result = await ToolRunner.RunAsync(["command", AddressOf(server), .. args]);
@@ -117,7 +117,7 @@ public sealed class CommandRunTests : IDisposable
     }
 
     [Fact]
-    public async Task A_port_where_nothing_listens_ends_with_1_and_one_line()
+    public async Task A_refused_connection_ends_with_1_and_one_line()
     {
         int port;
         using (var listener = new TcpListener(IPAddress.Loopback, 0))

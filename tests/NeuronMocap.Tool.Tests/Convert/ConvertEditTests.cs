@@ -12,7 +12,7 @@ public sealed class ConvertEditTests : IDisposable
     private readonly TemporaryFolder _folder = new();
 
     [Fact]
-    public async Task Parts_rates_and_orders_of_BVH_files()
+    public async Task BVH_files_are_cut_resampled_and_reordered()
     {
         Takes.Actor(240, rate: 120).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["part.bvh"], "--from", "0.5", "--to", "1.5", "--resample", "60", "--order", "ZYX");
@@ -37,7 +37,7 @@ public sealed class ConvertEditTests : IDisposable
     }
 
     [Fact]
-    public async Task A_part_of_a_recording_has_its_bytes_with_their_times()
+    public async Task A_part_of_a_recording_keeps_bytes_and_times()
     {
         Takes.Actor(120).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
@@ -68,7 +68,7 @@ public sealed class ConvertEditTests : IDisposable
 
     // From 24 to 60 Hz no frame but the first meets one of the take.
     [Fact]
-    public async Task Frames_in_between_are_interpolated()
+    public async Task Resampled_frames_are_interpolated()
     {
         Takes.StraightWalk(frames: 24, rate: 24).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
@@ -81,7 +81,7 @@ public sealed class ConvertEditTests : IDisposable
     }
 
     [Fact]
-    public async Task The_order_option_writes_another_order_whatever_the_input_is()
+    public async Task The_order_option_applies_to_every_input()
     {
         Takes.Actor(60).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
@@ -106,7 +106,7 @@ public sealed class ConvertEditTests : IDisposable
     }
 
     [Fact]
-    public async Task A_file_may_be_replaced_by_a_part_of_itself()
+    public async Task A_file_can_be_cut_in_place()
     {
         Takes.Actor(60).Save(_folder["a.bvh"]);
         Assert.Equal(1, (await ToolRunner.RunAsync("convert", _folder["a.bvh"], _folder["a.bvh"], "--from", "0.5")).ExitCode);

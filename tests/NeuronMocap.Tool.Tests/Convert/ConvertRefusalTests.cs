@@ -16,7 +16,7 @@ public sealed class ConvertRefusalTests : IDisposable
     [InlineData("--input-order", "take.bvh", "b.nmrec")]
     [InlineData("--input-order", "take.calc", "b.bvh")]
     [InlineData("--input-order", "take.nmrec", "b.bin")]
-    public async Task Orders_that_would_do_nothing_are_refused(string option, string input, string output)
+    public async Task Orders_without_effect_are_refused(string option, string input, string output)
     {
         Takes.Actor(10).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.calc"]);
@@ -31,7 +31,7 @@ public sealed class ConvertRefusalTests : IDisposable
     [InlineData("--resample", "60")]
     [InlineData("--order", "XYZ")]
     [InlineData("--avatar", "0")]
-    public async Task Bytes_are_copied_and_not_changed(string option, string value)
+    public async Task Options_that_would_change_copied_bytes_are_refused(string option, string value)
     {
         Takes.Actor(2).Save(_folder["a.bvh"]);
         await ConvertAsync(_folder["a.bvh"], _folder["a.nmrec"]);
@@ -43,7 +43,7 @@ public sealed class ConvertRefusalTests : IDisposable
     }
 
     [Fact]
-    public async Task Wrong_names_and_options_are_wrong_usage()
+    public async Task Wrong_names_and_options_end_with_2()
     {
         Takes.Actor(2).Save(_folder["a.bvh"]);
         foreach (string[] args in (string[][])
@@ -72,7 +72,7 @@ public sealed class ConvertRefusalTests : IDisposable
     [Theory]
     [InlineData("")]
     [InlineData("nothing that anybody knows")]
-    public async Task What_cannot_be_read_ends_with_1_and_leaves_nothing(string content)
+    public async Task An_unreadable_file_ends_with_1_and_leaves_nothing(string content)
     {
         _folder.Write("a.bvh", content);
         ToolResult result = await ToolRunner.RunAsync("convert", _folder["a.bvh"], _folder["b.nmrec"]);
@@ -83,7 +83,7 @@ public sealed class ConvertRefusalTests : IDisposable
     }
 
     [Fact]
-    public async Task A_part_behind_the_end_is_told_and_leaves_nothing()
+    public async Task A_part_after_the_end_is_reported_and_leaves_nothing()
     {
         Takes.Actor(60).Save(_folder["a.bvh"]);
         await ConvertAsync(_folder["a.bvh"], _folder["a.nmrec"]);

@@ -8,7 +8,7 @@ public sealed class ConvertSummaryTests : IDisposable
     private readonly TemporaryFolder _folder = new();
 
     [Fact]
-    public async Task A_clean_conversion_says_so()
+    public async Task A_clean_conversion_is_summarized()
     {
         Takes.Actor(120).Save(_folder["a.bvh"]);
         Assert.Equal(
@@ -24,7 +24,7 @@ public sealed class ConvertSummaryTests : IDisposable
     }
 
     [Fact]
-    public async Task A_BVH_file_that_was_cut_is_told()
+    public async Task A_cut_BVH_file_is_reported()
     {
         Takes.Actor(358).Save(_folder["whole.bvh"]);
         string[] lines = await File.ReadAllLinesAsync(_folder["whole.bvh"], Token);
@@ -41,7 +41,7 @@ public sealed class ConvertSummaryTests : IDisposable
     }
 
     [Fact]
-    public async Task A_damaged_recording_is_told_on_every_way()
+    public async Task A_damaged_recording_is_reported_for_every_output()
     {
         Takes.Actor(3000).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
@@ -57,7 +57,7 @@ public sealed class ConvertSummaryTests : IDisposable
     }
 
     [Fact]
-    public async Task A_cut_calculation_export_is_told()
+    public async Task A_cut_calculation_export_is_reported()
     {
         Takes.Actor(50, rate: 120).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.calc"]);
@@ -68,7 +68,7 @@ public sealed class ConvertSummaryTests : IDisposable
     }
 
     [Fact]
-    public async Task Only_a_file_that_says_no_rate_is_doubted_for_it()
+    public async Task Only_a_missing_rate_is_a_warning()
     {
         Takes.Actor(50, rate: 120).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.bin"]);

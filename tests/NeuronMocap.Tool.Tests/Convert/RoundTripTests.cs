@@ -17,7 +17,7 @@ public sealed class RoundTripTests : IDisposable
     [Theory]
     [InlineData(true, RotationOrder.YXZ)]
     [InlineData(false, RotationOrder.ZYX)]
-    public async Task A_take_and_its_body_come_back_from_a_recording(bool displacement, RotationOrder order)
+    public async Task A_take_and_its_body_round_trip_through_a_recording(bool displacement, RotationOrder order)
     {
         Takes.Actor(120, displacement: displacement, order: order).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
@@ -31,7 +31,7 @@ public sealed class RoundTripTests : IDisposable
 
     // The order of a stream stands in no packet of Axis Neuron: the option tells it, and the values stay what they are.
     [Fact]
-    public async Task The_order_of_raw_bytes_is_told_and_kept()
+    public async Task The_given_order_of_raw_bytes_is_kept()
     {
         Takes.Actor(60, order: RotationOrder.XYZ).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.bin"]);
@@ -44,7 +44,7 @@ public sealed class RoundTripTests : IDisposable
 
     // A calculation export has bones' centres and sensors, no joints: they are found again from the motion, those of legs that walk best.
     [Fact]
-    public async Task A_take_as_calculation_data_is_nearly_the_same_take()
+    public async Task A_take_nearly_survives_calculation_data()
     {
         Takes.Actor(300, rate: 120).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.calc"]);
@@ -69,7 +69,7 @@ public sealed class RoundTripTests : IDisposable
     [InlineData(97.3)]
     [InlineData(23.976023976023978)]
     [InlineData(1000)]
-    public async Task Frames_times_and_values_survive_every_way_there_and_back(double rate)
+    public async Task Frames_times_and_values_round_trip_through_every_format(double rate)
     {
         Takes.Actor(100, rate: rate).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.nmrec"]);
@@ -96,7 +96,7 @@ public sealed class RoundTripTests : IDisposable
     }
 
     [Fact]
-    public async Task An_export_of_bone_ends_becomes_no_body_and_keeps_its_rows()
+    public async Task An_export_of_bone_ends_keeps_its_rows_but_has_no_body()
     {
         _folder.Write("ends.calc", BoneEnds.Write(60));
         ToolResult refused = await ToolRunner.RunAsync("convert", _folder["ends.calc"], _folder["ends.bvh"]);

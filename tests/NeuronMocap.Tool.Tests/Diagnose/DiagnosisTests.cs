@@ -9,7 +9,7 @@ namespace NeuronMocap.Tool.Tests.Diagnose;
 public sealed class DiagnosisTests
 {
     [Fact]
-    public async Task A_healthy_stream_is_shown_step_by_step_with_the_code_and_ends_with_0()
+    public async Task A_healthy_stream_shows_its_steps_and_code_and_ends_with_0()
     {
         ToolResult result = await ToolRunner.RunAsync("diagnose", "demo", "--duration", "15");
 
@@ -28,7 +28,7 @@ public sealed class DiagnosisTests
     [Theory]
     [InlineData(0)]
     [InlineData(7)]
-    public async Task A_terminal_that_does_not_tell_its_size_is_written_to_as_a_narrow_one(int columns)
+    public async Task A_terminal_of_unknown_size_is_treated_as_narrow(int columns)
     {
         ToolResult result = await ToolRunner.RunOnTerminalAsync(columns, "diagnose", "demo", "--duration", "15");
 
@@ -38,7 +38,7 @@ public sealed class DiagnosisTests
 
     // Other programs on this machine may stream on the usual ports, and would be found: what is said then is the library's to test.
     [Fact]
-    public async Task A_fault_is_told_in_one_paragraph_and_ends_with_1()
+    public async Task A_fault_is_one_paragraph_and_ends_with_1()
     {
         ToolResult result = await ToolRunner.RunAsync("diagnose", FrameServer.RefusingAddress(), "--duration", "2");
 
@@ -59,7 +59,7 @@ public sealed class DiagnosisTests
     }
 
     [Fact]
-    public async Task A_UDP_port_in_use_is_said()
+    public async Task A_UDP_port_in_use_is_reported()
     {
         using var probe = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         probe.Bind(new IPEndPoint(IPAddress.Any, 0));
@@ -74,7 +74,7 @@ public sealed class DiagnosisTests
     [Theory]
     [InlineData("--json")]
     [InlineData("--quiet")]
-    public async Task Programs_get_one_object_a_line(string output)
+    public async Task Json_is_one_object_per_line(string output)
     {
         using FrameServer server = FrameServer.Sending("SSH-2.0-Test\r\n"u8.ToArray());
         ToolResult result = await ToolRunner.RunAsync("diagnose", server.Address, "--duration", "15", output);
@@ -110,7 +110,7 @@ public sealed class DiagnosisTests
     [InlineData("info take.nmrec", "diagnose", "take.nmrec")]
     [InlineData("--duration", "diagnose", "studio", "--duration", "0.5")]
     [InlineData("'port'", "diagnose", "studio:port")]
-    public async Task Options_that_do_not_go_with_it_are_refused(string named, params string[] args)
+    public async Task Options_of_other_verbs_are_refused(string named, params string[] args)
     {
         ToolResult result = await ToolRunner.RunAsync(args);
 

@@ -43,7 +43,7 @@ public sealed class FileFaultTests
     [InlineData("'/nowhere/take.bvh' does not exist.", "info", "/nowhere/take.bvh")]
     [InlineData("'/nowhere/take.bvh' does not exist.", "convert", "/nowhere/take.bvh", "out.nmrec")]
     [InlineData("longer than this file system allows.", "info", "LONG")]
-    public async Task A_tool_says_what_is_wrong_with_its_file(string said, params string[] args)
+    public async Task A_damaged_file_is_explained(string said, params string[] args)
     {
         ToolResult result = await ToolRunner.RunAsync([.. args.Select(static word => word.Replace("LONG", LongName, StringComparison.Ordinal))]);
 
@@ -54,7 +54,7 @@ public sealed class FileFaultTests
     [Theory]
     [InlineData("--record")]
     [InlineData("--export")]
-    public async Task A_full_disk_is_said_and_ends_with_1(string option)
+    public async Task A_full_disk_is_reported_and_ends_with_1(string option)
     {
         if (!File.Exists("/dev/full"))
             Assert.Skip("This system has no device that is always full.");

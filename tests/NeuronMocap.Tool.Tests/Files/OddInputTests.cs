@@ -26,7 +26,7 @@ public sealed class OddInputTests : IDisposable
     }
 
     [Theory, MemberData(nameof(Inputs))]
-    public async Task What_is_no_regular_file_is_told_at_once(string tool, string kind)
+    public async Task A_special_file_is_refused_at_once(string tool, string kind)
     {
         Assert.SkipWhen(OperatingSystem.IsWindows(), "Windows has no such files.");
         using Socket? socket = kind == "socket" ? Listen(_folder["socket"]) : null;
@@ -80,7 +80,7 @@ public sealed class OddInputTests : IDisposable
     [InlineData(130, "convert", "out.nmrec")]
     [InlineData(130, "plot", "out.svg")]
     [InlineData(0, "play")]
-    public async Task A_signal_ends_work_that_does_not_look_for_it(int exitCode, string tool, string? output = null)
+    public async Task A_signal_ends_uninterruptible_work(int exitCode, string tool, string? output = null)
     {
         Assert.SkipUnless(OperatingSystem.IsLinux(), "Other systems may write all of the file.");
         using (FileStream file = File.Create(_folder["sparse.bin"]))
@@ -94,7 +94,7 @@ public sealed class OddInputTests : IDisposable
     }
 
     [Fact]
-    public async Task A_signal_ends_a_simulator_that_has_not_begun()
+    public async Task A_signal_ends_a_starting_simulator()
     {
         Assert.SkipUnless(OperatingSystem.IsLinux(), "Other systems may write all of the file.");
         using (FileStream file = File.Create(_folder["sparse.bin"]))
@@ -107,7 +107,7 @@ public sealed class OddInputTests : IDisposable
     }
 
     [Fact]
-    public async Task The_simulator_cleans_the_text_of_a_file()
+    public async Task The_simulator_sanitizes_the_text_of_a_file()
     {
         string path = _folder.Write("odd.bvh", Takes.TwoJoints.Replace("0.04", "\u009b31m\u202e", StringComparison.Ordinal));
         using var simulator = new ToolProcess("neuron-mocap simulate", "--bvh", path, "--port", "0");
@@ -119,7 +119,7 @@ public sealed class OddInputTests : IDisposable
     [Theory]
     [InlineData("info")]
     [InlineData("play")]
-    public async Task An_empty_name_is_told(string tool)
+    public async Task An_empty_name_is_reported(string tool)
     {
         ToolResult result = await ToolRunner.RunAsync(tool, " ");
         Assert.Equal(1, result.ExitCode);

@@ -6,7 +6,7 @@ public sealed class OutputFileTests
 {
     // The thread that writes may come to the file just after the run was given up.
     [Fact]
-    public void A_file_that_is_made_after_the_run_was_given_up_does_not_stay()
+    public void A_file_created_after_cancellation_is_removed()
     {
         using var folder = new TemporaryFolder();
         using var output = new OutputFile(folder["take.bvh"], overwrite: false);

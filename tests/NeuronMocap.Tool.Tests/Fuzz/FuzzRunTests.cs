@@ -20,7 +20,7 @@ public sealed class FuzzRunTests
     [InlineData("a read before the start", "surroundings")]
     [InlineData("a write to the input", "written")]
     [InlineData("a write behind the end", "written")]
-    public void A_planted_fault_is_found_and_its_input_cut_down_to_what_it_needs(string fault, string kind)
+    public void A_planted_fault_is_found_and_its_input_minimized(string fault, string kind)
     {
         FuzzRun run = Run(PlantedFaults.Get(fault), PlantedFaults.Get("none"));
 
@@ -34,11 +34,11 @@ public sealed class FuzzRunTests
     [Theory]
     [InlineData("none")]
     [InlineData("refusal")]
-    public void A_parser_that_does_as_documented_is_left_in_peace(string name) =>
+    public void A_correct_parser_has_no_findings(string name) =>
         Assert.Empty(Run(PlantedFaults.Get(name)).Progress[0].FailingInputs);
 
     [Fact]
-    public void An_input_that_does_not_come_back_ends_the_run_and_is_kept()
+    public void A_hanging_input_ends_the_run_and_is_kept()
     {
         using var end = new ManualResetEventSlim();
         FuzzRun run = Run(PlantedFaults.Hang(end));
@@ -50,7 +50,7 @@ public sealed class FuzzRunTests
     }
 
     [Fact]
-    public void An_input_that_writes_without_end_ends_the_run_and_is_kept()
+    public void An_endlessly_writing_input_ends_the_run_and_is_kept()
     {
         using var end = new ManualResetEventSlim();
         FuzzRun run = Run(PlantedFaults.Hang(end) with { TimeLimit = TimeSpan.FromHours(1), CountOutput = () => 100, OutputPerInput = 99 });
@@ -85,7 +85,7 @@ public sealed class FuzzRunTests
     [InlineData(nameof(CorpusKind.Bvh))]
     [InlineData(nameof(CorpusKind.Calculation))]
     [InlineData(nameof(CorpusKind.Recordings))]
-    public void Parts_of_a_file_are_swapped_doubled_and_removed(string name)
+    public void Parts_of_a_file_are_swapped_repeated_and_removed(string name)
     {
         CorpusKind kind = Enum.Parse<CorpusKind>(name);
         byte[] fixture = Corpus.Load(kind, data: null).Fixtures[0];
@@ -108,7 +108,7 @@ public sealed class FuzzRunTests
     }
 
     [Fact]
-    public void The_same_seed_gives_the_same_inputs_also_to_one_target_alone()
+    public void A_seed_gives_the_same_inputs_to_one_or_all_targets()
     {
         List<ulong> first = Inputs(seed: 1, others: []);
         Assert.Equal(first, Inputs(seed: 1, others: [PlantedFaults.Get("none")]));

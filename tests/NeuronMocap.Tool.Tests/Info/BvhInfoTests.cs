@@ -10,7 +10,7 @@ namespace NeuronMocap.Tool.Tests.Info;
 public sealed class BvhInfoTests : InfoPages
 {
     [Fact]
-    public async Task Programs_get_the_names_of_all_joints()
+    public async Task Json_has_the_names_of_all_joints()
     {
         string[] names = [.. Enumerable.Range(0, 40).Select(static number => $"joint{number}")];
         string tree = string.Concat(names.Select(static (name, number) => $"{(number == 0 ? "ROOT" : "JOINT")} {name}\n{{\nOFFSET 0 1 0\nCHANNELS 3 Zrotation Yrotation Xrotation\n"));
@@ -22,7 +22,7 @@ public sealed class BvhInfoTests : InfoPages
     }
 
     [Fact]
-    public async Task What_is_odd_is_found()
+    public async Task Oddities_are_found()
     {
         // A T first, then arms down; the head's angles jump by half a turn while it stays as it is; one value is no number.
         BvhDocument take = Takes.Neuron(
@@ -64,7 +64,7 @@ public sealed class BvhInfoTests : InfoPages
     }
 
     [Fact]
-    public async Task Another_skeleton_is_described_too()
+    public async Task Another_skeleton_is_described()
     {
         Folder.Write("joints.bvh", Takes.TwoJoints);
         string[] page = await PageAsync("joints.bvh");
@@ -76,7 +76,7 @@ public sealed class BvhInfoTests : InfoPages
     }
 
     [Fact]
-    public async Task A_skeleton_without_frames()
+    public async Task A_skeleton_without_frames_is_described()
     {
         Folder.Write("empty.bvh", Takes.TwoJoints[..Takes.TwoJoints.IndexOf("MOTION", StringComparison.Ordinal)]);
         Assert.Contains("  a skeleton without frames", await PageAsync("empty.bvh"));

@@ -10,7 +10,7 @@ public sealed class DumpInfoTests : InfoPages
     [Theory]
     [InlineData("", "without the avatar's number and name")]
     [InlineData("Char00 A ", "begin with a word instead of the avatar's number")]
-    public async Task A_dump_of_text_without_an_avatar_says_what_is_missing(string lead, string said)
+    public async Task A_text_dump_without_an_avatar_names_what_is_missing(string lead, string said)
     {
         string line = lead + string.Join(' ', Enumerable.Range(0, 354).Select(static value => $"{value}.50")) + "||\r\n";
         await File.WriteAllTextAsync(Folder["text.bin"], string.Concat(Enumerable.Repeat(line, 5)), TestContext.Current.CancellationToken);
@@ -25,7 +25,7 @@ public sealed class DumpInfoTests : InfoPages
 
     // Of one frame whose positions are at the end of what a number can be, the extent has no end.
     [Fact]
-    public async Task A_take_without_finite_extent_is_JSON_all_the_same()
+    public async Task A_take_of_infinite_extent_gives_valid_JSON()
     {
         byte[] packet = new byte[64 + (354 * sizeof(float))];
         float[] values = [float.MaxValue, -float.MaxValue, float.MaxValue, .. new float[351]];

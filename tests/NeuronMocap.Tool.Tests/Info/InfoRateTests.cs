@@ -35,7 +35,7 @@ public sealed class InfoRateTests : InfoPages
     }
 
     [Fact]
-    public async Task The_rate_is_not_for_files_with_times()
+    public async Task A_rate_is_refused_for_files_with_times()
     {
         Takes.StraightWalk(frames: 3).Save(Folder["walk.bvh"]);
         ToolResult result = await ToolRunner.RunAsync("info", Folder["walk.bvh"], "--rate", "60");

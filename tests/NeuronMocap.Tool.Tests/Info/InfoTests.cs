@@ -11,7 +11,7 @@ namespace NeuronMocap.Tool.Tests.Info;
 public sealed class InfoTests : InfoPages
 {
     [Fact]
-    public async Task Several_files_are_told_one_after_the_other_whatever_is_wrong_with_one()
+    public async Task Every_file_is_described_even_if_one_fails()
     {
         Takes.Actor(2).Save(Folder["a.bvh"]);
         Takes.Actor(3).Save(Folder["b.bvh"]);
@@ -26,7 +26,7 @@ public sealed class InfoTests : InfoPages
     }
 
     [Fact]
-    public async Task A_page_for_a_person_is_plain_when_it_is_redirected()
+    public async Task A_redirected_page_is_plain_text()
     {
         Takes.StraightWalk(frames: 601).Save(Folder["walk.bvh"]);
         string[] page = await PageAsync("walk.bvh");
@@ -47,7 +47,7 @@ public sealed class InfoTests : InfoPages
     [Theory]
     [InlineData(0)]
     [InlineData(7)]
-    public async Task A_terminal_that_does_not_tell_its_size_is_written_to_as_a_narrow_one(int columns)
+    public async Task A_terminal_of_unknown_size_is_treated_as_narrow(int columns)
     {
         Takes.StraightWalk(frames: 61).Save(Folder["walk.bvh"]);
         ToolResult result = await ToolRunner.RunOnTerminalAsync(columns, "info", Folder["walk.bvh"]);
@@ -58,7 +58,7 @@ public sealed class InfoTests : InfoPages
     }
 
     [Fact]
-    public async Task Programs_get_one_object()
+    public async Task Json_is_one_object()
     {
         Takes.StraightWalk(frames: 601).Save(Folder["walk.bvh"]);
         JsonElement info = await JsonAsync("walk.bvh");
@@ -74,7 +74,7 @@ public sealed class InfoTests : InfoPages
 
     // Of an avatar, a joint, a key of the metadata, a reason: none reaches the terminal as more than letters; JSON has all of it.
     [Fact]
-    public async Task Text_of_a_file_does_not_steer_the_terminal()
+    public async Task Text_of_a_file_cannot_control_the_terminal()
     {
         const string Odd = "\e[2J\u009b31m\u202e\r";
         using (RecordingWriter writer = RecordingWriter.Create(
@@ -105,7 +105,7 @@ public sealed class InfoTests : InfoPages
     [Theory]
     [InlineData("nowhere.bvh", "nowhere.bvh")]
     [InlineData(".", "folder")]
-    public async Task What_is_not_there_ends_with_1(string name, string told)
+    public async Task A_missing_file_ends_with_1(string name, string told)
     {
         ToolResult result = await ToolRunner.RunAsync("info", Folder[name]);
         Assert.Equal(1, result.ExitCode);
@@ -113,7 +113,7 @@ public sealed class InfoTests : InfoPages
     }
 
     [Fact]
-    public void Numbers_that_JSON_has_no_word_for_are_null()
+    public void Numbers_that_are_not_finite_are_null()
     {
         var report = new InfoReport("a", "raw", "b");
         report.Section("s", "t").Add("box", "c", "d", new JsonObject { ["low"] = double.NegativeInfinity, ["high"] = 2.5, ["all"] = new JsonArray(float.NaN, 1) });

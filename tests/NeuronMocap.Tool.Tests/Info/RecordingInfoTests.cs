@@ -8,7 +8,7 @@ namespace NeuronMocap.Tool.Tests.Info;
 public sealed class RecordingInfoTests : InfoPages
 {
     [Fact]
-    public async Task A_recording_tells_avatars_gaps_and_what_is_no_frame()
+    public async Task A_recording_is_described_with_avatars_gaps_and_skipped_bytes()
     {
         using (RecordingWriter writer = RecordingWriter.Create(Folder["two.nmrec"], RecordingMetadata.Empty.With(RecordingMetadata.ServerKey, "studio:7001")))
         {
@@ -64,7 +64,7 @@ public sealed class RecordingInfoTests : InfoPages
     }
 
     [Fact]
-    public async Task A_recording_whose_blocks_were_taken_out_is_not_taken_for_one_that_was_cut()
+    public async Task Missing_blocks_are_not_mistaken_for_a_cut()
     {
         using (RecordingWriter writer = RecordingWriter.Create(Folder["take.nmrec"]))
         {
@@ -89,7 +89,7 @@ public sealed class RecordingInfoTests : InfoPages
     }
 
     [Fact]
-    public async Task A_recording_that_was_cut_says_so()
+    public async Task A_cut_recording_is_reported()
     {
         Takes.Actor(600).Save(Folder["take.bvh"]);
         await ToolRunner.RunAsync("convert", Folder["take.bvh"], Folder["take.nmrec"]);

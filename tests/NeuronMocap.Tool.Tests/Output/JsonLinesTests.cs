@@ -29,7 +29,7 @@ public sealed class JsonLinesTests
     }
 
     [Fact]
-    public void A_frame_says_where_its_bones_are_in_the_world()
+    public void A_frame_has_the_world_positions_of_its_bones()
     {
         using var document = JsonDocument.Parse(_lines.Frame(Poses.Upright(x: 25)).ToArray());
         float[] positions = [.. document.RootElement.GetProperty("positions").EnumerateArray().Select(static value => value.GetSingle())];
@@ -42,7 +42,7 @@ public sealed class JsonLinesTests
     }
 
     [Fact]
-    public void Time_and_timecode_are_those_of_the_frame()
+    public void Time_and_timecode_come_from_the_frame()
     {
         var header = new MotionHeader { Version = DataVersion.Studio, Reserved1 = 0x0A0B0C, Reserved2 = 7 };
         var frame = new MotionFrame(header, [1]);
@@ -56,7 +56,7 @@ public sealed class JsonLinesTests
     }
 
     [Fact]
-    public void A_skeleton_is_told_once_for_each_avatar_and_again_when_it_changes()
+    public void A_skeleton_line_is_written_once_per_avatar_and_change()
     {
         var told = new SkeletonChanges();
         Assert.True(told.IsNew(Poses.Upright()));
@@ -73,7 +73,7 @@ public sealed class JsonLinesTests
     }
 
     [Fact]
-    public void What_is_not_finite_is_a_string()
+    public void Values_that_are_not_finite_are_strings()
     {
         var frame = new MotionFrame(new MotionHeader { FrameIndex = 1 }, [float.NaN, float.PositiveInfinity, float.NegativeInfinity]);
 
@@ -81,7 +81,7 @@ public sealed class JsonLinesTests
     }
 
     [Fact]
-    public void A_layout_without_a_counter_has_the_index_null()
+    public void A_frame_without_an_index_has_null()
     {
         var header = new MotionHeader { Version = DataVersion.Old, AvatarIndex = -1, HasReference = true };
         var frame = new MotionFrame(header, [1]);
@@ -131,7 +131,7 @@ public sealed class JsonLinesTests
     }
 
     [Fact]
-    public void Status_and_summary_are_lines_too()
+    public void Status_and_summary_are_lines()
     {
         Assert.Equal(
             """{"type":"status","state":"Silent","message":"Nothing.","format":"Text","reason":"no-data","attempt":2,"retryIn":null,"local":"127.0.0.1:7012","remote":null,"receiveBuffer":212992,"time":0,"utc":"2026-01-02T03:04:05Z"}""" + "\n",
@@ -162,7 +162,7 @@ public sealed class JsonLinesTests
     }
 
     [Fact]
-    public void Every_value_reads_back_to_the_same_bits()
+    public void Every_value_round_trips_bit_for_bit()
     {
         var random = new Random(7001);
         float[] values = [.. Enumerable.Range(0, 10_000).Select(_ => BitConverter.Int32BitsToSingle(random.Next())).Where(float.IsFinite)];
@@ -176,7 +176,7 @@ public sealed class JsonLinesTests
     }
 
     [Fact]
-    public void A_line_allocates_nothing_once_there_was_one_like_it()
+    public void A_repeated_line_allocates_nothing()
     {
         var frame = new MotionFrame(
             new MotionHeader { Version = DataVersion.Studio, AvatarName = new AvatarName("Char00"), FrameIndex = 1, Reserved1 = 0x0A0B0C }, [.. Enumerable.Range(0, 354).Select(index => index * 0.37f)]);

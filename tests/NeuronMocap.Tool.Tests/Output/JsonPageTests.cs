@@ -21,7 +21,7 @@ public sealed partial class JsonPageTests
     private readonly JsonLines _lines = new();
 
     [Fact]
-    public async Task Every_field_of_every_line_is_on_the_page_and_no_other()
+    public async Task The_page_lists_exactly_the_fields_of_every_line()
     {
         ToolResult diagnosis = await ToolRunner.RunAsync("diagnose", "demo", "--quiet", "--duration", "15");
         Dictionary<string, SortedSet<string>> written = [];
@@ -53,7 +53,7 @@ public sealed partial class JsonPageTests
     }
 
     [Fact]
-    public void Every_reason_has_a_code_of_its_own_that_is_on_the_page()
+    public void Every_reason_has_its_own_documented_code()
     {
         ConnectionReason[] reasons = Enum.GetValues<ConnectionReason>();
         string[] codes = [.. reasons.Select(ReasonCode.Of)];
@@ -68,7 +68,7 @@ public sealed partial class JsonPageTests
     [InlineData("command", "demo")]
     [InlineData("command", "demo", "bones")]
     [InlineData("command", "demo", "zero-out")]
-    public async Task Every_line_of_a_run_parses_and_has_a_type_of_the_page(params string[] args)
+    public async Task Every_line_of_a_run_parses_and_has_a_documented_type(params string[] args)
     {
         ToolResult result = await ToolRunner.RunAsync([.. args, "--json", .. (string[])(args.Length == 1 ? ["--frames", "5"] : [])]);
 

@@ -31,7 +31,7 @@ public sealed class PlayTests : IDisposable
     [InlineData(true, "--speed", "max")]
     [InlineData(true, "--speed", "100")]
     [InlineData(false, "--rate", "1000")]
-    public async Task The_monitor_prints_every_frame_of_a_file_and_ends_with_0(bool isRecording, params string[] how)
+    public async Task Play_prints_every_frame_of_a_file_and_ends_with_0(bool isRecording, params string[] how)
     {
         ToolResult result = await ToolRunner.RunAsync([.. (string[])["play", isRecording ? _recording : _dump, "--json"], .. how]);
         Assert.Empty(result.Error);
@@ -43,7 +43,7 @@ public sealed class PlayTests : IDisposable
     }
 
     [Fact]
-    public async Task What_the_monitor_plays_it_can_write_as_bvh()
+    public async Task Play_can_export_BVH()
     {
         string target = _dump + ".bvh";
         await File.WriteAllBytesAsync(
@@ -56,7 +56,7 @@ public sealed class PlayTests : IDisposable
     }
 
     [Fact]
-    public async Task The_monitor_plays_again_and_again_until_it_has_enough()
+    public async Task A_loop_ends_at_the_frame_limit()
     {
         ToolResult result = await ToolRunner.RunAsync("play", _recording, "--loop", "--speed", "max", "--frames", "35", "--json");
         Assert.Equal(0, result.ExitCode);
@@ -64,7 +64,7 @@ public sealed class PlayTests : IDisposable
     }
 
     [Fact]
-    public async Task A_file_that_cannot_be_played_is_named_and_ends_with_1()
+    public async Task An_unplayable_file_is_named_and_ends_with_1()
     {
         await File.WriteAllTextAsync(_dump, "HIERARCHY", TestContext.Current.CancellationToken);
         ToolResult other = await ToolRunner.RunAsync("play", _dump);
@@ -97,7 +97,7 @@ public sealed class PlayTests : IDisposable
     }
 
     [Fact]
-    public async Task The_simulator_sends_a_recording_to_the_monitor()
+    public async Task The_simulator_sends_a_recording_to_watch()
     {
         using var simulator = new ToolProcess("neuron-mocap simulate", "--play", _recording, "--port", "0", "--wait-for-client", "--speed", "10");
         string? line = await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken);
@@ -117,7 +117,7 @@ public sealed class PlayTests : IDisposable
     [InlineData(2, "--speed", "--speed", "2")]
     [InlineData(2, "--speed", "--play", "FILE", "--speed", "0")]
     [InlineData(2, "--speed", "--play", "FILE", "--speed", "2", "--rate", "max")]
-    public async Task The_simulator_names_the_option_that_is_wrong(int code, string named, params string[] args)
+    public async Task The_simulator_names_the_wrong_option(int code, string named, params string[] args)
     {
         string[] real = [.. args.Select(argument => argument == "FILE" ? _recording : argument)];
         using var simulator = new ToolProcess("neuron-mocap simulate", real);
@@ -126,7 +126,7 @@ public sealed class PlayTests : IDisposable
     }
 
     [Fact]
-    public void Keys_move_the_playback()
+    public void Keys_control_the_playback()
     {
         using RecordingPlayer player = RecordingPlayer.Open(_recording);
         Assert.Equal("0:00.0 of 0:00.0", PlaybackKeys.Describe(player));

@@ -48,7 +48,7 @@ public sealed class PlotTests : IDisposable
     }
 
     [Fact]
-    public async Task Everything_is_inside_the_drawing_and_is_a_number()
+    public async Task Everything_is_finite_and_inside_the_drawing()
     {
         Takes.Actor(600).Save(_folder["actor.bvh"]);
         XElement svg = await Drawing.PlotAsync(_folder, "actor.bvh");
@@ -85,7 +85,7 @@ public sealed class PlotTests : IDisposable
     }
 
     [Fact]
-    public async Task A_long_take_gives_no_larger_picture_and_no_peak_is_lost()
+    public async Task A_long_take_keeps_its_peaks_in_a_small_picture()
     {
         const int Peak = 12_345;
         Takes.Neuron(30_000, static (frame, pose) => Takes.Move(pose, new Vector3(MathF.Sin(frame / 50f), frame == Peak ? 40 : 0, frame % 997 / 10f)))
@@ -98,7 +98,7 @@ public sealed class PlotTests : IDisposable
     }
 
     [Fact]
-    public async Task Values_that_are_no_numbers_leave_holes()
+    public async Task Values_that_are_not_finite_leave_holes()
     {
         BvhDocument take = Takes.Neuron(100, static (frame, pose) =>
             Takes.Move(pose, frame is >= 40 and < 60 or 99 ? new Vector3(float.NaN, 0, float.PositiveInfinity) : new Vector3(frame, 0, 0)));
@@ -153,7 +153,7 @@ public sealed class PlotTests : IDisposable
     }
 
     [Fact]
-    public async Task A_skeleton_without_frames_is_told_and_leaves_nothing()
+    public async Task A_skeleton_without_frames_is_reported_and_leaves_nothing()
     {
         _folder.Write("none.bvh", Takes.TwoJoints[..Takes.TwoJoints.IndexOf("0 10 0 0", StringComparison.Ordinal)]);
         ToolResult result = await ToolRunner.RunAsync("plot", _folder["none.bvh"], _folder["none.svg"]);
@@ -163,7 +163,7 @@ public sealed class PlotTests : IDisposable
     }
 
     [Fact]
-    public async Task A_picture_that_cannot_be_written_is_told_by_its_own_name()
+    public async Task An_unwritable_picture_is_named()
     {
         Takes.Actor(2).Save(_folder["a.bvh"]);
         ToolResult result = await ToolRunner.RunAsync("plot", _folder["a.bvh"], Path.Combine(_folder["nowhere"], "a.svg"));
@@ -199,7 +199,7 @@ public sealed class PlotTests : IDisposable
     }
 
     [Fact]
-    public async Task A_picture_that_is_there_is_kept_unless_told_otherwise()
+    public async Task An_existing_picture_is_kept_unless_overwritten()
     {
         Takes.Actor(2).Save(_folder["a.bvh"]);
         _folder.Write("a.svg", "mine");

@@ -72,7 +72,7 @@ public sealed class SimulatorProcessTests
     }
 
     [Fact]
-    public async Task An_option_that_is_not_there_is_told_with_the_one_that_was_meant()
+    public async Task An_unknown_option_is_reported_with_a_suggestion()
     {
         using var simulator = new ToolProcess(Program, "--avatar", "2");
         Assert.Equal(2, await simulator.WaitForExitAsync());
@@ -80,7 +80,7 @@ public sealed class SimulatorProcessTests
     }
 
     [Fact]
-    public async Task Over_udp_alone_no_clients_are_counted()
+    public async Task UDP_alone_counts_no_clients()
     {
         using var simulator = new ToolProcess(Program, "--udp", "127.0.0.1:9", "--frames", "2");
         string report = await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
@@ -107,7 +107,7 @@ public sealed class SimulatorProcessTests
     }
 
     [Fact]
-    public async Task The_command_channel_says_where_it_is_and_answers_the_monitor()
+    public async Task The_command_channel_is_announced_and_answers_watch()
     {
         using var simulator = new ToolProcess(Program, "--port", "0", "--commands", "0", "--order", "XZY");
         await ReadAddressAsync(simulator);
@@ -121,18 +121,18 @@ public sealed class SimulatorProcessTests
     }
 
     [Fact]
-    public async Task A_file_that_is_not_there_ends_with_1_and_one_line_that_names_the_option() =>
+    public async Task A_missing_file_ends_with_1_and_one_line_that_names_the_option() =>
         await AssertFailsAsync("--bvh", "--bvh", Path.Combine(Path.GetTempPath(), Path.GetRandomFileName()));
 
     [Fact]
-    public async Task A_file_that_is_no_take_ends_with_1_and_one_line_that_names_the_option() =>
+    public async Task An_invalid_take_ends_with_1_and_one_line_that_names_the_option() =>
         await AssertFailsAsync("--bvh", "--bvh", typeof(SimulatorProcessTests).Assembly.Location);
 
     [Theory]
     [InlineData("--bvh")]
     [InlineData("--calc")]
     [InlineData("--play")]
-    public async Task What_is_no_file_is_told_in_words_of_the_program(string option)
+    public async Task A_folder_in_place_of_a_file_is_reported(string option)
     {
         string folder = Path.GetTempPath();
         Assert.Contains("is a folder", await FailAsync(option, folder), StringComparison.Ordinal);
@@ -157,11 +157,11 @@ public sealed class SimulatorProcessTests
     }
 
     [Fact]
-    public async Task An_address_of_another_machine_is_told_in_words_of_the_program() =>
+    public async Task A_foreign_address_is_reported_as_an_option_of_the_program() =>
         await AssertFailsAsync("--bind", "--bind", "192.0.2.1", "--port", "0");
 
     [Fact]
-    public async Task Help_names_the_ports_and_says_which_clients_a_format_is_not_for()
+    public async Task Help_names_ports_and_unsuitable_clients()
     {
         using var simulator = new ToolProcess(Program, "--help");
         string help = string.Join(' ', (await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken)).Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
@@ -171,7 +171,7 @@ public sealed class SimulatorProcessTests
     }
 
     [Fact]
-    public async Task Frames_of_all_avatars_reach_the_monitor_and_both_programs_end()
+    public async Task Frames_of_all_avatars_reach_watch_and_both_programs_end()
     {
         using var simulator = new ToolProcess(
             Program, "--port", "0", "--rate", "max", "--wait-for-client", "--frames", "300", "--avatars", "2", "--calculation", "--header", "old");
@@ -191,7 +191,7 @@ public sealed class SimulatorProcessTests
     [InlineData("binary", "header 1.1.0.0, calculation packets")]
     [InlineData("text", "text with 2 decimals, calculation lines")]
     [InlineData("studio", "as Axis Studio, header 1.1.0.1, its calculation packets")]
-    public async Task Every_format_reaches_the_monitor_and_the_first_line_names_it(string format, string description)
+    public async Task Every_format_reaches_watch_and_is_named_in_the_first_line(string format, string description)
     {
         using var simulator = new ToolProcess(
             Program, "--port", "0", "--rate", "max", "--wait-for-client", "--frames", "100", "--avatars", "2", "--calculation", "--format", format);
@@ -210,7 +210,7 @@ public sealed class SimulatorProcessTests
     [InlineData("binary", "header 1.1.0.0, calculation packets on a port of their own")]
     [InlineData("text", "text with 2 decimals, calculation lines on a port of their own")]
     [InlineData("studio", "as Axis Studio, header 1.1.0.1, its calculation packets on a port of their own")]
-    public async Task Calculation_has_a_port_of_its_own_that_the_program_names(string format, string description)
+    public async Task Calculation_has_its_own_announced_port(string format, string description)
     {
         using var simulator = new ToolProcess(
             Program, "--port", "0", "--calculation-port", "0", "--rate", "max", "--frames", "100", "--avatars", "2", "--format", format);
@@ -252,7 +252,7 @@ public sealed class SimulatorProcessTests
     [Theory]
     [InlineData("on")]
     [InlineData("off")]
-    public async Task Commands_are_answered_between_lines_unless_told_not_to(string answers)
+    public async Task Commands_are_answered_between_lines_unless_switched_off(string answers)
     {
         if (OperatingSystem.IsWindows())
             Assert.Skip("There are no signals to send.");

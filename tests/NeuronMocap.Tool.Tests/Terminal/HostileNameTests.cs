@@ -35,7 +35,7 @@ public sealed class HostileNameTests
     }
 
     [Fact]
-    public async Task The_message_about_an_export_is_clean()
+    public async Task An_export_message_is_clean()
     {
         using var folder = new TemporaryFolder();
         using FrameServer server = Serve();
@@ -61,7 +61,7 @@ public sealed class HostileNameTests
     }
 
     [Fact]
-    public async Task A_BVH_header_that_goes_to_a_terminal_is_clean()
+    public async Task A_BVH_header_on_a_terminal_is_clean()
     {
         ToolResult result = await ToolRunner.RunOnTerminalAsync(80, "command", "demo", "header");
 

@@ -6,13 +6,13 @@ namespace NeuronMocap.Tool.Tests.Terminal;
 public sealed class PieceTests
 {
     [Fact]
-    public void Pieces_stay_whole_and_lines_do_not_begin_with_a_separator() => Assert.Equal(
+    public void Pieces_stay_whole_and_no_line_begins_with_a_separator() => Assert.Equal(
         ["one two · three", "four"],
         Flow(["one two", "three", "four"], width: 16),
         StringComparer.Ordinal);
 
     [Fact]
-    public void A_piece_that_is_too_wide_is_broken_between_its_words() => Assert.Equal(
+    public void A_wide_piece_breaks_between_words() => Assert.Equal(
         ["a", "long piece", "b"],
         Flow(["a", "long piece", "b"], width: 10),
         StringComparer.Ordinal);

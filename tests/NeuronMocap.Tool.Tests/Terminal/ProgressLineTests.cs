@@ -5,7 +5,7 @@ namespace NeuronMocap.Tool.Tests.Terminal;
 public sealed class ProgressLineTests
 {
     [Fact]
-    public void Nothing_is_written_where_no_person_looks()
+    public void Redirected_output_has_no_bar()
     {
         using var error = new StringWriter();
         using (var streams = new StandardStreams(Stream.Null, error, IsTerminal: true))
@@ -27,7 +27,7 @@ public sealed class ProgressLineTests
     }
 
     [Fact]
-    public void The_bar_tells_the_work_and_its_part_and_goes_at_the_end()
+    public void The_bar_shows_progress_and_is_removed_at_the_end()
     {
         using var error = new SharedWriter();
         using (var streams = new StandardStreams(Stream.Null, error, IsTerminal: false) { IsErrorTerminal = true })
@@ -55,7 +55,7 @@ public sealed class ProgressLineTests
     [InlineData(1, 30, "0 s left")]
     [InlineData(0, 30, "")]
     [InlineData(1e-300, 30, "")]
-    public void The_time_that_is_left_follows_from_the_time_so_far(double value, double seconds, string expected) =>
+    public void The_remaining_time_follows_from_the_elapsed_time(double value, double seconds, string expected) =>
         Assert.Equal(expected, ProgressLine.DescribeRest(value, TimeSpan.FromSeconds(seconds)));
 
     // The bar has a thread of its own.

@@ -9,7 +9,7 @@ public sealed class ScreenTests
     private readonly MemoryStream _output = new();
 
     [Fact]
-    public void The_terminal_is_given_back_as_it_was()
+    public void The_terminal_is_restored()
     {
         using (var screen = new Screen(_output))
             screen.Show(new Text("one"), 20, 3);
@@ -22,7 +22,7 @@ public sealed class ScreenTests
     }
 
     [Fact]
-    public void Only_lines_that_changed_are_sent()
+    public void Only_changed_lines_are_sent()
     {
         using var screen = new Screen(_output);
         screen.Show(new Text("one\ntwo"), 20, 3);
@@ -37,7 +37,7 @@ public sealed class ScreenTests
     }
 
     [Fact]
-    public void Another_size_or_a_return_from_suspension_draws_everything()
+    public void A_resize_or_resume_redraws_everything()
     {
         using var screen = new Screen(_output);
         screen.Show(new Text("one"), 20, 3);

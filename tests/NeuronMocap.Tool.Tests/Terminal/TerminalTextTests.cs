@@ -17,7 +17,7 @@ public sealed class TerminalTextTests
     [InlineData("a\u2028b\u2029c", "a·b·c")]
     [InlineData("a\ufffeb\uffffc", "a·b·c")]
     [InlineData("a\U000E0041b", "a·b")] // a tag, which no terminal shows
-    public void What_would_reach_the_terminal_as_more_than_a_letter_becomes_a_dot(string text, string clean) =>
+    public void Control_characters_become_dots(string text, string clean) =>
         Assert.Equal(clean, TerminalText.Clean(text));
 
     [Theory]
@@ -26,14 +26,14 @@ public sealed class TerminalTextTests
     [InlineData("José 王小明 علي Ω")]
     [InlineData("\U0001F469\u200D\U0001F3A4 क्‍ष")]
     [InlineData("e\u0301")]
-    public void Names_stay_as_they_are(string name) => Assert.Same(name, TerminalText.Clean(name));
+    public void Ordinary_names_are_unchanged(string name) => Assert.Same(name, TerminalText.Clean(name));
 
     // An attribute cannot hold half of a pair.
     [Fact]
     public void Halves_of_surrogate_pairs_become_dots() => Assert.Equal("a·b·", TerminalText.Clean("a\ud800b\udc00"));
 
     [Fact]
-    public void JSON_keeps_the_text_and_escapes_what_a_terminal_would_obey()
+    public void JSON_escapes_control_characters()
     {
         const string Text = "\e[2J\u009b\u202e\u2028\u200b王 é";
         string json = JsonSerializer.Serialize(Text, SafeJson);

@@ -10,7 +10,7 @@ public sealed class TmuxTests
     private const string NoTmux = "There is no tmux.";
 
     [Fact]
-    public async Task The_simulator_shows_how_it_is_going_below_what_it_said()
+    public async Task The_simulator_shows_its_state_below_its_output()
     {
         Assert.SkipUnless(TmuxTerminal.Exists, NoTmux);
         await using TmuxTerminal terminal = await TmuxTerminal.StartAsync(100, 12, "simulate --port 0");

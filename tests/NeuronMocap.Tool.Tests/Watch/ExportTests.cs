@@ -15,7 +15,7 @@ public sealed class ExportTests : IDisposable
     [InlineData("--json")]
     [InlineData("--quiet")]
     [InlineData("--once")]
-    public async Task The_frames_that_are_shown_are_kept(string output)
+    public async Task Shown_frames_are_exported(string output)
     {
         using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)), FrameServer.Motion(2, Values(2)), FrameServer.Motion(4, Values(4)));
 
@@ -30,7 +30,7 @@ public sealed class ExportTests : IDisposable
     }
 
     [Fact]
-    public async Task As_many_frames_are_kept_as_asked_for()
+    public async Task The_frame_limit_applies_to_the_export()
     {
         using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, Values(1)));
         ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--quiet", "--frames", "7", "--export", Target);
@@ -40,7 +40,7 @@ public sealed class ExportTests : IDisposable
     }
 
     [Fact]
-    public async Task The_demo_is_kept_too()
+    public async Task The_demo_can_be_exported()
     {
         ToolResult result = await ToolRunner.RunAsync("watch", "demo", "--quiet", "--frames", "5", "--export", Target);
         Assert.Equal(0, result.ExitCode);
@@ -48,7 +48,7 @@ public sealed class ExportTests : IDisposable
     }
 
     [Fact]
-    public async Task A_file_that_is_there_is_replaced_only_when_asked_for()
+    public async Task An_existing_file_is_replaced_only_by_option()
     {
         await File.WriteAllTextAsync(Target, "precious", TestContext.Current.CancellationToken);
         using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, Values(1)));
@@ -79,7 +79,7 @@ public sealed class ExportTests : IDisposable
     }
 
     [Fact]
-    public async Task Without_a_frame_no_file_is_left()
+    public async Task No_file_is_left_without_a_frame()
     {
         using FrameServer server = FrameServer.Sending(FrameServer.Calculation(1, 2));
         ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--once", "--quiet", "--export", Target);
@@ -93,7 +93,7 @@ public sealed class ExportTests : IDisposable
     [InlineData("--json")]
     [InlineData("--quiet")]
     [InlineData("--once")]
-    public async Task A_full_disk_is_told_with_its_reason_and_ends_with_code_1(string output)
+    public async Task A_full_disk_is_reported_and_ends_with_1(string output)
     {
         Assert.SkipUnless(File.Exists("/dev/full"), "There is no /dev/full.");
         File.CreateSymbolicLink(Target, "/dev/full");
@@ -114,7 +114,7 @@ public sealed class ExportTests : IDisposable
     }
 
     [Fact]
-    public async Task A_file_that_is_being_written_already_is_left_alone()
+    public async Task A_file_being_written_is_left_alone()
     {
         string recorded = Path.Combine(_folder.FullName, "take.nmrec");
         File.CreateSymbolicLink(Target, recorded);
@@ -141,7 +141,7 @@ public sealed class ExportTests : IDisposable
     [InlineData(2)]
     [InlineData(3)]
     [InlineData(4)]
-    public async Task A_process_that_is_killed_leaves_a_file_that_opens_with_all_rows_but_those_of_the_last_moment(int seed)
+    public async Task A_killed_process_leaves_a_readable_file(int seed)
     {
         var random = new Random(seed);
         BvhDocument before;

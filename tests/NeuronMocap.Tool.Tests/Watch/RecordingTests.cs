@@ -15,7 +15,7 @@ public sealed class RecordingTests : IDisposable
     [InlineData("--json")]
     [InlineData("--quiet")]
     [InlineData("--record-compress")]
-    public async Task What_was_sent_is_in_the_file_and_told_in_one_line(string option)
+    public async Task A_recording_holds_what_was_sent_and_is_summarized(string option)
     {
         byte[] sent = [.. FrameServer.Motion(1, new float[354]), .. "noise"u8, .. FrameServer.Calculation(2, 1, 2)];
         using FrameServer server = FrameServer.Sending(sent);
@@ -30,7 +30,7 @@ public sealed class RecordingTests : IDisposable
     }
 
     [Fact]
-    public async Task A_device_is_not_recorded_to_and_replacing_it_is_not_offered()
+    public async Task A_device_is_refused_as_a_recording()
     {
         Assert.SkipUnless(File.Exists("/dev/null"), "There is no /dev/null.");
         ToolResult result = await ToolRunner.RunAsync("watch", "--frames", "2", "--quiet", "--record", "/dev/null");
@@ -46,7 +46,7 @@ public sealed class RecordingTests : IDisposable
     [InlineData("--json")]
     [InlineData("--quiet")]
     [InlineData("--once")]
-    public async Task A_full_disk_is_told_with_its_reason_and_ends_with_code_1(string output)
+    public async Task A_full_disk_is_reported_and_ends_with_1(string output)
     {
         Assert.SkipUnless(File.Exists("/dev/full"), "There is no /dev/full.");
         File.CreateSymbolicLink(Path.Combine(_folder.FullName, "take.0002.nmrec"), "/dev/full");
@@ -71,7 +71,7 @@ public sealed class RecordingTests : IDisposable
     }
 
     [Fact]
-    public async Task Nobody_waits_for_a_stream_that_is_neither_shown_nor_written_any_more()
+    public async Task A_stream_without_outputs_ends()
     {
         Assert.SkipUnless(File.Exists("/dev/full"), "There is no /dev/full.");
         File.CreateSymbolicLink(Path.Combine(_folder.FullName, "take.0002.nmrec"), "/dev/full");
@@ -82,7 +82,7 @@ public sealed class RecordingTests : IDisposable
     }
 
     [Fact]
-    public async Task The_demo_is_recorded_and_its_metadata_with_it()
+    public async Task The_demo_is_recorded_with_metadata()
     {
         ToolResult result = await ToolRunner.RunAsync("watch", "--record", Take, "--frames", "5", "--order", "ZXY", "--quiet");
         Assert.Equal(0, result.ExitCode);
@@ -97,7 +97,7 @@ public sealed class RecordingTests : IDisposable
     }
 
     [Fact]
-    public async Task A_file_that_is_there_is_an_error_unless_it_may_be_replaced()
+    public async Task An_existing_file_is_an_error_unless_overwritten()
     {
         await File.WriteAllTextAsync(Take, "precious", TestContext.Current.CancellationToken);
         ToolResult refused = await ToolRunner.RunAsync("watch", "--record", Take, "--frames", "1", "--quiet");
@@ -111,7 +111,7 @@ public sealed class RecordingTests : IDisposable
     }
 
     [Fact]
-    public async Task A_folder_that_is_missing_is_named()
+    public async Task A_missing_folder_is_named()
     {
         ToolResult result = await ToolRunner.RunAsync("watch", "--record", Path.Combine(_folder.FullName, "missing", "take.nmrec"), "--frames", "1");
         Assert.Equal(1, result.ExitCode);

@@ -6,7 +6,7 @@ namespace NeuronMocap.Tool.Tests.Watch;
 public sealed class MonitorProcessTests
 {
     [Fact]
-    public async Task A_reader_of_the_output_that_leaves_ends_the_program_quietly()
+    public async Task A_closed_output_pipe_ends_the_program_quietly()
     {
         using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, new float[354]));
         using var monitor = new ToolProcess("neuron-mocap", "watch", server.Address, "--json");
@@ -69,7 +69,7 @@ public sealed class MonitorProcessTests
     [InlineData("neuron-mocap watch", "--frames", "20", "--json")]
     [InlineData("neuron-mocap watch", "--frames", "20", "--quiet")]
     [InlineData("neuron-mocap simulate", "--port", "0", "--frames", "1")]
-    public async Task A_full_disk_is_an_error_and_said_in_one_line(string program, params string[] args)
+    public async Task A_full_disk_is_one_line_of_error(string program, params string[] args)
     {
         if (!File.Exists("/dev/full"))
             Assert.Skip("This system has no device that is always full.");

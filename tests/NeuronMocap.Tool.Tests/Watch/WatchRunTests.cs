@@ -44,7 +44,7 @@ public sealed class WatchRunTests
     [InlineData(1)]
     [InlineData(2)]
     [InlineData(101)]
-    public async Task Exactly_as_many_frames_come_out_as_asked_for(int frames)
+    public async Task The_frame_limit_is_exact(int frames)
     {
         using FrameServer server = FrameServer.Repeating([.. FrameServer.Motion(1, 1), .. FrameServer.Calculation(1, 2)]);
 
@@ -58,7 +58,7 @@ public sealed class WatchRunTests
     }
 
     [Fact]
-    public async Task No_frame_is_left_out_however_slow_the_output_is()
+    public async Task Slow_output_loses_no_frame()
     {
         float[] values = new float[354];
         using FrameServer server = FrameServer.Sending([.. Enumerable.Range(0, 3000).Select(index => FrameServer.Motion((uint)index, values))]);
@@ -71,7 +71,7 @@ public sealed class WatchRunTests
     }
 
     [Fact]
-    public async Task Quiet_prints_the_summary_alone()
+    public async Task Quiet_prints_only_the_summary()
     {
         using FrameServer server = FrameServer.Sending(FrameServer.Motion(1, 1), FrameServer.Motion(2, 1));
 
@@ -84,7 +84,7 @@ public sealed class WatchRunTests
     [Theory]
     [InlineData("--quiet")]
     [InlineData("--once")]
-    public async Task A_calculation_port_that_brings_nothing_is_told_while_motion_arrives(string output)
+    public async Task A_silent_calculation_port_is_reported_while_motion_arrives(string output)
     {
         using FrameServer server = FrameServer.Pacing(static number => FrameServer.Motion((uint)number, 1));
 
@@ -101,7 +101,7 @@ public sealed class WatchRunTests
     }
 
     [Fact]
-    public async Task The_time_of_a_quiet_summary_is_that_of_the_run()
+    public async Task A_quiet_summary_has_the_time_of_the_run()
     {
         using FrameServer server = FrameServer.Pacing(static number => FrameServer.Motion((uint)number, 1));
         ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--duration", "2", "--quiet");
@@ -123,7 +123,7 @@ public sealed class WatchRunTests
     }
 
     [Fact]
-    public async Task A_refused_connection_is_tried_again_until_the_time_is_over()
+    public async Task A_refused_connection_is_retried_for_the_duration()
     {
         ToolResult result = await ToolRunner.RunAsync("watch", FrameServer.RefusingAddress(), "--duration", "3", "--json");
 
@@ -133,7 +133,7 @@ public sealed class WatchRunTests
     }
 
     [Fact]
-    public async Task A_server_that_sends_nothing_ends_with_1_and_the_setting_to_look_at()
+    public async Task A_silent_server_ends_with_1_and_the_setting()
     {
         using FrameServer server = FrameServer.Silent();
 
@@ -144,7 +144,7 @@ public sealed class WatchRunTests
     }
 
     [Fact]
-    public async Task Bytes_that_are_no_packets_end_with_1_and_the_format_to_choose()
+    public async Task Unknown_bytes_end_with_1_and_the_format()
     {
         using FrameServer server = FrameServer.Sending(Encoding.ASCII.GetBytes("0 Char00 0.00 93.02 ||\r\n"));
 
@@ -155,7 +155,7 @@ public sealed class WatchRunTests
     }
 
     [Fact]
-    public async Task A_udp_port_that_another_program_has_is_named()
+    public async Task A_UDP_port_in_use_is_named()
     {
         using var other = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         other.Bind(new IPEndPoint(IPAddress.Any, 0));

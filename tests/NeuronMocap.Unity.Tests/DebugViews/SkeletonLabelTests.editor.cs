@@ -14,7 +14,7 @@ public sealed class SkeletonLabelTests : IDisposable
     [Theory]
     [InlineData(SkeletonVariant.Neck1, "Spine3")]
     [InlineData(SkeletonVariant.Spine3, "Neck1")]
-    public void Names_of_the_variant_s_bones_stand_at_their_joints_but_for_the_fingers(SkeletonVariant variant, string other)
+    public void Joints_are_labelled_except_fingers(SkeletonVariant variant, string other)
     {
         using NeuronMocap.Server.Broadcaster server = Stage.Broadcast(new StandingActor(SkeletonBody.GetDefault(variant)));
         MocapSource source = Stage.AddClient(server);

@@ -10,7 +10,7 @@ public sealed class SkeletonViewTests : IDisposable
     public void Dispose() => _loop.Dispose();
 
     [Fact]
-    public void Bones_and_joints_are_where_the_performer_s_are()
+    public void Bones_and_joints_match_the_performer()
     {
         MocapSource source = Stage.AddSimulator();
         SkeletonView view = AddView(source);
@@ -56,7 +56,7 @@ public sealed class SkeletonViewTests : IDisposable
     }
 
     [Fact]
-    public void Trails_are_as_long_as_asked_for()
+    public void Trails_have_the_configured_length()
     {
         MocapSource source = Stage.AddSimulator();
         SkeletonView view = AddView(source);
@@ -79,7 +79,7 @@ public sealed class SkeletonViewTests : IDisposable
     }
 
     [Fact]
-    public void With_a_driver_it_stands_at_the_character()
+    public void The_view_stands_at_the_driven_character()
     {
         MocapSource source = Stage.AddSimulator();
         var holder = new GameObject("Figure");
@@ -97,7 +97,7 @@ public sealed class SkeletonViewTests : IDisposable
     }
 
     [Fact]
-    public void Without_anybody_nothing_is_drawn()
+    public void Nothing_is_drawn_without_a_performer()
     {
         AddView(null);
         _loop.Frames(3);
@@ -106,7 +106,7 @@ public sealed class SkeletonViewTests : IDisposable
     }
 
     [Fact]
-    public void Steady_it_allocates_nothing()
+    public void A_frame_allocates_nothing()
     {
         MocapSource source = Stage.AddSimulator();
         SkeletonView view = AddView(source);

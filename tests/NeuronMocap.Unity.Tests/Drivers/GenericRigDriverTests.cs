@@ -26,7 +26,7 @@ public sealed class GenericRigDriverTests : SourceFixture
     }
 
     [Fact]
-    public void An_explicit_binding_goes_before_a_name()
+    public void An_explicit_binding_wins_over_a_name()
     {
         GameObject rig = Build("x:", out Dictionary<Bone, Transform> bones);
         bones[Bone.Head].name = "Skull";
@@ -41,7 +41,7 @@ public sealed class GenericRigDriverTests : SourceFixture
     }
 
     [Fact]
-    public void Without_hips_it_says_where_to_look()
+    public void Missing_hips_are_explained()
     {
         GenericRigDriver driver = new GameObject("Crate").AddComponent<GenericRigDriver>();
         driver.Prefix = "Robot_";
@@ -51,7 +51,7 @@ public sealed class GenericRigDriverTests : SourceFixture
     }
 
     [Fact]
-    public void The_rest_pose_of_a_skin_goes_before_how_it_stands()
+    public void A_skins_rest_pose_wins_over_the_current_pose()
     {
         GameObject rig = Build("", out Dictionary<Bone, Transform> bones);
         SkinnedMeshRenderer skin = rig.AddComponent<SkinnedMeshRenderer>();

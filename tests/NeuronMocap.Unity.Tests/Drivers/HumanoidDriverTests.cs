@@ -14,7 +14,7 @@ public sealed class HumanoidDriverTests : SourceFixture
     [InlineData(1)]
     [InlineData(2)]
     [InlineData(3)]
-    public void Every_bone_of_a_strange_rig_turns_in_the_world_as_the_performer_s(int seed)
+    public void Every_bone_of_an_unusual_rig_has_the_performers_world_rotation(int seed)
     {
         TestFigure figure = TestFigure.Build("Figure", seed);
         HumanoidDriver driver = figure.Drive(AddSimulator());
@@ -30,7 +30,7 @@ public sealed class HumanoidDriverTests : SourceFixture
     }
 
     [Fact]
-    public void The_hips_go_the_performer_s_way_in_the_measure_of_the_legs()
+    public void Hip_motion_is_scaled_by_leg_length()
     {
         TestFigure figure = TestFigure.Build("Figure", size: 0.5f);
         HumanoidDriver driver = figure.Drive(AddSimulator());
@@ -51,7 +51,7 @@ public sealed class HumanoidDriverTests : SourceFixture
     }
 
     [Fact]
-    public void Transforms_agree_with_the_retargeter_s_own_output()
+    public void Transforms_match_the_retargeter()
     {
         TestFigure figure = TestFigure.Build("Figure");
         HumanoidDriver driver = figure.Drive(AddSimulator());
@@ -88,7 +88,7 @@ public sealed class HumanoidDriverTests : SourceFixture
     }
 
     [Fact]
-    public void What_is_missing_is_said_with_the_setting_to_change()
+    public void Missing_settings_are_explained()
     {
         HumanoidDriver driver = new GameObject("Empty").AddComponent<HumanoidDriver>();
         Loop.Frame();
@@ -122,7 +122,7 @@ public sealed class HumanoidDriverTests : SourceFixture
     }
 
     [Fact]
-    public void An_avatar_that_is_not_Humanoid_is_refused_in_words()
+    public void A_generic_avatar_is_refused_with_a_reason()
     {
         var root = new GameObject("Thing");
         Animator animator = root.AddComponent<Animator>();
@@ -136,7 +136,7 @@ public sealed class HumanoidDriverTests : SourceFixture
     }
 
     [Fact]
-    public void Enabled_again_it_has_the_same_rest_pose()
+    public void Enabling_again_restores_the_rest_pose()
     {
         TestFigure figure = TestFigure.Build("Figure");
         HumanoidDriver driver = figure.Drive(AddSimulator());
@@ -154,7 +154,7 @@ public sealed class HumanoidDriverTests : SourceFixture
     }
 
     [Fact]
-    public void A_part_without_weight_is_left_alone_and_goes_to_rest_when_nobody_takes_it()
+    public void A_part_without_weight_is_left_to_others_or_rests()
     {
         TestFigure figure = TestFigure.Build("Figure");
         HumanoidDriver driver = figure.Drive(AddSimulator());
@@ -173,7 +173,7 @@ public sealed class HumanoidDriverTests : SourceFixture
     }
 
     [Fact]
-    public void A_part_of_the_weight_mixes_with_the_rest_pose_and_does_not_creep()
+    public void Partial_weight_blends_with_the_rest_pose_without_drift()
     {
         TestFigure figure = TestFigure.Build("Figure");
         HumanoidDriver driver = figure.Drive(AddSimulator(motion: SimulatedMotion.TPose));
@@ -192,7 +192,7 @@ public sealed class HumanoidDriverTests : SourceFixture
     [Theory]
     [InlineData(IdleBehaviour.Hold)]
     [InlineData(IdleBehaviour.BlendToRest)]
-    public void When_data_stops_it_holds_its_pose_or_goes_to_rest(IdleBehaviour behaviour)
+    public void A_figure_without_data_holds_its_pose_or_rests(IdleBehaviour behaviour)
     {
         Broadcaster server = Serve(new SyntheticSource());
         MocapSource source = Add(server, static source => (source.IdleTimeout, source.LeaveTimeout) = (0.1f, 0.3f));
@@ -214,7 +214,7 @@ public sealed class HumanoidDriverTests : SourceFixture
     }
 
     [Fact]
-    public void Feet_that_stand_do_not_slide()
+    public void Standing_feet_do_not_slide()
     {
         TestFigure figure = TestFigure.Build("Figure", size: 0.7f);
         Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticSource()], Calculation = CalculationSynthesizer.Write });
@@ -254,7 +254,7 @@ public sealed class HumanoidDriverTests : SourceFixture
     }
 
     [Fact]
-    public void A_figure_that_is_destroyed_is_driven_no_more_and_another_one_is_found()
+    public void A_destroyed_figure_is_replaced_by_another()
     {
         TestFigure first = TestFigure.Build("First");
         HumanoidDriver driver = new GameObject("Driver").AddComponent<HumanoidDriver>();
@@ -290,7 +290,7 @@ public sealed class HumanoidDriverTests : SourceFixture
     }
 
     [Fact]
-    public void An_animation_close_to_the_motion_is_still_the_animation()
+    public void An_animation_close_to_the_motion_is_kept()
     {
         TestFigure figure = TestFigure.Build("Figure");
         HumanoidDriver driver = figure.Drive(Add(Serve(new ValuesSource(static (_, layout, values) =>

@@ -13,7 +13,7 @@ public class AndroidManifestTests
     [InlineData("<!-- <uses-permission android:name=\"android.permission.INTERNET\" /> -->", false)]
     [InlineData("<application><uses-permission android:name=\"android.permission.INTERNET\" /></application>", false)]
     [InlineData("", false)]
-    public void The_permission_counts_where_Android_reads_it(string content, bool expected)
+    public void The_permission_must_be_where_Android_reads_it(string content, bool expected)
     {
         string manifest = "<?xml version=\"1.0\" encoding=\"utf-8\"?><manifest xmlns:android=\"http://schemas.android.com/apk/res/android\" "
             + $"xmlns:tools=\"http://schemas.android.com/tools\" package=\"a.b\">{content}</manifest>";

@@ -24,7 +24,7 @@ public sealed class BuildCheckTests : IDisposable
     }
 
     [Fact]
-    public void An_iOS_build_gets_the_text_and_a_second_one_changes_nothing()
+    public void An_iOS_build_adds_the_text_once()
     {
         string path = WritePlist();
         var checks = new BuildChecks();
@@ -40,7 +40,7 @@ public sealed class BuildCheckTests : IDisposable
     [Theory]
     [InlineData(true, " ", BuildRules.MissingTextAdvice)]
     [InlineData(false, "Text.", BuildRules.TextNotAddedAdvice)]
-    public void An_iOS_build_without_a_text_is_warned_of(bool adds, string text, string advice)
+    public void An_iOS_build_without_a_text_warns(bool adds, string text, string advice)
     {
         string path = WritePlist();
         (_settings.AddLocalNetworkText, _settings.LocalNetworkText) = (adds, text);
@@ -51,7 +51,7 @@ public sealed class BuildCheckTests : IDisposable
     }
 
     [Fact]
-    public void An_iOS_build_whose_Info_plist_cannot_be_read_says_what_to_do()
+    public void An_unreadable_Info_plist_is_explained()
     {
         new BuildChecks().OnPostprocessBuild(BuildReport.Of(BuildTarget.iOS, _folder));
 
@@ -73,7 +73,7 @@ public sealed class BuildCheckTests : IDisposable
     }
 
     [Fact]
-    public void An_Android_build_gets_the_permission_and_is_told_so_once()
+    public void An_Android_build_adds_and_reports_the_permission_once()
     {
         var checks = new BuildChecks();
         checks.OnPreprocessBuild(BuildReport.Of(BuildTarget.Android));
@@ -84,7 +84,7 @@ public sealed class BuildCheckTests : IDisposable
     }
 
     [Fact]
-    public void An_Android_build_without_the_permission_is_warned_of_where_it_may_not_be_set()
+    public void An_Android_build_without_the_permission_warns_if_it_may_not_be_set()
     {
         _settings.RequireInternetPermission = false;
         new BuildChecks().OnPreprocessBuild(BuildReport.Of(BuildTarget.Android));
@@ -94,7 +94,7 @@ public sealed class BuildCheckTests : IDisposable
     }
 
     [Fact]
-    public void A_source_in_a_WebGL_build_is_warned_of_by_name()
+    public void A_source_in_a_WebGL_build_warns_by_name()
     {
         _world.AddSource(static _ => { }, "Stage Left");
         Process(BuildTarget.WebGL);
@@ -106,7 +106,7 @@ public sealed class BuildCheckTests : IDisposable
     }
 
     [Fact]
-    public void A_source_in_a_WebGL_build_can_fail_it_or_be_passed_over()
+    public void A_source_in_a_WebGL_build_can_fail_or_be_ignored()
     {
         _world.AddSource(static _ => { });
         _settings.WebGL = BuildProblem.Fail;
@@ -118,7 +118,7 @@ public sealed class BuildCheckTests : IDisposable
     }
 
     [Fact]
-    public void Scenes_of_other_builds_and_of_play_mode_are_not_looked_at()
+    public void Scenes_of_other_builds_and_play_mode_are_not_checked()
     {
         _world.AddSource(static _ => { });
         _settings.WebGL = BuildProblem.Fail;
@@ -129,7 +129,7 @@ public sealed class BuildCheckTests : IDisposable
     }
 
     [Fact]
-    public void Settings_come_back_from_their_file()
+    public void Settings_round_trip_through_their_file()
     {
         const string File = "ProjectSettings/NeuronMocap.asset";
         try

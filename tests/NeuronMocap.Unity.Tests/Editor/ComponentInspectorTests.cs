@@ -16,7 +16,7 @@ public sealed class ComponentInspectorTests : IDisposable
     [InlineData(typeof(FigureBuilder))]
     [InlineData(typeof(MotionRecorder))]
     [InlineData(typeof(SkeletonView))]
-    public void In_edit_mode_there_are_the_fields_and_no_state(Type type)
+    public void Edit_mode_shows_fields_without_state(Type type)
     {
         using var world = new EditorWorld();
         Component component = new GameObject("Holder").AddComponent(type);
@@ -30,7 +30,7 @@ public sealed class ComponentInspectorTests : IDisposable
     }
 
     [Fact]
-    public void The_spawner_counts_its_figures_and_says_when_there_are_too_few()
+    public void The_spawner_shows_its_figures_and_missing_ones()
     {
         MocapSource source = Stage.AddSimulator(performers: 2);
         PerformerSpawner spawner = new GameObject("Spawner").AddComponent<PerformerSpawner>();
@@ -53,7 +53,7 @@ public sealed class ComponentInspectorTests : IDisposable
     }
 
     [Fact]
-    public void The_figure_builder_says_whose_sizes_it_shows_and_builds_anew_with_a_click()
+    public void The_figure_builder_shows_its_sizes_and_rebuilds()
     {
         GameObject holder = new("Figure");
         HumanoidDriver driver = holder.AddComponent<HumanoidDriver>();
@@ -76,7 +76,7 @@ public sealed class ComponentInspectorTests : IDisposable
     }
 
     [Fact]
-    public void A_take_is_recorded_with_two_clicks_and_shown_with_a_third()
+    public void A_take_is_recorded_and_shown_by_buttons()
     {
         string folder = Directory.CreateTempSubdirectory("takes").FullName;
         try
@@ -112,7 +112,7 @@ public sealed class ComponentInspectorTests : IDisposable
     }
 
     [Fact]
-    public void A_recorder_without_a_source_says_so_when_it_is_to_record()
+    public void A_recorder_without_a_source_reports_it()
     {
         MotionRecorder recorder = new GameObject("Recorder").AddComponent<MotionRecorder>();
         UnityEditor.Editor inspector = _world.Inspect(recorder);
@@ -126,7 +126,7 @@ public sealed class ComponentInspectorTests : IDisposable
     }
 
     [Fact]
-    public void The_skeleton_view_says_whom_it_shows()
+    public void The_skeleton_view_names_its_performer()
     {
         SkeletonView view = new GameObject("View").AddComponent<SkeletonView>();
         UnityEditor.Editor inspector = _world.Inspect(view);

@@ -6,7 +6,7 @@ namespace NeuronMocap.Unity.Tests.Editor;
 public class CreateMenuTests
 {
     [Fact]
-    public void A_source_is_made_below_what_was_clicked_and_Undo_takes_it_back()
+    public void A_source_is_created_below_the_selection_with_Undo()
     {
         using var world = new EditorWorld();
         var parent = new GameObject("Stage");
@@ -22,7 +22,7 @@ public class CreateMenuTests
     }
 
     [Fact]
-    public void A_driver_goes_to_selected_figures_that_have_none()
+    public void A_driver_is_added_to_selected_figures_without_one()
     {
         using var world = new EditorWorld();
         var empty = new GameObject("Empty");
@@ -44,7 +44,7 @@ public class CreateMenuTests
     [Theory]
     [InlineData("Performer Spawner", typeof(PerformerSpawner))]
     [InlineData("Skeleton View", typeof(SkeletonView))]
-    public void Components_are_made_from_the_menu_and_Undo_takes_them_back(string name, Type type)
+    public void Components_are_created_from_the_menu_with_Undo(string name, Type type)
     {
         using var world = new EditorWorld();
         Assert.True(MenuItems.Execute($"GameObject/NeuronMocap/{name}"));
@@ -58,7 +58,7 @@ public class CreateMenuTests
     }
 
     [Fact]
-    public void A_generic_driver_goes_to_all_of_the_selection_that_have_none()
+    public void A_generic_driver_is_added_to_every_selected_figure_without_one()
     {
         const string Entry = "GameObject/NeuronMocap/Generic Rig Driver on Selection";
         using var world = new EditorWorld();
@@ -79,7 +79,7 @@ public class CreateMenuTests
     }
 
     [Fact]
-    public void The_quick_start_is_one_step_of_Undo_and_uses_the_source_that_is_there()
+    public void The_quick_start_is_one_Undo_step_and_reuses_a_source()
     {
         using var world = new EditorWorld();
         CreateMenu.CreateQuickStart();

@@ -7,7 +7,7 @@ namespace NeuronMocap.Unity.Tests.Editor;
 public class DiagnosisTests
 {
     [Fact]
-    public async Task The_button_says_that_nothing_listens()
+    public async Task The_button_reports_a_refused_connection()
     {
         using var world = new EditorWorld();
         using (var server = new TestServer())
@@ -21,7 +21,7 @@ public class DiagnosisTests
     }
 
     [Fact]
-    public async Task The_button_says_that_a_server_sends_nothing()
+    public async Task The_button_reports_a_silent_server()
     {
         using var world = new EditorWorld();
         using var server = new TestServer();
@@ -33,7 +33,7 @@ public class DiagnosisTests
     }
 
     [Fact]
-    public async Task The_button_says_that_another_program_answers()
+    public async Task The_button_reports_another_program()
     {
         using var world = new EditorWorld();
         using var server = new TestServer();
@@ -47,7 +47,7 @@ public class DiagnosisTests
     }
 
     [Fact]
-    public async Task Frames_that_arrive_are_said_to()
+    public async Task The_button_reports_arriving_frames()
     {
         using var world = new EditorWorld();
         using var server = new Server.Broadcaster(new Server.BroadcasterOptions { Port = 0, Sources = [new Server.SyntheticSource(60, 0)] });
@@ -62,7 +62,7 @@ public class DiagnosisTests
     }
 
     [Fact]
-    public async Task It_can_be_cancelled_and_asked_again()
+    public async Task A_diagnosis_can_be_cancelled_and_repeated()
     {
         using var world = new EditorWorld();
         using var server = new TestServer();
@@ -84,7 +84,7 @@ public class DiagnosisTests
     }
 
     [Fact]
-    public async Task An_inspector_that_goes_away_ends_it()
+    public async Task Closing_the_inspector_ends_the_diagnosis()
     {
         using var world = new EditorWorld();
         using var server = new TestServer();
@@ -99,7 +99,7 @@ public class DiagnosisTests
     }
 
     [Fact]
-    public async Task Settings_that_are_no_settings_are_named()
+    public async Task Invalid_settings_are_named()
     {
         using var world = new EditorWorld();
         world.AddSource(static source => source.Address = " ");
@@ -110,7 +110,7 @@ public class DiagnosisTests
     }
 
     [Fact]
-    public async Task A_source_that_holds_the_UDP_port_lets_go_of_it_meanwhile()
+    public async Task A_source_releases_its_UDP_port_during_the_diagnosis()
     {
         using var world = new EditorWorld(play: true);
         using var probe = new System.Net.Sockets.UdpClient(new System.Net.IPEndPoint(System.Net.IPAddress.Any, 0));

@@ -13,7 +13,7 @@ public sealed class DriverInspectorTests : IDisposable
     [Theory]
     [InlineData(typeof(HumanoidDriver))]
     [InlineData(typeof(GenericRigDriver))]
-    public void It_says_why_the_figure_does_not_move_and_after_whom_it_does(Type type)
+    public void The_inspector_explains_why_a_figure_moves_or_not(Type type)
     {
         var driver = (FigureDriver)HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent(type);
         UnityEditor.Editor inspector = _world.Inspect(driver);
@@ -36,7 +36,7 @@ public sealed class DriverInspectorTests : IDisposable
     }
 
     [Fact]
-    public void A_performer_that_is_not_there_is_named_with_those_that_are()
+    public void A_missing_performer_is_named_with_the_present_ones()
     {
         HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<HumanoidDriver>();
         (driver.Source, driver.PerformerIndex) = (Stage.AddSimulator(performers: 2), 7);
@@ -52,7 +52,7 @@ public sealed class DriverInspectorTests : IDisposable
     }
 
     [Fact]
-    public void Out_of_play_mode_it_says_when_the_figure_will_move()
+    public void Edit_mode_explains_when_the_figure_moves()
     {
         using var world = new EditorWorld();
         HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<HumanoidDriver>();
@@ -64,7 +64,7 @@ public sealed class DriverInspectorTests : IDisposable
     }
 
     [Fact]
-    public void Fields_without_a_meaning_are_not_shown()
+    public void Irrelevant_fields_are_hidden()
     {
         using var world = new EditorWorld();
         HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<HumanoidDriver>();

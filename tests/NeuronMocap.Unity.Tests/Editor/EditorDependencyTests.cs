@@ -21,12 +21,12 @@ public sealed class EditorDependencyTests
     });
 
     [Fact]
-    public void The_folders_of_the_editor_part_depend_on_each_other_as_designed()
+    public void Editor_folders_depend_on_each_other_as_designed()
     {
         List<string> violations = Editor.Violations(typeof(SourcesWindow).Assembly);
         Assert.True(violations.Count == 0, string.Join(Environment.NewLine, violations));
     }
 
     [Fact]
-    public void The_rules_allow_no_circle() => Assert.Empty(Editor.Circles());
+    public void The_rules_allow_no_cycle() => Assert.Empty(Editor.Circles());
 }

@@ -31,7 +31,7 @@ public class InfoPlistTests
         """;
 
     [Fact]
-    public void The_text_comes_after_all_that_was_there_which_stays_as_it_was()
+    public void The_text_is_appended_and_the_rest_is_unchanged()
     {
         string edited = InfoPlist.WithLocalNetworkText(Written, Text);
         Dictionary<string, string> before = Read(Written);
@@ -43,7 +43,7 @@ public class InfoPlistTests
     }
 
     [Fact]
-    public void Head_and_document_type_stay_as_Apples_parser_wants_them()
+    public void Head_and_document_type_stay_valid_for_Apple()
     {
         string edited = InfoPlist.WithLocalNetworkText(Written, Text);
 
@@ -59,7 +59,7 @@ public class InfoPlistTests
     }
 
     [Fact]
-    public void A_second_time_changes_nothing()
+    public void Adding_twice_changes_nothing()
     {
         string once = InfoPlist.WithLocalNetworkText(Written, Text);
 
@@ -68,7 +68,7 @@ public class InfoPlistTests
     }
 
     [Fact]
-    public void A_key_of_an_inner_dictionary_is_not_the_apps()
+    public void A_key_of_an_inner_dictionary_is_ignored()
     {
         Assert.False(InfoPlist.HasLocalNetworkText(Written));
     }
@@ -88,7 +88,7 @@ public class InfoPlistTests
     }
 
     [Fact]
-    public void What_the_text_says_is_escaped()
+    public void The_text_is_escaped()
     {
         string edited = InfoPlist.WithLocalNetworkText(Written, "<Körper> & \"Suit\"");
 
@@ -100,7 +100,7 @@ public class InfoPlistTests
     [InlineData("bplist00\u0001")]
     [InlineData("<plist version=\"1.0\"><array/></plist>")]
     [InlineData("<plist version=\"1.0\"><dict>")]
-    public void What_is_no_property_list_is_said_so(string text)
+    public void An_invalid_property_list_is_reported(string text)
     {
         Assert.Throws<FormatException>(() => InfoPlist.WithLocalNetworkText(text, Text));
         Assert.Throws<FormatException>(() => InfoPlist.HasLocalNetworkText(text));

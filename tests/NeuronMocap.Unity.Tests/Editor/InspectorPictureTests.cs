@@ -12,7 +12,7 @@ public class InspectorPictureTests
     private const int LineHeight = 22;
 
     [Fact]
-    public void The_picture_in_the_documentation_has_the_fields_of_the_inspector()
+    public void The_documented_picture_matches_the_inspector()
     {
         using var world = new EditorWorld();
         ImmediateGui.Draw(world.Inspect(world.AddSource(static _ => { }, "Mocap Source")).OnInspectorGUI);

@@ -18,7 +18,7 @@ public sealed class ModelImportTests : IDisposable
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
-    public void The_rest_pose_in_the_import_settings_is_put_into_the_T_pose(bool isConfigured)
+    public void The_imported_rest_pose_becomes_a_T_pose(bool isConfigured)
     {
         HumanDescription hanging = Hang(_figure.Avatar.humanDescription, _figure.GetBone(Bone.LeftArm).name, 60);
         UseAvatar(hanging);
@@ -100,7 +100,7 @@ public sealed class ModelImportTests : IDisposable
     }
 
     [Fact]
-    public void Without_the_model_optimized_bones_are_only_told_of()
+    public void Optimized_bones_without_a_model_are_only_reported()
     {
         foreach (Transform part in _figure.Root.transform.Cast<Transform>().ToArray())
             Object.DestroyImmediate(part.gameObject);
@@ -114,7 +114,7 @@ public sealed class ModelImportTests : IDisposable
 
     // Of an avatar that could not be made Unity says that it is not human: importing it as Humanoid once more would change nothing.
     [Fact]
-    public void Bones_that_an_avatar_lacks_are_named()
+    public void Missing_bones_of_an_avatar_are_named()
     {
         HumanDescription lacking = _figure.Avatar.humanDescription;
         lacking.human = [.. lacking.human.Where(static bone => bone.humanName is not ("LeftHand" or "RightFoot" or "LeftToes"))];
@@ -132,7 +132,7 @@ public sealed class ModelImportTests : IDisposable
     }
 
     [Fact]
-    public void An_avatar_that_is_refused_with_all_its_bones_is_told_of()
+    public void A_refused_avatar_with_all_bones_is_reported()
     {
         HumanDescription hanging = Hang(_figure.Avatar.humanDescription, _figure.GetBone(Bone.LeftArm).name, 60);
         _figure.Animator.avatar = new Avatar(isValid: false, isHuman: false, hanging);

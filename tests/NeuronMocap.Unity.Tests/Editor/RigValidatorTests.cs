@@ -7,7 +7,7 @@ namespace NeuronMocap.Unity.Tests.Editor;
 public class RigValidatorTests
 {
     [Fact]
-    public void A_figure_in_its_T_pose_is_right()
+    public void A_figure_in_a_T_pose_is_valid()
     {
         using var world = new EditorWorld();
         HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault());
@@ -33,7 +33,7 @@ public class RigValidatorTests
     }
 
     [Fact]
-    public void An_Animator_above_is_assigned_with_a_click_and_Undo_takes_it_back()
+    public void An_Animator_above_is_assigned_with_Undo()
     {
         using var world = new EditorWorld();
         HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault());

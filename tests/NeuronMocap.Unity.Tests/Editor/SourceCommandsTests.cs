@@ -54,7 +54,7 @@ public sealed class SourceCommandsTests : IDisposable
     }
 
     [Fact]
-    public void A_command_port_on_which_nobody_listens_is_an_error()
+    public void A_refused_command_port_is_an_error()
     {
         int port;
         using (var closed = new TestServer())
@@ -73,7 +73,7 @@ public sealed class SourceCommandsTests : IDisposable
     }
 
     [Fact]
-    public void What_a_source_receives_is_recorded_beside_Assets_with_two_clicks()
+    public void A_source_is_recorded_beside_Assets_with_two_clicks()
     {
         MocapSource source = AddClient(commandPort: 0);
 
@@ -94,7 +94,7 @@ public sealed class SourceCommandsTests : IDisposable
     }
 
     [Fact]
-    public void A_folder_that_cannot_be_made_is_said_in_the_console()
+    public void A_failed_folder_is_reported_in_the_console()
     {
         AddClient(commandPort: 0);
         File.WriteAllText(Path.Combine(_folder, "Recordings"), "");

@@ -14,7 +14,7 @@ public class SourceInspectorTests
     [InlineData(SourceKind.Simulator, "Performer Count,Motion,Simulated Frame Rate")]
     [InlineData(SourceKind.BvhFile, "File,Bvh Asset,Loop,Speed")]
     [InlineData(SourceKind.Recording, "Rotation Order,Skeleton Variant,File,Loop,Speed")]
-    public void Each_kind_has_its_own_fields_and_no_other(SourceKind kind, string fields)
+    public void Each_kind_has_only_its_own_fields(SourceKind kind, string fields)
     {
         using var world = new EditorWorld();
         MocapSource source = world.AddSource(source => source.Kind = kind);
@@ -27,7 +27,7 @@ public class SourceInspectorTests
     }
 
     [Fact]
-    public void A_kind_that_is_chosen_changes_the_fields_and_Undo_takes_it_back()
+    public void Choosing_a_kind_changes_the_fields_with_Undo()
     {
         using var world = new EditorWorld();
         MocapSource source = world.AddSource(static _ => { });
@@ -45,7 +45,7 @@ public class SourceInspectorTests
     }
 
     [Fact]
-    public void A_number_beyond_its_range_is_held_in_it()
+    public void A_number_is_clamped_to_its_range()
     {
         using var world = new EditorWorld();
         MocapSource source = world.AddSource(static _ => { });
@@ -56,7 +56,7 @@ public class SourceInspectorTests
     }
 
     [Fact]
-    public void Of_several_sources_what_all_of_them_have_is_changed_together()
+    public void Common_fields_of_several_sources_change_together()
     {
         using var world = new EditorWorld();
         MocapSource network = world.AddSource(static source => source.RotationOrder = RotationOrderSetting.XYZ);
@@ -74,7 +74,7 @@ public class SourceInspectorTests
     }
 
     [Fact]
-    public void In_edit_mode_it_says_that_sources_open_in_play_mode()
+    public void Edit_mode_explains_that_sources_open_in_play_mode()
     {
         using var world = new EditorWorld();
         ImmediateGui.Draw(world.Inspect(world.AddSource(static _ => { })).OnInspectorGUI);
@@ -83,7 +83,7 @@ public class SourceInspectorTests
     }
 
     [Fact]
-    public void A_refused_port_is_red_and_says_which_settings_to_look_at()
+    public void A_refused_port_is_red_and_names_the_settings()
     {
         using var world = new EditorWorld(play: true);
         MocapSource source = world.AddSource(static source => source.Port = ClosedPort());
@@ -98,7 +98,7 @@ public class SourceInspectorTests
     }
 
     [Fact]
-    public void What_arrives_is_green_with_its_rate_and_its_performers()
+    public void Arriving_data_is_green_with_rate_and_performers()
     {
         using var world = new EditorWorld(play: true);
         MocapSource source = world.AddSource(static source => (source.Kind, source.PerformerCount) = (SourceKind.Simulator, 2));
@@ -115,7 +115,7 @@ public class SourceInspectorTests
     }
 
     [Fact]
-    public void A_wrong_rotation_order_is_an_error_although_frames_arrive()
+    public void A_wrong_rotation_order_is_an_error_despite_frames()
     {
         using var server = new Broadcaster(new BroadcasterOptions
         {

@@ -23,7 +23,7 @@ public sealed class SourcesWindowTests : IDisposable
     }
 
     [Fact]
-    public void Without_a_source_it_says_how_to_make_one()
+    public void A_missing_source_is_explained()
     {
         ImmediateGui.Draw(_draw);
 
@@ -32,7 +32,7 @@ public sealed class SourcesWindowTests : IDisposable
     }
 
     [Fact]
-    public void It_lists_all_performers_and_draws_the_joints_of_the_chosen_one_where_they_are()
+    public void The_window_lists_performers_and_draws_the_selected_one()
     {
         MocapSource source = AddSimulator(performers: 2);
         Performer second = source.Performers.Single(static performer => performer.AvatarIndex == 1);
@@ -71,7 +71,7 @@ public sealed class SourcesWindowTests : IDisposable
     }
 
     [Fact]
-    public void It_repaints_ten_times_a_second_while_something_can_change()
+    public void The_window_repaints_ten_times_a_second()
     {
         int before = _window.Repaints;
         for (int i = 0; i < 100; i++)

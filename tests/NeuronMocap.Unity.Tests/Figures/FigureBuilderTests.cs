@@ -32,7 +32,7 @@ public sealed class FigureBuilderTests : IDisposable
     }
 
     [Fact]
-    public void The_figure_is_built_anew_when_the_sizes_change_and_nothing_is_left_of_it()
+    public void Changed_sizes_rebuild_the_figure_without_leaks()
     {
         _ = Shader.Find("Standard");
         int before = Measure.LiveObjects;
@@ -62,7 +62,7 @@ public sealed class FigureBuilderTests : IDisposable
     }
 
     [Fact]
-    public void Disabled_there_is_no_figure_and_enabled_there_is_one_again()
+    public void Disabling_removes_the_figure_and_enabling_restores_it()
     {
         FigureBuilder builder = AddBuilder(null);
         _loop.Frame();
@@ -80,7 +80,7 @@ public sealed class FigureBuilderTests : IDisposable
     }
 
     [Fact]
-    public void Its_object_may_be_switched_off_and_on()
+    public void Its_object_may_be_deactivated_and_activated()
     {
         FigureBuilder builder = AddBuilder(null);
         _loop.Frame();
@@ -113,7 +113,7 @@ public sealed class FigureBuilderTests : IDisposable
     }
 
     [Fact]
-    public void A_figure_that_somebody_destroyed_comes_back()
+    public void A_destroyed_figure_is_rebuilt()
     {
         MocapSource source = Stage.AddSimulator();
         FigureBuilder builder = AddBuilder(source);
@@ -126,7 +126,7 @@ public sealed class FigureBuilderTests : IDisposable
     }
 
     [Fact]
-    public void Steady_it_allocates_nothing()
+    public void A_frame_allocates_nothing()
     {
         MocapSource source = Stage.AddSimulator();
         FigureBuilder builder = AddBuilder(source);

@@ -36,7 +36,7 @@ public sealed class HumanoidFigureTests : IDisposable
 
     [Theory]
     [MemberData(nameof(Variants))]
-    public void Every_joint_is_where_the_offsets_put_it(SkeletonVariant variant)
+    public void Every_joint_has_its_offset(SkeletonVariant variant)
     {
         SkeletonBody body = Tall(variant);
         HumanoidFigure figure = HumanoidFigure.Build(body);
@@ -60,7 +60,7 @@ public sealed class HumanoidFigureTests : IDisposable
     }
 
     [Fact]
-    public void A_figure_hangs_from_its_parent_and_stands_where_that_is()
+    public void A_figure_is_placed_at_its_parent()
     {
         Transform parent = new GameObject("Parent").transform;
         parent.SetPositionAndRotation(new Vector3(3, 1, -2), Quaternion.Euler(0, 90, 0));
@@ -75,7 +75,7 @@ public sealed class HumanoidFigureTests : IDisposable
     }
 
     [Fact]
-    public void A_name_that_a_bone_has_is_changed()
+    public void A_name_clash_with_a_bone_is_resolved()
     {
         HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault(), name: "Head");
 
@@ -111,7 +111,7 @@ public sealed class HumanoidFigureTests : IDisposable
 
     [Theory]
     [MemberData(nameof(Variants))]
-    public void Every_triangle_shows_its_outer_side(SkeletonVariant variant)
+    public void Every_triangle_faces_outwards(SkeletonVariant variant)
     {
         var joints = new Vector3[BoneHierarchy.BoneCount];
         foreach (FigureShape shape in FigureShapes.Of(SkeletonBody.GetDefault(variant)))
@@ -131,7 +131,7 @@ public sealed class HumanoidFigureTests : IDisposable
     }
 
     [Fact]
-    public void Nothing_is_left_of_a_figure_however_it_ends()
+    public void A_figure_leaves_nothing_in_every_way_of_ending()
     {
         HumanoidFigure.Build(SkeletonBody.GetDefault()).Dispose();
         _loop.Frame();
@@ -145,7 +145,7 @@ public sealed class HumanoidFigureTests : IDisposable
     }
 
     [Fact]
-    public void Nothing_is_left_of_a_figure_in_edit_mode()
+    public void A_figure_leaves_nothing_in_edit_mode()
     {
         using var loop = new PlayerLoop(play: false);
         HumanoidFigure.Build(SkeletonBody.GetDefault()).Dispose();
@@ -158,7 +158,7 @@ public sealed class HumanoidFigureTests : IDisposable
     }
 
     [Fact]
-    public void A_body_that_is_no_human_is_refused_and_leaves_nothing()
+    public void An_invalid_body_is_refused_and_leaves_nothing()
     {
         System.Numerics.Vector3[] offsets = SkeletonBody.GetDefault().Offsets.ToArray();
         offsets[(int)Bone.LeftForeArm] = new System.Numerics.Vector3(0, -25, 0);
@@ -173,7 +173,7 @@ public sealed class HumanoidFigureTests : IDisposable
     }
 
     [Fact]
-    public void The_material_is_that_of_the_render_pipeline()
+    public void The_material_suits_the_render_pipeline()
     {
         Assert.Equal("Standard", HumanoidFigure.Build(SkeletonBody.GetDefault()).Renderer.sharedMaterials[0]!.shader.name);
 

@@ -31,7 +31,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     }
 
     [Fact]
-    public void Figures_stand_at_ease_when_data_stops_come_back_and_go_in_the_end()
+    public void Figures_rest_return_and_leave_with_their_data()
     {
         MocapSource source = Stage.AddSimulator(performers: 2);
         PerformerSpawner spawner = AddSpawner(source);
@@ -90,7 +90,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     }
 
     [Fact]
-    public void There_are_never_more_than_asked_for()
+    public void The_limit_of_figures_is_kept()
     {
         MocapSource source = Stage.AddSimulator(performers: 3);
         PerformerSpawner spawner = AddSpawner(source);
@@ -111,7 +111,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     [InlineData(FigurePlacement.SharedStage, 0, 0, 0, 0)]
     [InlineData(FigurePlacement.Row, 2, 0, -2, 0)]
     [InlineData(FigurePlacement.Grid, 1, 0, -1, -2)]
-    public void Figures_stand_where_they_are_put(FigurePlacement placement, float secondX, float secondZ, float thirdX, float thirdZ)
+    public void Figures_are_placed_as_configured(FigurePlacement placement, float secondX, float secondZ, float thirdX, float thirdZ)
     {
         MocapSource source = Stage.AddSimulator(performers: 3);
         PerformerSpawner spawner = AddSpawner(source);
@@ -139,7 +139,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     }
 
     [Fact]
-    public void A_prefab_without_a_humanoid_is_a_problem_that_is_told_once()
+    public void A_prefab_without_a_humanoid_is_reported_once()
     {
         GameObject prefab = _loop.CreatePrefab("Box");
         MocapSource source = Stage.AddSimulator();
@@ -156,7 +156,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     }
 
     [Fact]
-    public void Nothing_is_left_when_the_spawner_goes()
+    public void A_destroyed_spawner_leaves_nothing()
     {
         _ = Shader.Find("Standard");
         MocapSource source = Stage.AddSimulator(performers: 2);
@@ -172,7 +172,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     }
 
     [Fact]
-    public void Steady_it_allocates_nothing()
+    public void A_frame_allocates_nothing()
     {
         MocapSource source = Stage.AddSimulator(performers: 2);
         PerformerSpawner spawner = AddSpawner(source);
@@ -187,7 +187,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     }
 
     [Fact]
-    public void In_a_paused_game_figures_come_to_rest_and_go_all_the_same()
+    public void Figures_rest_and_leave_in_a_paused_game()
     {
         MocapSource source = Stage.AddSimulator(performers: 2);
         PerformerSpawner spawner = AddSpawner(source);
@@ -201,7 +201,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     }
 
     [Fact]
-    public void A_handler_of_spawning_may_disable_the_spawner()
+    public void A_spawn_handler_may_disable_the_spawner()
     {
         MocapSource source = Stage.AddSimulator(performers: 3);
         _loop.RunUntil(() => Stage.IsLive(source, 3));
@@ -218,7 +218,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
-    public void A_handler_of_going_may_disable_the_spawner(bool whenIdle)
+    public void A_leave_handler_may_disable_the_spawner(bool whenIdle)
     {
         MocapSource source = Stage.AddSimulator(performers: 3);
         PerformerSpawner spawner = AddSpawner(source);
@@ -238,7 +238,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     }
 
     [Fact]
-    public void Another_prefab_after_a_wrong_one_clears_the_problem()
+    public void A_valid_prefab_clears_the_problem()
     {
         MocapSource source = Stage.AddSimulator();
         PerformerSpawner spawner = AddSpawner(source);

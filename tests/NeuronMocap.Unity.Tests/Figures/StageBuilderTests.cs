@@ -7,7 +7,7 @@ public sealed class StageBuilderTests : IDisposable
     public void Dispose() => _loop.Dispose();
 
     [Fact]
-    public void Its_object_may_be_switched_off_and_on()
+    public void Its_object_may_be_deactivated_and_activated()
     {
         var holder = new GameObject("Stage");
         holder.AddComponent<StageBuilder>();
@@ -26,7 +26,7 @@ public sealed class StageBuilderTests : IDisposable
     }
 
     [Fact]
-    public void The_camera_goes_along_in_a_paused_game()
+    public void The_camera_follows_in_a_paused_game()
     {
         var target = new GameObject("Target").transform;
         var stage = new GameObject("Stage").AddComponent<StageBuilder>();
@@ -41,7 +41,7 @@ public sealed class StageBuilderTests : IDisposable
     }
 
     [Fact]
-    public void The_camera_goes_along_with_a_built_figure_whose_object_stays_where_it_is()
+    public void The_camera_follows_a_built_figure()
     {
         FigureBuilder builder = new GameObject("Figure").AddComponent<FigureBuilder>();
         StageBuilder stage = new GameObject("Stage").AddComponent<StageBuilder>();

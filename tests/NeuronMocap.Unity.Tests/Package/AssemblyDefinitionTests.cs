@@ -56,7 +56,7 @@ public sealed class AssemblyDefinitionTests
 
     // No script may be compiled for the one and not for the other but by what Unity defines.
     [Fact]
-    public void Scripts_ask_for_no_symbol_that_is_not_defined_here()
+    public void Scripts_use_only_defined_symbols()
     {
         string[] known = ["UNITY_EDITOR", "UNITY_2021_3_OR_NEWER", "UNITY_IOS", "UNITY_ANDROID", "UNITY_WEBGL"];
         foreach (string path in Directory.GetFiles(Package, "*.cs", SearchOption.AllDirectories))

@@ -16,12 +16,12 @@ public sealed class RuntimeDependencyTests
     });
 
     [Fact]
-    public void The_folders_of_the_runtime_depend_on_each_other_as_designed()
+    public void Runtime_folders_depend_on_each_other_as_designed()
     {
         List<string> violations = Runtime.Violations(typeof(MocapSource).Assembly);
         Assert.True(violations.Count == 0, string.Join(Environment.NewLine, violations));
     }
 
     [Fact]
-    public void The_rules_allow_no_circle() => Assert.Empty(Runtime.Circles());
+    public void The_rules_allow_no_cycle() => Assert.Empty(Runtime.Circles());
 }

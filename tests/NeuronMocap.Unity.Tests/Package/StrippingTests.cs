@@ -6,7 +6,7 @@ namespace NeuronMocap.Unity.Tests.Package;
 public sealed class StrippingTests
 {
     [Fact]
-    public void Who_makes_primitives_names_what_they_are_made_of()
+    public void Code_that_creates_primitives_keeps_their_types()
     {
         string package = Path.Combine(Repository.Root, "unity-package");
         string[] makers = [.. Directory.GetFiles(package, "*.cs", SearchOption.AllDirectories).Select(File.ReadAllText).Where(static text => text.Contains("CreatePrimitive(", StringComparison.Ordinal))];

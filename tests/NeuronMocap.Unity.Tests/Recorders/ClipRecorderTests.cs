@@ -14,10 +14,10 @@ public sealed class ClipRecorderTests : IDisposable
     [InlineData("Right Little 3 Stretched", "RightHand.Little.3 Stretched")]
     [InlineData("Spine Front-Back", "Spine Front-Back")]
     [InlineData("Left Hand Down-Up", "Left Hand Down-Up")]
-    public void Fingers_are_called_otherwise_in_clips(string muscle, string property) => Assert.Equal(property, HumanoidSampler.GetPropertyName(muscle));
+    public void Fingers_have_other_names_in_clips(string muscle, string property) => Assert.Equal(property, HumanoidSampler.GetPropertyName(muscle));
 
     [Fact]
-    public void A_frame_is_what_the_character_was_like()
+    public void A_frame_captures_the_characters_pose()
     {
         HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault());
         ClipRecorder recorder = figure.Root.AddComponent<ClipRecorder>();
@@ -47,7 +47,7 @@ public sealed class ClipRecorderTests : IDisposable
     }
 
     [Fact]
-    public void Rotations_run_on_without_a_jump()
+    public void Rotations_are_continuous()
     {
         HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault());
         ClipRecorder recorder = figure.Root.AddComponent<ClipRecorder>();
@@ -94,7 +94,7 @@ public sealed class ClipRecorderTests : IDisposable
     }
 
     [Fact]
-    public void There_are_no_more_frames_than_asked_for()
+    public void The_frame_limit_is_kept()
     {
         ClipRecorder recorder = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<ClipRecorder>();
         recorder.FrameRate = 30;
@@ -107,7 +107,7 @@ public sealed class ClipRecorderTests : IDisposable
     }
 
     [Fact]
-    public void What_cannot_be_is_said()
+    public void Invalid_settings_are_reported()
     {
         ClipRecorder recorder = new GameObject("Nothing").AddComponent<ClipRecorder>();
         Assert.False(recorder.StartRecording());

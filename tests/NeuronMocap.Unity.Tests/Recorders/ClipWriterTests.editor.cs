@@ -53,7 +53,7 @@ public sealed class ClipWriterTests : IDisposable
     }
 
     [Fact]
-    public void A_generic_clip_gives_every_transform_back()
+    public void A_generic_clip_restores_every_transform()
     {
         MocapSource source = Stage.AddSimulator();
         ClipRecorder recorder = AddFigure(source);
@@ -91,7 +91,7 @@ public sealed class ClipWriterTests : IDisposable
     }
 
     [Fact]
-    public void Play_mode_s_end_saves_the_take()
+    public void Leaving_play_mode_saves_the_take()
     {
         ClipRecorder recorder = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<ClipRecorder>();
         recorder.Folder = "Takes/Monday";
@@ -120,7 +120,7 @@ public sealed class ClipWriterTests : IDisposable
     [Theory]
     [InlineData(0, 100)]
     [InlineData(0.001f, 60)]
-    public void Keys_that_the_others_give_are_left_out(float tolerance, int most)
+    public void Redundant_keys_are_left_out(float tolerance, int most)
     {
         static float Value(int frame, int value) => frame < 50 ? 0 : Mathf.Sin((frame - 50) * 0.1f);
 

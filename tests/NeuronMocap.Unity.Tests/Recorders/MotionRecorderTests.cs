@@ -54,7 +54,7 @@ public sealed class MotionRecorderTests : IDisposable
     }
 
     [Fact]
-    public void Disabled_it_completes_the_take()
+    public void Disabling_completes_the_take()
     {
         MocapSource source = Stage.AddSimulator();
         MotionRecorder recorder = AddRecorder(source);
@@ -76,7 +76,7 @@ public sealed class MotionRecorderTests : IDisposable
     }
 
     [Fact]
-    public void Play_mode_s_end_completes_the_take()
+    public void Leaving_play_mode_completes_the_take()
     {
         MocapSource source = Stage.AddSimulator();
         MotionRecorder recorder = AddRecorder(source);
@@ -91,7 +91,7 @@ public sealed class MotionRecorderTests : IDisposable
     }
 
     [Fact]
-    public void The_source_s_end_is_the_take_s()
+    public void The_end_of_the_source_completes_the_take()
     {
         MocapSource source = Stage.AddSimulator();
         MotionRecorder recorder = AddRecorder(source);
@@ -105,7 +105,7 @@ public sealed class MotionRecorderTests : IDisposable
     }
 
     [Fact]
-    public void What_cannot_be_is_said()
+    public void Invalid_settings_are_reported()
     {
         MotionRecorder recorder = AddRecorder(null);
         Assert.False(recorder.StartRecording());
@@ -135,7 +135,7 @@ public sealed class MotionRecorderTests : IDisposable
     }
 
     [Fact]
-    public void Steady_it_allocates_nothing()
+    public void A_frame_allocates_nothing()
     {
         MocapSource source = Stage.AddSimulator();
         MotionRecorder recorder = AddRecorder(source);

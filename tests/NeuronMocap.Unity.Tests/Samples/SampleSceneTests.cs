@@ -16,7 +16,7 @@ public sealed class SampleSceneTests : IDisposable
 
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void A_scene_names_scripts_fields_and_objects_that_there_are(string sample)
+    public void A_scene_refers_to_existing_scripts_fields_and_objects(string sample)
     {
         SceneFile scene = Read(sample);
 
@@ -48,7 +48,7 @@ public sealed class SampleSceneTests : IDisposable
 
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void A_sample_says_in_a_few_lines_what_it_is(string sample)
+    public void A_sample_describes_itself_in_a_few_lines(string sample)
     {
         string[] lines = File.ReadAllLines(Path.Combine(Folder, sample, "README.md"));
         Assert.StartsWith("# ", lines[0]);
@@ -88,7 +88,7 @@ public sealed class SampleSceneTests : IDisposable
     }
 
     [Fact]
-    public void Many_performers_come_and_go()
+    public void Many_performers_join_and_leave()
     {
         Read("ManyPerformers").Build();
         PerformerSpawner spawner = Find<PerformerSpawner>();
@@ -135,7 +135,7 @@ public sealed class SampleSceneTests : IDisposable
     }
 
     [Fact]
-    public void What_was_recorded_is_played_on_the_second_figure()
+    public void A_recording_is_played_on_the_second_figure()
     {
         Read("RecordAndPlayBack").Build();
         TakeDesk desk = Find<TakeDesk>();

@@ -9,7 +9,7 @@ namespace NeuronMocap.Unity.Tests.Sources;
 public sealed class MocapSourceTests : SourceFixture
 {
     [Fact]
-    public void Play_and_it_moves()
+    public void A_source_moves_a_figure_in_play_mode()
     {
         MocapSource source = AddSimulator();
         Performer performer = WaitForPose(source);
@@ -28,7 +28,7 @@ public sealed class MocapSourceTests : SourceFixture
     }
 
     [Fact]
-    public void Axes_and_units_are_those_of_Unity()
+    public void Axes_and_units_match_Unity()
     {
         Broadcaster server = Serve(new ValuesSource(static (_, layout, values) =>
         {
@@ -88,7 +88,7 @@ public sealed class MocapSourceTests : SourceFixture
     }
 
     [Fact]
-    public void Disabled_it_closes_and_enabled_it_opens_again()
+    public void Disabling_closes_and_enabling_reopens()
     {
         Broadcaster server = Serve(new SyntheticSource());
         MocapSource source = Add(server);
@@ -111,7 +111,7 @@ public sealed class MocapSourceTests : SourceFixture
     }
 
     [Fact]
-    public void A_server_that_goes_and_comes_back_is_found_again()
+    public void A_restarted_server_is_found_again()
     {
         int port = FreePort();
         var first = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticSource()], Port = port });
@@ -135,7 +135,7 @@ public sealed class MocapSourceTests : SourceFixture
     }
 
     [Fact]
-    public void A_performer_without_frames_is_gone_after_a_while_and_joins_again()
+    public void A_performer_without_frames_leaves_and_joins_again()
     {
         Broadcaster server = Serve(new SyntheticSource());
         MocapSource source = Add(server, static source => (source.IdleTimeout, source.LeaveTimeout) = (0.1f, 0.2f));
@@ -166,7 +166,7 @@ public sealed class MocapSourceTests : SourceFixture
     }
 
     [Fact]
-    public void A_setting_that_cannot_be_is_a_sentence_and_no_exception()
+    public void An_invalid_setting_is_reported_without_an_exception()
     {
         MocapSource source = Add(static source => source.Port = 0);
         Loop.Frames(2);
@@ -188,7 +188,7 @@ public sealed class MocapSourceTests : SourceFixture
     }
 
     [Fact]
-    public void A_setting_that_is_changed_opens_anew_and_others_do_not()
+    public void Only_changed_settings_reopen_a_source()
     {
         Broadcaster first = Serve(new SyntheticSource());
         Broadcaster second = Serve(new SyntheticSource());
@@ -217,7 +217,7 @@ public sealed class MocapSourceTests : SourceFixture
     }
 
     [Fact]
-    public void Datagrams_are_received_and_the_port_is_free_at_once_when_it_is_disabled()
+    public void Disabling_frees_the_UDP_port_at_once()
     {
         int port = FreeUdpPort();
         MocapSource source = Add(source => (source.Transport, source.Port) = (TransportKind.Udp, port));
@@ -235,7 +235,7 @@ public sealed class MocapSourceTests : SourceFixture
 
     // The first server is gone for good, and its performer never.
     [Fact]
-    public void A_performer_that_is_live_is_found_before_one_that_is_not()
+    public void A_live_performer_is_found_first()
     {
         int port = FreeUdpPort();
         MocapSource source = Add(source => (source.Transport, source.Port, source.LeaveTimeout, source.IdleTimeout) = (TransportKind.Udp, port, 0, 0.1f));
@@ -258,7 +258,7 @@ public sealed class MocapSourceTests : SourceFixture
     }
 
     [Fact]
-    public void In_a_browser_it_says_what_to_do_instead()
+    public void A_browser_build_explains_the_alternative()
     {
         Application.platform = RuntimePlatform.WebGLPlayer;
         try
@@ -276,7 +276,7 @@ public sealed class MocapSourceTests : SourceFixture
     }
 
     [Fact]
-    public void A_script_that_adds_it_sets_it_before_it_opens()
+    public void A_script_can_configure_a_source_before_it_opens()
     {
         using var server = new TestServer();
         MocapSource source = Add(source => source.Port = server.Port);

@@ -22,7 +22,7 @@ public sealed class PerformerDataTests : SourceFixture
     }
 
     [Fact]
-    public void Frames_with_values_that_are_no_numbers_are_left_out()
+    public void Frames_that_are_not_finite_are_skipped()
     {
         Broadcaster server = Serve(new ValuesSource(static (frame, _, values) =>
         {
@@ -60,7 +60,7 @@ public sealed class PerformerDataTests : SourceFixture
     }
 
     [Fact]
-    public void Sizes_are_asked_for_on_the_command_channel_where_the_stream_has_none()
+    public void Sizes_fall_back_to_the_command_channel()
     {
         var tall = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperLeg = 0.6f });
         Broadcaster server = Serve(new BroadcasterOptions { Sources = [new ValuesSource(static (_, _, _) => { }, tall)], IncludeDisplacement = false });
@@ -79,7 +79,7 @@ public sealed class PerformerDataTests : SourceFixture
     }
 
     [Fact]
-    public void Contacts_are_those_of_calculation_frames_where_there_are_any()
+    public void Contacts_prefer_calculation_frames()
     {
         Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticSource()], Calculation = CalculationSynthesizer.Write });
         MocapSource source = Add(server);
@@ -121,7 +121,7 @@ public sealed class PerformerDataTests : SourceFixture
     }
 
     [Fact]
-    public void A_calculation_port_that_refuses_is_told_while_the_figure_moves()
+    public void A_refused_calculation_port_is_reported_while_the_figure_moves()
     {
         int port = FreePort();
         MocapSource source = Add(Serve(new SyntheticSource()), source => source.CalculationPort = port);

@@ -58,7 +58,7 @@ public sealed class SourceAllocationTests : SourceFixture
     }
 
     [Fact]
-    public void Made_up_avatars_do_not_fill_the_memory()
+    public void Forged_avatars_take_bounded_memory()
     {
         var streams = new AvatarStreams();
         float[] values = new float[354];

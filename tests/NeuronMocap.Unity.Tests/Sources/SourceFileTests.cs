@@ -35,7 +35,7 @@ public sealed class SourceFileTests : SourceFixture
     }
 
     [Fact]
-    public void A_BVH_file_that_is_over_says_so()
+    public void The_end_of_a_BVH_file_is_reported()
     {
         MocapSource source = AddFile(SourceKind.BvhFile, WriteTake(), loop: false);
         WaitForPose(source);
@@ -44,7 +44,7 @@ public sealed class SourceFileTests : SourceFixture
     }
 
     [Fact]
-    public void A_text_asset_is_as_good_as_a_file()
+    public void A_text_asset_plays_like_a_file()
     {
         string text = File.ReadAllText(WriteTake());
         MocapSource source = Add(source =>
@@ -82,7 +82,7 @@ public sealed class SourceFileTests : SourceFixture
     [InlineData(SourceKind.BvhFile, "nothing.bvh", "cannot be played")]
     [InlineData(SourceKind.Recording, "nothing.nmrec", "cannot be played")]
     [InlineData(SourceKind.BvhFile, "jar:file://app.apk!/assets/walk.bvh", "text asset")]
-    public void What_is_wrong_with_a_file_is_said(SourceKind kind, string file, string expected)
+    public void A_damaged_file_is_explained(SourceKind kind, string file, string expected)
     {
         MocapSource source = AddFile(kind, file, loop: true);
         Loop.RunUntil(() => source.State == SourceState.Failed);
@@ -90,7 +90,7 @@ public sealed class SourceFileTests : SourceFixture
     }
 
     [Fact]
-    public void A_file_that_is_no_take_says_why()
+    public void An_invalid_take_is_explained()
     {
         string file = Path.Combine(_folder, "note.bvh");
         File.WriteAllText(file, "Not a hierarchy.");
@@ -100,7 +100,7 @@ public sealed class SourceFileTests : SourceFixture
     }
 
     [Fact]
-    public void Closed_while_a_file_is_read_it_leaves_nothing_behind()
+    public void Closing_while_reading_a_file_leaves_nothing()
     {
         string file = WriteTake();
         for (int i = 0; i < 20; i++)

@@ -9,7 +9,7 @@ public sealed class SourceHandlerTests : SourceFixture
     [Theory]
     [InlineData(SourceState.Connecting)]
     [InlineData(SourceState.Receiving)]
-    public void A_handler_of_the_state_may_disable_the_source(SourceState last)
+    public void A_state_handler_may_disable_the_source(SourceState last)
     {
         MocapSource source = AddSimulator();
         source.StateChanged += state =>
@@ -24,7 +24,7 @@ public sealed class SourceHandlerTests : SourceFixture
     }
 
     [Fact]
-    public void Handlers_that_throw_are_told_in_the_console_and_hold_up_nothing()
+    public void Throwing_handlers_are_logged_and_isolated()
     {
         MocapSource source = AddSimulator(2);
         var told = new List<string>();
@@ -46,7 +46,7 @@ public sealed class SourceHandlerTests : SourceFixture
     }
 
     [Fact]
-    public void A_handler_of_joining_may_disable_the_source()
+    public void A_join_handler_may_disable_the_source()
     {
         MocapSource first = AddSimulator(2);
         WaitForPose(first, 1);
@@ -62,7 +62,7 @@ public sealed class SourceHandlerTests : SourceFixture
     }
 
     [Fact]
-    public void A_handler_of_leaving_may_disable_the_source()
+    public void A_leave_handler_may_disable_the_source()
     {
         Broadcaster server = Serve(new SyntheticSource(), new SyntheticSource(avatarIndex: 1));
         MocapSource source = Add(server, source =>
@@ -85,7 +85,7 @@ public sealed class SourceHandlerTests : SourceFixture
     }
 
     [Fact]
-    public void A_handler_of_leaving_may_open_the_source_again()
+    public void A_leave_handler_may_reopen_the_source()
     {
         MocapSource source = AddSimulator();
         WaitForPose(source);
@@ -107,7 +107,7 @@ public sealed class SourceHandlerTests : SourceFixture
     [Theory]
     [InlineData(SourceKind.Network)]
     [InlineData(SourceKind.BvhFile)]
-    public void Texts_that_are_null_are_empty_ones(SourceKind kind)
+    public void Null_texts_count_as_empty(SourceKind kind)
     {
         MocapSource source = Add(source =>
         {

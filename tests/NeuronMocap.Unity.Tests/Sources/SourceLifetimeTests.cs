@@ -7,7 +7,7 @@ namespace NeuronMocap.Unity.Tests.Sources;
 public sealed class SourceLifetimeTests : SourceFixture
 {
     [Fact]
-    public void Disabled_while_it_connects_to_a_computer_that_does_not_answer_it_stops_at_once()
+    public void Disabling_while_connecting_stops_at_once()
     {
         using var hole = new BlackHole();
         MocapSource source = Add(source => source.Port = hole.Port);
@@ -17,7 +17,7 @@ public sealed class SourceLifetimeTests : SourceFixture
     }
 
     [Fact]
-    public void Disabled_in_every_state_it_stops_at_once()
+    public void Disabling_in_any_state_stops_at_once()
     {
         using var silent = new TestServer();
         Broadcaster server = Serve(new SyntheticSource());
@@ -61,7 +61,7 @@ public sealed class SourceLifetimeTests : SourceFixture
     }
 
     [Fact]
-    public void Kept_through_scenes_it_goes_on_and_a_second_one_is_not_kept()
+    public void A_source_kept_across_scenes_continues_alone()
     {
         Broadcaster server = Serve(new SyntheticSource());
         GameObject prefab = Loop.CreatePrefab("Source", root =>
@@ -86,7 +86,7 @@ public sealed class SourceLifetimeTests : SourceFixture
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
-    public void Play_mode_ends_with_nothing_left_and_begins_again(bool reloadDomain)
+    public void Play_mode_leaves_nothing_and_can_restart(bool reloadDomain)
     {
         Loop.Dispose();
         Loop = new PlayerLoop(play: false);
@@ -107,7 +107,7 @@ public sealed class SourceLifetimeTests : SourceFixture
     }
 
     [Fact]
-    public void The_end_of_the_program_closes_what_is_open()
+    public void Quitting_closes_every_source()
     {
         Broadcaster server = Serve(new SyntheticSource());
         Loop.Dispose();
@@ -121,7 +121,7 @@ public sealed class SourceLifetimeTests : SourceFixture
     }
 
     [Fact]
-    public void New_scripts_in_play_mode_open_it_again()
+    public void Recompiling_in_play_mode_reopens_the_source()
     {
         Broadcaster server = Serve(new SyntheticSource());
         MocapSource source = Add(server);
@@ -133,7 +133,7 @@ public sealed class SourceLifetimeTests : SourceFixture
     }
 
     [Fact]
-    public void Opened_and_closed_by_a_script_it_does_as_it_is_told()
+    public void A_script_can_open_and_close_a_source()
     {
         Broadcaster server = Serve(new SyntheticSource());
         MocapSource source = Add(server);

@@ -90,7 +90,7 @@ public sealed class AvatarTests : IDisposable
     }
 
     [Fact]
-    public void The_traits_are_Unity_s()
+    public void The_traits_match_Unity()
     {
         Assert.Equal(55, HumanTrait.BoneName.Length);
         Assert.Equal(95, HumanTrait.MuscleCount);
@@ -111,14 +111,14 @@ public sealed class AvatarTests : IDisposable
     public void Names_are_unique() => Refuse("two transforms", () => Get(HumanBodyBones.Head).name = "the Spine");
 
     [Fact]
-    public void Every_mapped_bone_and_what_is_above_is_listed() =>
+    public void Every_mapped_bone_and_its_ancestors_are_listed() =>
         Refuse("not in the skeleton", () => _description.skeleton = [.. _description.skeleton.Where(static bone => bone.name != "the LeftUpperArm")]);
 
     [Fact]
     public void Names_of_human_bones_are_the_traits() => Refuse("is no human bone", () => _description.human[6].humanName = "LeftIndexProximal");
 
     [Fact]
-    public void The_fifteen_are_there() => Refuse("'Head' not found", () => _description.human = [.. _description.human.Where(static bone => bone.humanName != "Head")]);
+    public void The_fifteen_required_bones_are_mapped() => Refuse("'Head' not found", () => _description.human = [.. _description.human.Where(static bone => bone.humanName != "Head")]);
 
     [Fact]
     public void A_bone_is_mapped_once() => Refuse("mapped twice", () => _description.human[6].humanName = "Head");
@@ -133,7 +133,7 @@ public sealed class AvatarTests : IDisposable
     public void It_faces_along_z() => Refuse("not in T-pose", () => Turn(HumanBodyBones.Hips, Quaternion.Euler(0, 180, 0)));
 
     [Fact]
-    public void The_live_pose_is_the_listed_one() => Refuse("does not stand", () => Get(HumanBodyBones.LeftFoot).localRotation = Quaternion.Euler(10, 0, 0));
+    public void The_live_pose_matches_the_list() => Refuse("does not stand", () => Get(HumanBodyBones.LeftFoot).localRotation = Quaternion.Euler(10, 0, 0));
 
     [Fact]
     public void The_root_has_no_parent() => Refuse("has a parent", () => _root.transform.SetParent(new GameObject("above").transform));

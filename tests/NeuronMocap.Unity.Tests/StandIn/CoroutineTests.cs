@@ -10,7 +10,7 @@ public sealed class CoroutineTests : IDisposable
     public void Dispose() => _loop.Dispose();
 
     [Fact]
-    public void They_go_on_when_what_they_wait_for_is_there()
+    public void Coroutines_resume_when_their_wait_ends()
     {
         Runner runner = new GameObject("A").AddComponent<Runner>();
         runner.StartCoroutine(Outer(runner));
@@ -25,7 +25,7 @@ public sealed class CoroutineTests : IDisposable
     }
 
     [Fact]
-    public void They_end_with_their_object_s_activity_not_with_the_script_s()
+    public void Coroutines_end_with_their_objects_activity()
     {
         Runner runner = new GameObject("A").AddComponent<Runner>();
         runner.StartCoroutine(Endless());
@@ -57,7 +57,7 @@ public sealed class CoroutineTests : IDisposable
     }
 
     [Fact]
-    public void An_await_comes_back_to_the_main_thread()
+    public void An_await_returns_to_the_main_thread()
     {
         Runner runner = new GameObject("A").AddComponent<Runner>();
         runner.GoOn();

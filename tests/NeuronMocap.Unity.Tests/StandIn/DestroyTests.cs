@@ -9,7 +9,7 @@ public sealed class DestroyTests : IDisposable
     public void Dispose() => _loop.Dispose();
 
     [Fact]
-    public void What_is_destroyed_equals_null_and_may_not_be_used()
+    public void A_destroyed_object_equals_null_and_throws()
     {
         var item = new GameObject("A");
         Transform part = item.transform;
@@ -24,7 +24,7 @@ public sealed class DestroyTests : IDisposable
     }
 
     [Fact]
-    public void A_tree_goes_with_its_root()
+    public void Destroying_a_root_destroys_its_tree()
     {
         var root = new GameObject("root");
         Probe child = new GameObject("child").AddComponent<Probe>();
@@ -52,7 +52,7 @@ public sealed class DestroyTests : IDisposable
     }
 
     [Fact]
-    public void Parts_that_others_need_stay()
+    public void Required_components_cannot_be_destroyed()
     {
         var item = new GameObject("A");
         item.AddComponent<Needy>();
@@ -65,7 +65,7 @@ public sealed class DestroyTests : IDisposable
     }
 
     [Fact]
-    public void Edit_mode_knows_DestroyImmediate_only()
+    public void Edit_mode_allows_only_DestroyImmediate()
     {
         using var loop = new PlayerLoop(play: false);
         var item = new GameObject("A");

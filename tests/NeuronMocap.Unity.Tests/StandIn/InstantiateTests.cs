@@ -7,7 +7,7 @@ public sealed class InstantiateTests : IDisposable
     public void Dispose() => _loop.Dispose();
 
     [Fact]
-    public void A_copy_has_what_Unity_keeps_and_nothing_else()
+    public void A_copy_has_exactly_the_serialized_fields()
     {
         GameObject prefab = _loop.CreatePrefab("Figure", static root =>
         {
@@ -36,7 +36,7 @@ public sealed class InstantiateTests : IDisposable
     }
 
     [Fact]
-    public void A_copy_of_an_inactive_object_sleeps()
+    public void A_copy_of_an_inactive_object_is_inactive()
     {
         GameObject prefab = _loop.CreatePrefab("Figure", static root => root.AddComponent<Holder>());
         prefab.SetActive(false);

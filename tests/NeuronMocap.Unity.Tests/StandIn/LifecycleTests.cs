@@ -14,7 +14,7 @@ public sealed class LifecycleTests : IDisposable
     public void Dispose() => _loop.Dispose();
 
     [Fact]
-    public void Callbacks_come_in_the_engine_s_order()
+    public void Callbacks_run_in_Unitys_order()
     {
         Probe probe = Add<Probe>("A");
         Expect("A.Awake", "A.OnEnable");
@@ -42,7 +42,7 @@ public sealed class LifecycleTests : IDisposable
     }
 
     [Fact]
-    public void The_execution_order_goes_before_the_order_of_creation()
+    public void The_execution_order_precedes_the_order_of_creation()
     {
         Add<Probe>("A");
         Add<EarlyProbe>("B");
@@ -54,7 +54,7 @@ public sealed class LifecycleTests : IDisposable
     }
 
     [Fact]
-    public void An_inactive_script_hears_nothing_until_it_is_active()
+    public void An_inactive_script_gets_no_callbacks()
     {
         var item = new GameObject("A");
         item.SetActive(false);
@@ -72,7 +72,7 @@ public sealed class LifecycleTests : IDisposable
     }
 
     [Fact]
-    public void What_is_added_in_mid_frame_starts_before_its_first_step()
+    public void A_component_added_within_a_frame_starts_before_its_first_update()
     {
         new GameObject("maker").AddComponent<Maker>();
 
@@ -84,7 +84,7 @@ public sealed class LifecycleTests : IDisposable
     }
 
     [Fact]
-    public void Physics_goes_in_steps_of_its_own()
+    public void Physics_has_its_own_steps()
     {
         Add<Probe>("A");
         Probe.Clear();
@@ -96,7 +96,7 @@ public sealed class LifecycleTests : IDisposable
     }
 
     [Fact]
-    public void What_a_script_throws_is_logged_and_the_frame_goes_on()
+    public void A_script_exception_is_logged_and_the_frame_goes_on()
     {
         Probe.Failing.UnionWith(["Update", "OnDisable"]);
         Probe failing = Add<EarlyProbe>("A");
@@ -117,7 +117,7 @@ public sealed class LifecycleTests : IDisposable
     }
 
     [Fact]
-    public void A_changed_scene_keeps_what_was_asked_to_stay()
+    public void A_scene_change_keeps_marked_objects()
     {
         Probe kept = Add<Probe>("kept");
         Probe left = Add<Probe>("left");
@@ -133,7 +133,7 @@ public sealed class LifecycleTests : IDisposable
     }
 
     [Fact]
-    public void Frames_of_scripts_allocate_nothing_by_themselves()
+    public void The_frame_loop_allocates_nothing()
     {
         for (int i = 0; i < 10; i++)
             new GameObject("A").AddComponent<Mover>();

@@ -12,7 +12,7 @@ public sealed class PlayModeTests : IDisposable
     public void Dispose() => _loop.Dispose();
 
     [Fact]
-    public void Play_mode_wakes_the_scene_and_gives_it_back_as_it_was()
+    public void Play_mode_wakes_and_restores_the_scene()
     {
         GameObject item = new("A");
         item.AddComponent<Probe>();
@@ -36,7 +36,7 @@ public sealed class PlayModeTests : IDisposable
     }
 
     [Fact]
-    public void The_editor_tells_of_the_steps_in_their_order()
+    public void The_editor_reports_its_steps_in_order()
     {
         EditorApplication.playModeStateChanged += change => _events.Add($"{change}");
         Application.quitting += () => _events.Add("quitting");
@@ -49,7 +49,7 @@ public sealed class PlayModeTests : IDisposable
     }
 
     [Fact]
-    public void A_reload_forgets_handlers_and_tells_before_and_after()
+    public void A_reload_drops_handlers_and_reports_before_and_after()
     {
         AssemblyReloadEvents.beforeAssemblyReload += () => _events.Add("before");
         AssemblyReloadEvents.afterAssemblyReload += () => _events.Add("after");
@@ -76,7 +76,7 @@ public sealed class PlayModeTests : IDisposable
     }
 
     [Fact]
-    public void A_script_of_the_editor_may_ask_for_the_end()
+    public void An_editor_script_may_leave_play_mode()
     {
         _loop.EnterPlayMode();
         EditorApplication.isPlaying = false;
@@ -87,7 +87,7 @@ public sealed class PlayModeTests : IDisposable
 
     // With the domain kept, statics survive: their owner's own method has to reset them.
     [Fact]
-    public void Statics_are_as_new_after_a_reload()
+    public void A_reload_resets_statics()
     {
         Statics.Count = 5;
         Statics.List.Add("x");

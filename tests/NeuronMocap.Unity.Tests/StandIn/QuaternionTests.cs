@@ -27,7 +27,7 @@ public sealed class QuaternionTests
     }
 
     [Fact]
-    public void Products_apply_the_right_factor_first_and_inverses_undo_it()
+    public void Products_apply_the_right_factor_first()
     {
         var random = new Random(4);
         for (int i = 0; i < 200; i++)
@@ -45,7 +45,7 @@ public sealed class QuaternionTests
     }
 
     [Fact]
-    public void LookRotation_has_z_along_the_view_and_y_near_up()
+    public void LookRotation_points_z_along_the_view()
     {
         var random = new Random(5);
         for (int i = 0; i < 200; i++)
@@ -66,7 +66,7 @@ public sealed class QuaternionTests
     }
 
     [Fact]
-    public void Slerp_takes_the_short_way_at_a_steady_rate()
+    public void Slerp_takes_the_short_path_at_constant_speed()
     {
         var from = Quaternion.AngleAxis(10, Vector3.up);
         var to = Quaternion.AngleAxis(130, Vector3.up);

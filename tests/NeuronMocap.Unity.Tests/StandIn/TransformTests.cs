@@ -10,7 +10,7 @@ public sealed class TransformTests : IDisposable
     public void Dispose() => _loop.Dispose();
 
     [Fact]
-    public void Places_and_turns_agree_with_the_matrices()
+    public void Positions_and_rotations_match_the_matrices()
     {
         var random = new Random(1);
         for (int i = 0; i < 100; i++)
@@ -31,7 +31,7 @@ public sealed class TransformTests : IDisposable
     }
 
     [Fact]
-    public void What_is_set_in_the_world_is_there()
+    public void World_values_read_back()
     {
         var random = new Random(2);
         Transform root = Create("root", null, random, scale: -2);
@@ -50,7 +50,7 @@ public sealed class TransformTests : IDisposable
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
-    public void A_new_parent_keeps_the_world_or_the_local_place(bool stays)
+    public void A_new_parent_keeps_the_world_or_local_position(bool stays)
     {
         var random = new Random(3);
         Transform parent = Create("parent", null, random, scale: 2);
@@ -90,7 +90,7 @@ public sealed class TransformTests : IDisposable
     }
 
     [Fact]
-    public void Values_that_are_no_numbers_are_refused()
+    public void Values_that_are_not_finite_are_refused()
     {
         Transform item = new GameObject("A").transform;
 

@@ -28,7 +28,7 @@ public abstract class CommandChannelContract
 
     // A zero byte follows the text where there is room, and nothing is written behind the room.
     [Fact]
-    public async Task The_header_fills_the_room_that_there_is()
+    public async Task The_header_fills_the_given_memory()
     {
         using CommandScript server = Answers();
         await using VendorDriver driver = Start();

@@ -9,7 +9,7 @@ public abstract class ConnectContract
     private protected abstract VendorDriver Start();
 
     [Fact]
-    public async Task A_connection_is_told_on_the_thread_that_connects_with_the_handle_that_it_gets()
+    public async Task A_connection_is_reported_on_the_connecting_thread_with_its_handle()
     {
         using var server = new TestServer();
         await using VendorDriver driver = Start();
@@ -30,7 +30,7 @@ public abstract class ConnectContract
     }
 
     [Fact]
-    public async Task A_refused_connection_is_told_and_null()
+    public async Task A_refused_connection_is_reported_and_null()
     {
         int port;
         using (var server = new TestServer())
@@ -67,7 +67,7 @@ public abstract class ConnectContract
     [InlineData("127.0.0.1", 0, "127.0.0.1:0", null)]
     [InlineData("127.0.0.1", 65_536, "127.0.0.1:65536", null)]
     [InlineData("127.0.0.1", -1, "127.0.0.1:-1", null)]
-    public async Task What_no_computer_can_be_is_a_failure_and_no_crash(string host, int port, string told, int? code)
+    public async Task An_impossible_host_fails_without_a_crash(string host, int port, string told, int? code)
     {
         string error = $"Failed to connect to '{told}'. System error code: {code ?? VendorError.CodeOf(SocketError.InvalidArgument)}";
         await using VendorDriver driver = Start();
@@ -91,7 +91,7 @@ public abstract class ConnectContract
     }
 
     [Fact]
-    public async Task A_second_call_for_the_same_place_gives_the_same_connection()
+    public async Task A_second_call_for_the_same_address_gives_the_same_connection()
     {
         using var server = new TestServer();
         await using VendorDriver driver = Start();
@@ -108,7 +108,7 @@ public abstract class ConnectContract
     }
 
     [Fact]
-    public async Task Handles_are_never_used_again()
+    public async Task Handles_are_never_reused()
     {
         using var server = new TestServer();
         await using VendorDriver driver = Start();
@@ -126,7 +126,7 @@ public abstract class ConnectContract
 
     // The server sends as soon as it accepts, and the status callback takes its time: the frame waits.
     [Fact]
-    public async Task No_frame_comes_before_the_connection_was_told()
+    public async Task No_frame_precedes_the_connected_status()
     {
         using var server = new TestServer();
         await using VendorDriver driver = Start();
@@ -147,7 +147,7 @@ public abstract class ConnectContract
     [Theory]
     [InlineData("Connecting")]
     [InlineData("Successfully")]
-    public async Task Closing_while_the_connection_is_told_gives_null(string text)
+    public async Task Closing_in_the_connected_callback_gives_null(string text)
     {
         using var server = new TestServer();
         await using VendorDriver driver = Start();
@@ -163,7 +163,7 @@ public abstract class ConnectContract
     }
 
     [Fact]
-    public async Task Connecting_elsewhere_while_a_connection_is_told_works()
+    public async Task Connecting_elsewhere_in_the_connected_callback_works()
     {
         using var server = new TestServer();
         using var other = new TestServer();
@@ -180,7 +180,7 @@ public abstract class ConnectContract
     }
 
     [Fact]
-    public async Task Connecting_to_the_same_place_while_its_connection_is_told_gives_that_one()
+    public async Task Connecting_again_in_the_connected_callback_gives_the_same_connection()
     {
         using var server = new TestServer();
         await using VendorDriver driver = Start();

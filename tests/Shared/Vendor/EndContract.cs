@@ -9,7 +9,7 @@ public abstract class EndContract
     private protected abstract VendorDriver Start();
 
     [Fact]
-    public async Task A_server_that_closes_is_told_on_another_thread_after_the_last_frame()
+    public async Task A_closed_connection_is_reported_on_another_thread_after_the_last_frame()
     {
         using var server = new TestServer();
         await using VendorDriver driver = Start();
@@ -30,7 +30,7 @@ public abstract class EndContract
     }
 
     [Fact]
-    public async Task A_server_that_resets_leaves_the_systems_number()
+    public async Task A_reset_sets_the_systems_error_code()
     {
         using var server = new TestServer();
         await using VendorDriver driver = Start();
@@ -75,7 +75,7 @@ public abstract class EndContract
     }
 
     [Fact]
-    public async Task Closing_is_told_once_by_the_caller_and_may_be_repeated()
+    public async Task Closing_is_reported_once_on_the_calling_thread()
     {
         using var server = new TestServer();
         await using VendorDriver driver = Start();
@@ -140,7 +140,7 @@ public abstract class EndContract
     }
 
     [Fact]
-    public async Task Closing_and_connecting_again_when_the_end_is_told_works()
+    public async Task Closing_and_reconnecting_in_the_status_callback_works()
     {
         using var server = new TestServer();
         await using VendorDriver driver = Start();
@@ -184,7 +184,7 @@ public abstract class EndContract
     }
 
     [Fact]
-    public async Task A_busy_callback_does_not_hold_up_closing_for_long()
+    public async Task A_busy_callback_does_not_block_closing_for_long()
     {
         using var server = new TestServer();
         await using VendorDriver driver = Start();

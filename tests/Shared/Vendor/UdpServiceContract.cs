@@ -46,7 +46,7 @@ public abstract class UdpServiceContract
 
     // Which of the two gets a datagram, the system decides.
     [Fact]
-    public async Task Every_call_starts_a_service_of_its_own()
+    public async Task Every_call_starts_its_own_service()
     {
         await using VendorDriver driver = Start();
         int port = FreePort.Udp();
@@ -66,7 +66,7 @@ public abstract class UdpServiceContract
     }
 
     [Fact]
-    public async Task A_port_that_cannot_be_had_is_null_with_an_error()
+    public async Task An_unavailable_port_is_null_with_an_error()
     {
         using var other = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ExclusiveAddressUse = true };
         other.Bind(new IPEndPoint(IPAddress.Any, 0));

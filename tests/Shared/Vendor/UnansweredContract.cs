@@ -9,7 +9,7 @@ public abstract class UnansweredContract
     private protected abstract VendorDriver Start();
 
     [Fact]
-    public async Task A_server_that_does_not_answer_is_given_up()
+    public async Task A_silent_server_times_out()
     {
         using var hole = new BlackHole();
         await using VendorDriver driver = Start();

@@ -10,7 +10,7 @@ public class BvhEditingTests
     private static readonly BvhDocument Five = Numbered(5, new BvhFrameTime(1, 120));
 
     [Fact]
-    public void A_part_of_a_take_has_its_rows_and_its_rate()
+    public void A_part_of_a_take_keeps_rows_and_rate()
     {
         BvhDocument part = Five.Trim(1, 3);
 
@@ -26,11 +26,11 @@ public class BvhEditingTests
     [InlineData(6, 0, "start")]
     [InlineData(2, 4, "count")]
     [InlineData(2, -1, "count")]
-    public void A_part_lies_within_the_take(int start, int count, string parameter) =>
+    public void A_part_must_lie_within_the_take(int start, int count, string parameter) =>
         Assert.Throws<ArgumentOutOfRangeException>(parameter, () => Five.Trim(start, count));
 
     [Fact]
-    public void A_part_by_time_begins_and_ends_at_the_nearest_frames()
+    public void A_part_by_time_snaps_to_the_nearest_frames()
     {
         BvhDocument take = Numbered(241, new BvhFrameTime(1, 120));
         BvhDocument part = take.Trim(TimeSpan.FromSeconds(0.5), TimeSpan.FromSeconds(1));
@@ -57,7 +57,7 @@ public class BvhEditingTests
     [InlineData("OFFSET 0.5 14.307 1e-1", "OFFSET 0.5 15 1e-1", "the OFFSET of Spine")]
     [InlineData("CHANNELS 3 Yrotation Xrotation", "CHANNELS 3 Xrotation Yrotation", "Spine has the channels")]
     [InlineData("Frame Time: 0.008", "Frame Time: 0.010", "Resample")]
-    public void Takes_that_differ_are_not_joined(string text, string other, string reason)
+    public void Different_takes_are_not_joined(string text, string other, string reason)
     {
         BvhDocument next = Parse(TwoRows.Replace(text, other, StringComparison.Ordinal));
         NeuronException failure = Assert.Throws<NeuronException>(() => BvhEditing.Join([Parse(TwoRows), next]));
@@ -72,7 +72,7 @@ public class BvhEditingTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void An_aligned_take_goes_on_where_the_one_before_ended(bool hasReference)
+    public void An_aligned_take_continues_the_one_before(bool hasReference)
     {
         var random = new RandomTakes(7);
         BvhHierarchy hierarchy = BvhBoneHierarchy.Create(SkeletonFormat.Default, new ChannelLayout(hasDisplacement: false, hasReference));
@@ -104,7 +104,7 @@ public class BvhEditingTests
     }
 
     [Fact]
-    public void Two_takes_of_one_heading_are_aligned_by_moving_alone()
+    public void Takes_of_equal_heading_are_aligned_by_translation()
     {
         var random = new RandomTakes(8);
         BvhHierarchy hierarchy = BvhBoneHierarchy.Create(default, default);
@@ -116,7 +116,7 @@ public class BvhEditingTests
     }
 
     [Fact]
-    public void Rows_of_nan_at_the_seam_do_not_spoil_an_aligned_take()
+    public void NaN_rows_at_the_seam_do_not_affect_the_alignment()
     {
         var random = new RandomTakes(9);
         BvhHierarchy hierarchy = BvhBoneHierarchy.Create(default, default);
@@ -136,7 +136,7 @@ public class BvhEditingTests
     }
 
     [Fact]
-    public void A_rate_is_written_in_full_however_the_old_one_was_rounded()
+    public void A_resampled_rate_is_written_in_full()
     {
         var half = new BvhDocument(Five.Hierarchy, BvhFrameTime.FromFrameRate(60), Five.CopyValues()) { TextFormat = Five.TextFormat with { FrameTimeText = "0.008" } };
 
@@ -147,7 +147,7 @@ public class BvhEditingTests
     }
 
     [Fact]
-    public void Every_second_frame_of_120_hz_is_60_hz_bit_for_bit()
+    public void Resampling_120_to_60_Hz_takes_every_second_frame()
     {
         BvhDocument half = Five.Resample(60);
 
@@ -158,7 +158,7 @@ public class BvhEditingTests
     }
 
     [Fact]
-    public void The_last_frame_is_kept_where_the_length_is_no_whole_number_of_frames()
+    public void Resampling_keeps_the_last_frame()
     {
         BvhDocument take = Five.Trim(0, 4).Resample(60);
 
@@ -181,7 +181,7 @@ public class BvhEditingTests
     }
 
     [Fact]
-    public void Rotations_between_frames_lie_on_the_shortest_way_between_quaternions()
+    public void Rotations_are_interpolated_on_the_shortest_path()
     {
         for (int seed = 0; seed < 40; seed++)
         {
@@ -199,7 +199,7 @@ public class BvhEditingTests
 
     // (179, 10, -3) and the same rotation as (-1, 170, 177): between them lies neither, but the rotation itself.
     [Fact]
-    public void A_flip_of_the_angles_is_no_motion()
+    public void An_angle_flip_is_no_motion()
     {
         BvhHierarchy hierarchy = Parse("HIERARCHY\nROOT A\n{\nOFFSET 0 0 0\nCHANNELS 3 Yrotation Xrotation Zrotation\n}\n").Hierarchy;
         var take = new BvhDocument(hierarchy, BvhFrameTime.Default, [179, 10, -3, -1, 170, 177]);

@@ -44,7 +44,7 @@ public class BvhFrameRateTests
     [InlineData("0.1", 10)]
     [InlineData("1", 1)]
     [InlineData("0.001", 1000)]
-    public void A_time_that_its_digits_tell_from_every_usual_rate_is_taken_by_its_word(string frameTime, double rate)
+    public void A_precise_unusual_time_is_kept(string frameTime, double rate)
     {
         BvhDocument document = Parse($"{Hierarchy}MOTION\nFrames: 0\nFrame Time: {frameTime}\n");
 
@@ -62,7 +62,7 @@ public class BvhFrameRateTests
     [InlineData("1e99999999999999999999")]
     [InlineData("0,008")]
     [InlineData("")]
-    public void Without_a_usable_time_the_rate_of_axis_neuron_is_assumed_and_told(string frameTime)
+    public void An_unusable_time_is_replaced_by_axis_neurons_rate_with_a_repair(string frameTime)
     {
         BvhDocument document = Parse($"{Hierarchy}MOTION\nFrames: 0\nFrame Time: {frameTime}\n");
 
@@ -76,7 +76,7 @@ public class BvhFrameRateTests
     }
 
     [Fact]
-    public void A_missing_time_is_told_once()
+    public void A_missing_time_is_reported_once()
     {
         BvhDocument document = Parse($"{Hierarchy}MOTION\nFrames: 1\n{Row}MOTION\nFrames: 1\n{Row}");
 

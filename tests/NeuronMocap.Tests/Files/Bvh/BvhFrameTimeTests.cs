@@ -37,7 +37,7 @@ public class BvhFrameTimeTests
     [InlineData("3600", 3600, 1)]
     [InlineData("1e-6", 1, 1000000)]
     [InlineData("0.00833333333333333333333333333333333333", 1, 120)]
-    public void Text_gives_the_time_that_it_stands_for(string text, long numerator, long denominator)
+    public void Text_gives_the_exact_time(string text, long numerator, long denominator)
     {
         Assert.True(BvhFrameTime.TryParse(text, out BvhFrameTime time));
         Assert.Equal(new BvhFrameTime(numerator, denominator), time);
@@ -52,7 +52,7 @@ public class BvhFrameTimeTests
     [InlineData("nan")]
     [InlineData("3601")]
     [InlineData("1e-7")]
-    public void What_is_no_time_is_refused(string? text) => Assert.False(BvhFrameTime.TryParse(text, out _));
+    public void Invalid_times_are_refused(string? text) => Assert.False(BvhFrameTime.TryParse(text, out _));
 
     [Theory]
     [InlineData(1, 120, "0.008333")]
@@ -61,7 +61,7 @@ public class BvhFrameTimeTests
     [InlineData(1001, 30000, "0.033367")]
     [InlineData(17, 1000, "0.017000")]
     [InlineData(2, 1, "2.000000")]
-    public void A_time_is_written_so_that_it_is_read_as_the_same(long numerator, long denominator, string text)
+    public void A_written_time_reads_back_equal(long numerator, long denominator, string text)
     {
         var time = new BvhFrameTime(numerator, denominator);
 
@@ -83,7 +83,7 @@ public class BvhFrameTimeTests
     }
 
     [Fact]
-    public void Any_text_of_a_number_is_read_as_that_number()
+    public void Any_number_is_read_exactly()
     {
         var random = new Random(5);
         for (int i = 0; i < 20_000; i++)

@@ -11,7 +11,7 @@ public sealed class BvhFullDiskTests
     private static readonly BvhDocument TwoRows = BvhSamples.Parse(BvhSamples.TwoRows);
 
     [Fact]
-    public void A_disk_that_is_full_at_any_byte_leaves_the_rows_that_are_told()
+    public void A_full_disk_keeps_the_reported_rows()
     {
         using var whole = new MemoryStream();
         using (BvhWriter writer = Begin(whole))

@@ -43,11 +43,11 @@ public class BvhHierarchyBuilderTests
     [InlineData("a\t")]
     [InlineData("a{")]
     [InlineData("a\nb")]
-    public void A_name_that_a_file_cannot_hold_is_refused(string name) =>
+    public void An_unwritable_name_is_refused(string name) =>
         Assert.Throws<ArgumentException>(() => new BvhHierarchyBuilder().Add(name, null, default, []));
 
     [Fact]
-    public void Limits_hold_for_what_is_built_as_for_what_is_read()
+    public void The_builder_keeps_to_the_readers_limits()
     {
         var builder = new BvhHierarchyBuilder();
         Assert.Throws<InvalidOperationException>(builder.Build);
@@ -79,7 +79,7 @@ public class BvhHierarchyBuilderTests
     }
 
     [Fact]
-    public void A_document_is_made_of_a_hierarchy_and_rows()
+    public void A_document_is_created_from_a_hierarchy_and_rows()
     {
         var builder = new BvhHierarchyBuilder();
         builder.Add("Hips", null, default, [BvhChannel.Xrotation, BvhChannel.Yrotation]);

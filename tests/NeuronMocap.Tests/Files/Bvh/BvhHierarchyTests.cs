@@ -32,7 +32,7 @@ public class BvhHierarchyTests
     }
 
     [Fact]
-    public void A_hierarchy_alone_is_a_whole_document()
+    public void A_hierarchy_alone_is_a_document()
     {
         BvhDocument document = Parse(Hierarchy);
 
@@ -46,28 +46,28 @@ public class BvhHierarchyTests
     [InlineData("\r\n")]
     [InlineData("\r")]
     [InlineData("\n")]
-    public void Every_kind_of_line_end_gives_the_same_document_and_the_same_lines(string lineEnd)
+    public void Line_ends_do_not_change_the_document(string lineEnd)
     {
         string text = TwoRows + "1 2 x\n";
         AssertSame(Parse(text), Parse(text.Replace("\n", lineEnd, StringComparison.Ordinal)));
     }
 
     [Fact]
-    public void Tabs_runs_of_spaces_and_blank_lines_have_no_meaning()
+    public void White_space_is_ignored()
     {
         string text = TwoRows.Replace(" ", " \t  ", StringComparison.Ordinal).Replace("\n", "\t\n\n \n", StringComparison.Ordinal);
         AssertSame(Parse(TwoRows), Parse(text));
     }
 
     [Fact]
-    public void Everything_on_as_few_lines_as_possible_is_read()
+    public void A_file_of_few_lines_is_read()
     {
         string text = Hierarchy.Replace("\n", " ", StringComparison.Ordinal);
         AssertSame(Parse(TwoRows), Parse(text + "MOTION Frames: 2 Frame Time: 0.008 1 2 3 4 5 6 7 8 9\n-1 -2 -3 -4 -5 -6 -7 -8 -9"));
     }
 
     [Fact]
-    public void A_byte_order_mark_is_not_text() => AssertSame(Parse(TwoRows), Parse("\uFEFF" + TwoRows));
+    public void A_byte_order_mark_is_skipped() => AssertSame(Parse(TwoRows), Parse("\uFEFF" + TwoRows));
 
     [Fact]
     public void Keywords_are_read_in_any_case()
@@ -90,7 +90,7 @@ public class BvhHierarchyTests
         Assert.Equal(name, Parse(TwoRows.Replace("Hips", name + " ", StringComparison.Ordinal)).Joints[0].Name);
 
     [Fact]
-    public void Names_that_are_not_utf8_do_not_stop_the_reading()
+    public void Names_that_are_not_UTF8_are_read()
     {
         byte[] text = Encoding.Latin1.GetBytes(TwoRows.Replace("Hips", "H\u00FCfte", StringComparison.Ordinal));
         Assert.Equal("H\uFFFDfte", BvhDocument.Parse(text).Joints[0].Name);
@@ -101,7 +101,7 @@ public class BvhHierarchyTests
         AssertSame(Parse(TwoRows), Parse(TwoRows.Replace("Spine\n", "\n  Spine\n", StringComparison.Ordinal)));
 
     [Fact]
-    public void A_statement_on_the_next_line_is_no_name()
+    public void A_statement_on_the_next_line_is_not_a_name()
     {
         BvhDocument document = Parse(TwoRows.Replace("JOINT Spine\n    {", "JOINT", StringComparison.Ordinal));
 
@@ -111,7 +111,7 @@ public class BvhHierarchyTests
     }
 
     [Fact]
-    public void Several_roots_are_several_joints_without_a_parent()
+    public void Several_roots_have_no_parent()
     {
         BvhDocument document = Parse(Hierarchy + Hierarchy.Replace("HIERARCHY\n", "", StringComparison.Ordinal));
 
@@ -135,7 +135,7 @@ public class BvhHierarchyTests
     [InlineData("        }\n", "", 15, "ends inside joint 'Hips'")]
     [InlineData("        End", "        # by hand\n        End", 10, "'#'")]
     [InlineData("HIERARCHY", "some words\nHIERARCHY", 1, "begins with 'some'")]
-    public void A_fault_with_one_sensible_reading_is_repaired_and_told(string original, string faulty, int line, string told)
+    public void Unambiguous_defects_are_repaired_and_reported(string original, string faulty, int line, string told)
     {
         Assert.Contains(original, TwoRows, StringComparison.Ordinal);
         string text = TwoRows.Replace(original, faulty, StringComparison.Ordinal);
@@ -157,7 +157,7 @@ public class BvhHierarchyTests
     }
 
     [Fact]
-    public void An_end_site_that_is_not_closed_ends_where_the_next_joint_begins()
+    public void An_unclosed_end_site_ends_at_the_next_joint()
     {
         string text = Hierarchy.Replace("        }\n    }", "        JOINT Head\n { OFFSET 1 2 3 CHANNELS 0 }\n    }", StringComparison.Ordinal);
         BvhDocument document = Parse(text);
@@ -177,7 +177,7 @@ public class BvhHierarchyTests
     [InlineData("HIERARCHY\n", 2, 1, "no joints")]
     [InlineData("HIERARCHY\nROOT a { CHANNELS 1 Xposition CHANNELS 1 Yposition", 2, 42, "second CHANNELS of joint 'a'")]
     [InlineData("HIERARCHY\nROOT a { End Site { CHANNELS 1 Yposition", 2, 32, "End Site of joint 'a'")]
-    public void What_cannot_be_read_is_refused_with_its_place(string text, int line, int column, string told)
+    public void Unreadable_text_is_refused_with_its_place(string text, int line, int column, string told)
     {
         BvhFormatException refusal = Assert.Throws<BvhFormatException>(() => Parse(text));
 
@@ -187,7 +187,7 @@ public class BvhHierarchyTests
     }
 
     [Fact]
-    public void As_many_joints_as_the_limit_are_read_and_one_more_is_refused()
+    public void The_limit_of_joints_is_inclusive()
     {
         string atLimit = "HIERARCHY\n" + string.Concat(Enumerable.Repeat("ROOT a { OFFSET 0 0 0 }\n", BvhDocument.MaxJoints));
 
@@ -197,14 +197,14 @@ public class BvhHierarchyTests
     }
 
     [Fact]
-    public void As_deep_a_hierarchy_as_the_limit_is_read_and_a_deeper_one_is_refused()
+    public void The_limit_of_depth_is_inclusive()
     {
         Assert.Equal(BvhDocument.MaxDepth, Parse(Nested(BvhDocument.MaxDepth)).Joints.Count);
         Assert.Throws<BvhFormatException>(() => Parse(Nested(BvhDocument.MaxDepth + 1)));
     }
 
     [Fact]
-    public void As_many_channels_as_the_limit_are_read_and_one_more_is_refused()
+    public void The_limit_of_channels_is_inclusive()
     {
         string channels = string.Concat(Enumerable.Repeat(" Xposition", BvhDocument.MaxChannels));
         Assert.Equal(BvhDocument.MaxChannels, Parse($"HIERARCHY\nROOT a {{ OFFSET 0 0 0 CHANNELS 1{channels}\n}}").ChannelCount);
@@ -216,7 +216,7 @@ public class BvhHierarchyTests
     [Theory]
     [InlineData(BvhText.LongestWord, true)]
     [InlineData(BvhText.LongestWord + 1, false)]
-    public void As_long_a_name_as_the_limit_is_read_and_a_longer_one_is_refused(int length, bool isRead)
+    public void The_limit_of_name_length_is_inclusive(int length, bool isRead)
     {
         string text = TwoRows.Replace("Hips", new string('h', length), StringComparison.Ordinal);
         string reading = BvhReadings.AssertAlike(Encoding.UTF8.GetBytes(text), seed: 1);

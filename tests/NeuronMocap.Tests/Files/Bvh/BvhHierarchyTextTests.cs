@@ -12,7 +12,7 @@ public class BvhHierarchyTextTests
         new(Enum.GetValues<SkeletonVariant>(), Enum.GetValues<RotationOrder>(), [false, true], [false, true]);
 
     [Theory, MemberData(nameof(EveryFormat))]
-    public void The_text_is_read_back_as_the_same_skeleton(SkeletonVariant variant, RotationOrder order, bool displacement, bool reference)
+    public void Written_text_reads_back_as_the_same_skeleton(SkeletonVariant variant, RotationOrder order, bool displacement, bool reference)
     {
         var format = new SkeletonFormat(order, variant);
         var layout = new ChannelLayout(displacement, reference);
@@ -32,7 +32,7 @@ public class BvhHierarchyTextTests
     }
 
     [Fact]
-    public void The_default_text_is_that_of_appendix_b()
+    public void The_default_text_matches_appendix_b()
     {
         string text = BvhHierarchyText.Create(SkeletonFormat.Default, default);
         BvhDocument document = Parse(text);

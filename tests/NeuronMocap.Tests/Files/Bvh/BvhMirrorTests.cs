@@ -9,7 +9,7 @@ public class BvhMirrorTests
     [Theory]
     [InlineData(SkeletonVariant.Neck1)]
     [InlineData(SkeletonVariant.Spine3)]
-    public void Every_joint_is_where_the_mirror_shows_its_partner(SkeletonVariant variant)
+    public void Every_joint_mirrors_its_partner(SkeletonVariant variant)
     {
         BvhHierarchy hierarchy = BvhBoneHierarchy.Create(new SkeletonFormat(RotationOrder.ZXY, variant), new ChannelLayout(hasDisplacement: true, hasReference: true));
         BvhDocument take = new RandomTakes(5).Take(hierarchy, 3);
@@ -27,7 +27,7 @@ public class BvhMirrorTests
     [InlineData("mixamorig:LeftArm", "mixamorig:RightArm")]
     [InlineData("upperarmL", "upperarmR")]
     [InlineData("left_arm", "right_arm")]
-    public void Sides_of_any_hierarchy_are_found_by_their_names(string left, string right)
+    public void Sides_are_found_by_name(string left, string right)
     {
         BvhDocument take = Parse(
             $$"""
@@ -87,7 +87,7 @@ public class BvhMirrorTests
     }
 
     [Fact]
-    public void Sides_that_do_not_correspond_are_refused()
+    public void Unmatched_sides_are_refused()
     {
         BvhDocument take = Parse(
             "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 0\nJOINT LeftArm\n{\nOFFSET 0 0 0\nCHANNELS 0\nJOINT LeftHand\n{\nOFFSET 0 0 0\nCHANNELS 0\n}\n}\n"

@@ -8,7 +8,7 @@ public class BvhMotionTests
     private static readonly float[] RowValues = [1, 2, 3, 4, 5, 6, 7, 8, 9];
 
     [Fact]
-    public void Rows_are_read_as_they_stand()
+    public void Rows_are_read_exactly()
     {
         BvhDocument document = Parse(TwoRows);
 
@@ -24,14 +24,14 @@ public class BvhMotionTests
     [InlineData(-1)]
     [InlineData(2)]
     [InlineData(int.MaxValue)]
-    public void A_frame_that_is_not_there_is_refused(int index)
+    public void A_frame_out_of_range_is_refused(int index)
     {
         BvhDocument document = Parse(TwoRows);
         Assert.Throws<ArgumentOutOfRangeException>(() => document.GetFrame(index).Length);
     }
 
     [Fact]
-    public void Spaces_at_the_end_of_a_row_are_no_value() =>
+    public void Trailing_spaces_are_no_value() =>
         AssertSame(ParseRows(1, Row), ParseRows(1, "  1 2 3 4 5 6 7 8 9 \t \r\n"));
 
     [Fact]
@@ -57,7 +57,7 @@ public class BvhMotionTests
     [InlineData("+inf", float.PositiveInfinity)]
     [InlineData("-1.#INF00", float.NegativeInfinity)]
     [InlineData("-1e39", float.NegativeInfinity)]
-    public void Values_that_are_not_finite_are_kept_and_told(string text, float expected)
+    public void Values_that_are_not_finite_are_kept_and_reported(string text, float expected)
     {
         BvhDocument document = ParseRows(1, $"1 2 3 4 5 6 7 8 {text}\n");
 
@@ -66,7 +66,7 @@ public class BvhMotionTests
     }
 
     [Fact]
-    public void No_frames_announced_and_none_there_is_no_fault()
+    public void Zero_frames_are_valid()
     {
         BvhDocument document = ParseRows(0, "");
 
@@ -84,7 +84,7 @@ public class BvhMotionTests
     [InlineData("many")]
     [InlineData("nan")]
     [InlineData("")]
-    public void Rows_count_whatever_is_announced(string frames)
+    public void The_actual_rows_count(string frames)
     {
         BvhDocument document = Parse($"{Hierarchy}MOTION\nFrames: {frames}\nFrame Time: 0.008\n{Row}{Row}");
 
@@ -93,7 +93,7 @@ public class BvhMotionTests
     }
 
     [Fact]
-    public void A_missing_number_of_frames_is_told()
+    public void A_missing_frame_count_is_reported()
     {
         BvhDocument document = Parse($"{Hierarchy}MOTION\nFrame Time: 0.008\n{Row}");
 
@@ -109,11 +109,11 @@ public class BvhMotionTests
     [InlineData("\tframes : 1\n frame\ttime  : 0.008\n")]
     [InlineData("\n\n\nFrames: 1\n\nFrame Time: 0.008\n\n")]
     [InlineData("FRAMES: 1 FRAME TIME: 0.008 ")]
-    public void The_two_headings_are_read_however_they_are_laid_out(string headings) =>
+    public void Both_headings_are_read_in_any_layout(string headings) =>
         AssertSame(ParseRows(1, Row), Parse($"{Hierarchy}MOTION\n{headings}{Row}"));
 
     [Fact]
-    public void A_missing_word_motion_is_told()
+    public void A_missing_MOTION_keyword_is_reported()
     {
         BvhDocument document = Parse($"{Hierarchy}Frames: 1\nFrame Time: 0.008\n{Row}");
 
@@ -131,7 +131,7 @@ public class BvhMotionTests
     }
 
     [Fact]
-    public void A_row_with_too_many_values_loses_those_at_its_end()
+    public void Extra_values_of_a_row_are_dropped()
     {
         BvhDocument document = ParseRows(2, $"1 2 3 4 5 6 7 8 9 10\n{Row}");
 
@@ -144,7 +144,7 @@ public class BvhMotionTests
     [InlineData(Row + "1 2 3 4 5 6 7 8", 20)]
     [InlineData("1 2 3\n4 5 6 7\n" + Row, 19)]
     [InlineData("8\n9 9 9 9 9 9 9 9 9 9\n", 19)]
-    public void A_row_with_too_few_values_is_left_out(string rows, int line)
+    public void A_short_row_is_dropped(string rows, int line)
     {
         BvhDocument document = ParseRows(1, rows);
 
@@ -157,7 +157,7 @@ public class BvhMotionTests
     [InlineData("1 2 3\n4 5 6\n7 8 9\n1 2 3 4 5 6 7 8 9")]
     [InlineData("1 2 3 4 5\n\n6 7 8 9 1 2 3 4 5 6 7 8 9")]
     [InlineData("1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9")]
-    public void Rows_broken_across_lines_and_rows_on_one_line_are_parted_by_their_length(string rows)
+    public void Rows_across_lines_are_separated_by_length(string rows)
     {
         BvhDocument document = ParseRows(2, rows);
 
@@ -171,7 +171,7 @@ public class BvhMotionTests
     [InlineData("1,5 2 3 4 5 6 7 8 9")]
     [InlineData("\0\0\0\0")]
     [InlineData("1 2 3 4 5 6 7 8 9f")]
-    public void A_line_that_is_no_row_is_left_out(string garbage)
+    public void A_line_that_is_no_row_is_skipped(string garbage)
     {
         BvhDocument document = ParseRows(2, $"{Row}{garbage}\n{Row}");
 
@@ -182,7 +182,7 @@ public class BvhMotionTests
     }
 
     [Fact]
-    public void Several_motion_blocks_are_one_take()
+    public void Several_motion_blocks_form_one_take()
     {
         string second = "MOTION\n\nFrames: 1\nFrame Time: 0.017\n9 8 7 6 5 4 3 2 1\n";
         BvhDocument document = Parse(TwoRows + second + "MOTION\n");
@@ -201,7 +201,7 @@ public class BvhMotionTests
     }
 
     [Fact]
-    public void Nothing_after_a_second_hierarchy_is_read()
+    public void Reading_stops_at_a_second_hierarchy()
     {
         BvhDocument document = Parse(TwoRows + TwoRows);
 
@@ -210,7 +210,7 @@ public class BvhMotionTests
     }
 
     [Fact]
-    public void A_hundred_thousand_blank_lines_are_nothing()
+    public void A_hundred_thousand_blank_lines_are_skipped()
     {
         string blank = new('\n', 138_000);
         BvhDocument document = Parse($"{Hierarchy}MOTION\n{blank}Frames: 1\nFrame Time: 0.008\n{blank}{Row}{blank}x");
@@ -229,7 +229,7 @@ public class BvhMotionTests
     }
 
     [Fact]
-    public void The_first_hundred_repairs_are_listed_and_all_are_counted()
+    public void A_hundred_repairs_are_listed_and_all_are_counted()
     {
         BvhDocument document = ParseRows(0, string.Concat(Enumerable.Repeat("x\n", 5000)));
 
@@ -240,7 +240,7 @@ public class BvhMotionTests
     }
 
     [Fact]
-    public void A_file_is_read_as_its_text_is()
+    public void A_file_and_its_text_read_alike()
     {
         string path = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName() + ".bvh");
         try

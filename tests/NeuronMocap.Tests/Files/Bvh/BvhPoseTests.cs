@@ -16,7 +16,7 @@ public class BvhPoseTests
     public static MatrixTheoryData<SkeletonVariant, bool, bool> Layouts => new(Enum.GetValues<SkeletonVariant>(), [false, true], [false, true]);
 
     [Fact]
-    public void Another_rotation_order_leaves_the_pose_of_any_hierarchy()
+    public void Changing_the_rotation_order_keeps_the_pose()
     {
         for (int seed = 0; seed < 60; seed++)
         {
@@ -30,7 +30,7 @@ public class BvhPoseTests
     }
 
     [Theory, MemberData(nameof(OrderPairs))]
-    public void A_take_keeps_its_pose_from_every_order_to_every_order(RotationOrder from, RotationOrder to)
+    public void Every_conversion_of_orders_keeps_the_pose(RotationOrder from, RotationOrder to)
     {
         BvhDocument take = NeuronTake(new SkeletonFormat(from, SkeletonVariant.Neck1), default, frames: 8);
         BvhDocument other = take.WithRotationOrder(to);
@@ -44,7 +44,7 @@ public class BvhPoseTests
 
     // With the second angle at 90 degrees the first and the third turn about one line.
     [Fact]
-    public void Rotations_at_the_pole_keep_their_pose_and_do_not_jump()
+    public void Rotations_at_the_pole_keep_their_pose_without_jumps()
     {
         BvhHierarchy hierarchy = Parse("HIERARCHY\nROOT A\n{\nOFFSET 0 0 0\nCHANNELS 3 Yrotation Xrotation Zrotation\n}\n").Hierarchy;
         float[] values = [.. Enumerable.Range(0, 181).SelectMany(static i => new[] { 20f, i, 30f })];
@@ -59,7 +59,7 @@ public class BvhPoseTests
     }
 
     [Fact]
-    public void A_row_without_numbers_does_not_spoil_those_after_it()
+    public void A_NaN_row_does_not_affect_later_rows()
     {
         BvhHierarchy hierarchy = Parse("HIERARCHY\nROOT A\n{\nOFFSET 0 0 0\nCHANNELS 3 Yrotation Xrotation Zrotation\n}\n").Hierarchy;
         var take = new BvhDocument(hierarchy, BvhFrameTime.Default, [1, 2, 3, float.NaN, 2, 3, 1, 2, 4]);
@@ -69,7 +69,7 @@ public class BvhPoseTests
     }
 
     [Fact]
-    public void The_filter_takes_out_flips_and_leaves_the_pose()
+    public void The_filter_removes_flips_and_keeps_the_pose()
     {
         var random = new RandomTakes(3);
         BvhDocument smooth = random.Take(BvhBoneHierarchy.Create(default, default), 50);
@@ -84,7 +84,7 @@ public class BvhPoseTests
     }
 
     [Fact]
-    public void Displacement_on_and_off_leaves_the_pose_of_any_hierarchy_and_gives_the_take_back()
+    public void Adding_and_removing_displacement_restores_the_take()
     {
         for (int seed = 0; seed < 60; seed++)
         {
@@ -103,7 +103,7 @@ public class BvhPoseTests
     }
 
     [Fact]
-    public void What_is_lost_with_displacement_that_changes_is_told()
+    public void The_loss_of_changing_displacement_is_reported()
     {
         BvhDocument take = Parse(
             """
@@ -136,7 +136,7 @@ public class BvhPoseTests
     }
 
     [Theory, MemberData(nameof(Layouts))]
-    public void The_other_variant_leaves_every_joint_where_it_is(SkeletonVariant variant, bool displacement, bool reference)
+    public void Changing_the_variant_keeps_joint_positions(SkeletonVariant variant, bool displacement, bool reference)
     {
         SkeletonVariant other = variant == SkeletonVariant.Neck1 ? SkeletonVariant.Spine3 : SkeletonVariant.Neck1;
         BvhDocument take = NeuronTake(new SkeletonFormat(RotationOrder.YXZ, variant), new ChannelLayout(displacement, reference), frames: 6);
@@ -151,7 +151,7 @@ public class BvhPoseTests
     }
 
     [Fact]
-    public void A_variant_needs_no_displacement_where_the_bone_above_stands_still()
+    public void A_variant_needs_displacement_only_below_moving_bones()
     {
         BvhDocument take = NeuronTake(SkeletonFormat.Default, default, frames: 3);
         float[] values = Values(take);

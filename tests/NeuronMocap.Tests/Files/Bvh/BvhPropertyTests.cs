@@ -8,7 +8,7 @@ namespace NeuronMocap.Tests.Bvh;
 public class BvhPropertyTests
 {
     [Fact]
-    public void Any_hierarchy_in_any_layout_is_read_as_it_was_made()
+    public void Any_hierarchy_in_any_layout_round_trips()
     {
         for (int seed = 0; seed < 200; seed++)
         {
@@ -33,7 +33,7 @@ public class BvhPropertyTests
     }
 
     [Fact]
-    public void Damage_is_read_or_refused_alike_in_every_way_of_reading()
+    public void Every_way_of_reading_treats_damage_alike()
     {
         byte[] bits = Encoding.UTF8.GetBytes("{}\r\n\t .:-+e019AFHJMOREndSitepos\0ü");
         byte[][] parts =

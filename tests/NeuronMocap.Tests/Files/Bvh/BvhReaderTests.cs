@@ -9,7 +9,7 @@ public class BvhReaderTests
     private static readonly BvhReadOptions Strict = new() { Strict = true };
 
     [Fact]
-    public void Hierarchy_and_announcements_are_there_before_the_rows()
+    public void Hierarchy_and_headings_are_available_before_rows()
     {
         using var reader = new BvhReader(new MemoryStream(Encoding.UTF8.GetBytes(TwoRows)));
 
@@ -38,7 +38,7 @@ public class BvhReaderTests
     [InlineData("\n")]
     [InlineData("\r")]
     [InlineData("\r\n")]
-    public void A_row_is_read_as_soon_as_its_line_has_ended(string lineEnd)
+    public void A_row_is_read_at_its_line_end(string lineEnd)
     {
         string text = TwoRows.Replace("\n", lineEnd, StringComparison.Ordinal);
         byte[] bytes = Encoding.UTF8.GetBytes(text);
@@ -55,7 +55,7 @@ public class BvhReaderTests
     }
 
     [Fact]
-    public void A_file_longer_than_the_window_is_read_in_the_same_way_however_it_comes()
+    public void Pieces_of_any_size_read_alike_beyond_the_window()
     {
         var random = new Random(7);
         var text = new StringBuilder(Hierarchy + "MOTION\r\nFrames: 4000\r\nFrame Time: 0.0083333\r\n");
@@ -86,7 +86,7 @@ public class BvhReaderTests
 
     // Neither rows that are broken across lines nor those that stand on one, once there is room for them.
     [Fact]
-    public void A_row_that_needs_a_repair_allocates_nothing_once_the_list_is_full()
+    public void A_repaired_row_allocates_nothing_after_the_list_is_full()
     {
         string rows = string.Concat(Enumerable.Repeat("1 2 3\n4 5 6\n7 8 9\n1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9\nx\n1 2 3 4 5 6 7 8 9 10\n1 nan 3 4 5 6 7 8 9\n", 1000));
         byte[] bytes = Encoding.UTF8.GetBytes($"{Hierarchy}MOTION\nFrames: 3000\nFrame Time: 0.008\n{rows}");
@@ -157,7 +157,7 @@ public class BvhReaderTests
     }
 
     [Fact]
-    public void More_than_eight_rows_on_a_line_are_parted_before_the_line_ends()
+    public void Rows_of_a_long_line_are_separated_early()
     {
         string ten = string.Concat(Enumerable.Repeat("1 2 3 4 5 6 7 8 9 ", 10));
         BvhDocument document = ParseRows(10, $"8 8\n{ten}10 11\n");
@@ -173,7 +173,7 @@ public class BvhReaderTests
     }
 
     [Fact]
-    public void Progress_is_told_while_reading()
+    public void Progress_is_reported_while_reading()
     {
         var told = new List<long>();
         var options = new BvhReadOptions { Progress = new Told(told) };
@@ -205,7 +205,7 @@ public class BvhReaderTests
     }
 
     [Fact]
-    public void A_file_is_not_held_open_after_a_refusal()
+    public void A_refused_file_is_closed()
     {
         string path = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName() + ".bvh");
         try
@@ -228,7 +228,7 @@ public class BvhReaderTests
     }
 
     [Fact]
-    public void A_failed_reading_is_not_continued()
+    public void A_failed_reader_does_not_continue()
     {
         using var reader = new BvhReader(new MemoryStream(Encoding.UTF8.GetBytes($"{Hierarchy}MOTION\nFrames: 2\nFrame Time: 0.008\n{Row}x\n{Row}")), Strict);
         float[] row = new float[9];
@@ -254,7 +254,7 @@ public class BvhReaderTests
     [InlineData("9 10 11", 1, "There is no HIERARCHY; the file begins with '9'.")]
     [InlineData(TwoRows + "x", 22, "'x' is not a number.")]
     [InlineData(TwoRows + Row, 18, "'2' frames are announced and 3 rows are there.")]
-    public void A_strict_reading_names_the_fault_and_no_remedy(string text, int line, string told)
+    public void Strict_reading_names_the_defect(string text, int line, string told)
     {
         BvhFormatException refusal = Assert.Throws<BvhFormatException>(() => BvhDocument.Parse(Encoding.UTF8.GetBytes(text), Strict));
         Assert.Equal(line, refusal.Line);

@@ -57,7 +57,7 @@ public class BvhRobustnessTests
     [InlineData("4294967296")]
     [InlineData("1e300")]
     [InlineData("-6.27744e+66")]
-    public void Memory_follows_the_text_and_not_what_it_announces(string frames)
+    public void Memory_follows_the_text_not_its_headings(string frames)
     {
         byte[] text = Encoding.UTF8.GetBytes($"{Hierarchy}MOTION\nFrames: {frames}\nFrame Time: 0.008\n{Row}");
         BvhDocument.Parse(text);
@@ -72,7 +72,7 @@ public class BvhRobustnessTests
     [InlineData("", "{")]
     [InlineData("ROOT short {", "OFFSET ")]
     [InlineData("ROOT {0} {", "OFFSET ")]
-    public void A_file_of_nothing_but_faults_is_described_briefly(string start, string fault)
+    public void A_file_of_defects_is_described_briefly(string start, string fault)
     {
         string name = string.Concat(Enumerable.Repeat("a_joint_with_a_long_name", 400));
         string faults = string.Concat(Enumerable.Repeat(fault, 5_000));
@@ -133,7 +133,7 @@ public class BvhRobustnessTests
     }
 
     [Fact]
-    public void An_honest_file_is_read_into_little_more_than_its_values()
+    public void A_valid_file_takes_little_more_than_its_values()
     {
         const int frames = 10_000;
         string rows = string.Concat(Enumerable.Repeat(Row, frames));

@@ -32,13 +32,13 @@ public class BvhSkeletonMapTests
     [InlineData("Yrotation Zrotation Xrotation", RotationOrder.YZX)]
     [InlineData("Zrotation Xrotation Yrotation", RotationOrder.ZXY)]
     [InlineData("Zrotation Yrotation Xrotation", RotationOrder.ZYX)]
-    public void The_rotation_order_is_that_of_the_channels(string rotations, RotationOrder order) =>
+    public void The_rotation_order_follows_the_channels(string rotations, RotationOrder order) =>
         Assert.Equal(order, Create(Neuron(rotations: rotations)).Format.RotationOrder);
 
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
-    public void The_values_of_a_file_in_the_order_of_the_stream_are_copied_as_they_are(bool displacement)
+    public void Values_in_stream_order_are_copied(bool displacement)
     {
         BvhSkeletonMap map = Create(Neuron(displacement: displacement));
         float[] values = new float[map.Layout.ValueCount + 1];
@@ -49,7 +49,7 @@ public class BvhSkeletonMapTests
     }
 
     [Fact]
-    public void Positions_after_rotations_and_in_another_order_are_put_where_the_stream_has_them()
+    public void Reordered_channels_are_mapped_to_the_stream()
     {
         string text = Neuron(displacement: true).Replace(
             "Xposition Yposition Zposition Yrotation Xrotation Zrotation",
@@ -68,7 +68,7 @@ public class BvhSkeletonMapTests
     }
 
     [Fact]
-    public void Joints_in_another_order_and_joints_of_others_make_no_difference()
+    public void Joint_order_and_extra_joints_do_not_matter()
     {
         string text = Neuron(edit: (bone, joint) => bone switch
         {
@@ -88,7 +88,7 @@ public class BvhSkeletonMapTests
     }
 
     [Fact]
-    public void Transforms_take_the_row_where_it_has_positions_and_the_offsets_where_not()
+    public void Transforms_fall_back_to_offsets_without_positions()
     {
         BoneTransform[] still = new BoneTransform[59];
         BvhSkeletonMap without = Create(Neuron());
@@ -135,7 +135,7 @@ public class BvhSkeletonMapTests
     }
 
     [Fact]
-    public void Shoulders_have_to_hang_where_the_variant_says()
+    public void Shoulders_must_have_the_variants_parent()
     {
         string text = Neuron(SkeletonVariant.Spine3)
             .Replace("JOINT Neck\n", "JOINT Neck1\n", StringComparison.Ordinal)
@@ -144,12 +144,12 @@ public class BvhSkeletonMapTests
     }
 
     [Fact]
-    public void Hips_that_hang_from_another_joint_are_not_neurons() => Assert.Equal(
+    public void Hips_below_another_joint_are_not_neurons() => Assert.Equal(
         "The parent of joint Hips must be nothing, not Stage.",
         Refuse(UnderRoot("Stage", "6 Xposition Yposition Zposition Yrotation Xrotation Zrotation")));
 
     [Fact]
-    public void Hips_may_hang_from_a_reference_node_whose_values_come_first()
+    public void Hips_may_be_below_a_reference_node()
     {
         BvhSkeletonMap map = Create(UnderRoot("Reference", "6 Xposition Yposition Zposition Yrotation Xrotation Zrotation"));
         float[] values = new float[186];
@@ -176,7 +176,7 @@ public class BvhSkeletonMapTests
         Assert.Contains(told, Refuse(UnderRoot("Reference", channels)), StringComparison.Ordinal);
 
     [Fact]
-    public void Rows_of_a_reader_are_poses_without_a_document()
+    public void Rows_of_a_reader_give_poses()
     {
         string text = UnderRoot("Reference", "6 Xposition Yposition Zposition Yrotation Xrotation Zrotation");
         BvhSkeletonMap whole = Create(text);

@@ -11,7 +11,7 @@ public class BvhTakeWriterTests
         new(Enum.GetValues<SkeletonVariant>(), Enum.GetValues<RotationOrder>(), [false, true], [false, true]);
 
     [Theory, MemberData(nameof(EveryFormat))]
-    public void Frames_of_every_format_become_rows_bit_for_bit(SkeletonVariant variant, RotationOrder order, bool displacement, bool reference)
+    public void Frames_of_every_format_are_written_bit_for_bit(SkeletonVariant variant, RotationOrder order, bool displacement, bool reference)
     {
         var format = new SkeletonFormat(order, variant);
         var layout = new ChannelLayout(displacement, reference);
@@ -28,7 +28,7 @@ public class BvhTakeWriterTests
     }
 
     [Fact]
-    public void The_offsets_are_those_of_the_stream_where_it_has_displacement()
+    public void Offsets_come_from_a_stream_with_displacement()
     {
         var body = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperLeg = 0.5f, FootLength = 0.3f });
         float[] values = Displaced(body);
@@ -40,7 +40,7 @@ public class BvhTakeWriterTests
     }
 
     [Fact]
-    public void The_offsets_are_those_of_the_options_where_the_stream_has_none()
+    public void Offsets_come_from_the_options_without_displacement()
     {
         var body = SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperLeg = 0.5f });
         Assert.Equal(body.Offsets.ToArray(), Write(new BvhTakeOptions { Body = body }, Frame(1, new float[180])).Joints.Select(static joint => joint.Offset));
@@ -51,7 +51,7 @@ public class BvhTakeWriterTests
 
     // What is no number is a row's, and no body's.
     [Fact]
-    public void A_first_frame_without_numbers_gets_the_default_body()
+    public void A_first_frame_of_NaN_gets_the_default_body()
     {
         float[] values = new float[354];
         Array.Fill(values, float.NaN);
@@ -62,7 +62,7 @@ public class BvhTakeWriterTests
     }
 
     [Fact]
-    public void Frames_that_do_not_fit_are_not_accepted()
+    public void Frames_of_another_layout_are_not_accepted()
     {
         using var writer = new BvhTakeWriter(new MemoryStream());
         Assert.False(writer.Accepts(Frame(1, new float[7])));
@@ -83,7 +83,7 @@ public class BvhTakeWriterTests
     }
 
     [Fact]
-    public void The_frame_time_is_the_options()
+    public void The_frame_time_comes_from_the_options()
     {
         using var oneWay = new MemoryStream();
         BvhDocument take = Write(new BvhTakeOptions { FrameTime = new BvhFrameTime(1, 96) }, Frame(1, new float[180]));

@@ -6,7 +6,7 @@ namespace NeuronMocap.Tests.Bvh;
 public class BvhTextFormatTests
 {
     [Fact]
-    public void A_hierarchy_alone_says_nothing_of_rows() => Assert.Equal(
+    public void A_hierarchy_alone_has_no_row_format() => Assert.Equal(
         BvhTextFormat.AxisNeuron with { LineEnd = "\n", OffsetDecimals = 0 },
         Parse(Hierarchy).TextFormat);
 
@@ -36,7 +36,7 @@ public class BvhTextFormatTests
 
     // Kept, it would stand in front of every line that is written: of a few bytes gigabytes.
     [Fact]
-    public void Blanks_longer_than_any_program_writes_are_no_layout()
+    public void Very_long_blanks_are_no_layout()
     {
         string blanks = new(' ', 100_000);
         BvhDocument document = Parse($"HIERARCHY\nROOT a\n{{\n{blanks}OFFSET 0 0 0\nCHANNELS 2 Xrotation Yrotation\n}}\nMOTION\nFrames: 1\nFrame Time: 0.008\n1{blanks}2\n");
@@ -48,7 +48,7 @@ public class BvhTextFormatTests
     }
 
     [Fact]
-    public void A_layout_that_would_make_no_file_is_refused()
+    public void An_invalid_layout_is_refused()
     {
         Assert.All(["", "\n\n", "x"], static text => Assert.Throws<ArgumentException>(() => new BvhTextFormat { LineEnd = text }));
         Assert.All(["", "\n", ",", new string(' ', 17)], static text => Assert.Throws<ArgumentException>(() => new BvhTextFormat { Separator = text }));
@@ -62,5 +62,5 @@ public class BvhTextFormatTests
     [InlineData("1.5 2.5 3.5 4.5 5.5 6.5 7.5 8.5 9e1\n", 0)]
     [InlineData("x\n1.5 2.25 3.5 4.5 5.5 6.5 7.5 8.5 9.1\n", 1)]
     [InlineData("1.500 2.500\n1.25 2.25 3.25 4.25 5.25 6.25 7.25 8.25 9.25\n", 2)]
-    public void Decimals_are_those_of_the_first_row(string rows, int decimals) => Assert.Equal(decimals, ParseRows(1, rows).TextFormat.ValueDecimals);
+    public void Decimals_follow_the_first_row(string rows, int decimals) => Assert.Equal(decimals, ParseRows(1, rows).TextFormat.ValueDecimals);
 }

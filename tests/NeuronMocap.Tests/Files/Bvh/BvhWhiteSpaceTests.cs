@@ -53,7 +53,7 @@ public class BvhWhiteSpaceTests
     // Where a line must not break, it is repaired or refused with its place, and nothing else.
     [Theory]
     [MemberData(nameof(GapPlaces))]
-    public void White_space_where_it_does_not_belong_is_repaired_or_refused(int gap)
+    public void Misplaced_white_space_is_repaired_or_refused(int gap)
     {
         foreach (string shape in (string[])["", .. LineEnds])
             BvhReadings.AssertAlike(Encoding.ASCII.GetBytes(Write(gap, shape)), seed: gap);
@@ -79,7 +79,7 @@ public class BvhWhiteSpaceTests
     [InlineData("{\r OFFSET", " ")]
     [InlineData("{ CHANNELS 0 OFFSET", "    ")]
     [InlineData("{\n \n  CHANNELS 0\n   OFFSET", "   ")]
-    public void The_indentation_is_what_stands_before_the_first_offset_on_its_line(string text, string indentation)
+    public void The_indentation_precedes_the_first_offset(string text, string indentation)
     {
         byte[] file = Encoding.ASCII.GetBytes($"HIERARCHY\nROOT i\n{text} 0 0 0\n}}");
         BvhDocument document = BvhDocument.Parse(file);
@@ -89,7 +89,7 @@ public class BvhWhiteSpaceTests
     }
 
     [Fact]
-    public void The_smallest_file_with_an_offset_behind_its_brace_is_read()
+    public void An_offset_directly_after_its_brace_is_read()
     {
         byte[] file = "HIERARCHY\nROOT i\n{OFFSET"u8.ToArray();
         Assert.Equal(24, file.Length);

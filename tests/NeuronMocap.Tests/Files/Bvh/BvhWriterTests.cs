@@ -33,7 +33,7 @@ public sealed class BvhWriterTests : IDisposable
         });
 
     [Fact]
-    public void What_is_written_row_by_row_is_read_the_same_and_its_fields_are_padded()
+    public void Rows_written_one_by_one_read_back_with_padded_fields()
     {
         BvhDocument document = Parse(TwoRows);
         using (var writer = new BvhWriter(_path, document.Hierarchy, BvhFrameTime.Default))
@@ -50,7 +50,7 @@ public sealed class BvhWriterTests : IDisposable
     }
 
     [Fact]
-    public void Everything_before_a_flush_is_in_the_file_with_its_number_while_the_writer_goes_on()
+    public void Flushed_rows_are_in_the_file_with_their_count()
     {
         BvhDocument document = Parse(TwoRows);
         using var writer = new BvhWriter(_path, document.Hierarchy, BvhFrameTime.Default);
@@ -67,7 +67,7 @@ public sealed class BvhWriterTests : IDisposable
     }
 
     [Fact]
-    public void The_frame_time_can_be_told_at_the_end()
+    public void The_frame_time_can_be_set_at_the_end()
     {
         BvhDocument document = Parse(TwoRows);
         using (var writer = new BvhWriter(_path, document.Hierarchy, BvhFrameTime.Default))
@@ -80,7 +80,7 @@ public sealed class BvhWriterTests : IDisposable
     }
 
     [Fact]
-    public void A_stream_that_cannot_seek_gets_a_file_that_opens()
+    public void An_unseekable_stream_gets_a_valid_file()
     {
         BvhDocument document = Parse(TwoRows);
         using var memory = new MemoryStream();
@@ -97,7 +97,7 @@ public sealed class BvhWriterTests : IDisposable
 
     // Where a stream is already written to, places are those of the stream.
     [Fact]
-    public void A_stream_is_written_from_where_it_stands()
+    public void A_stream_is_written_from_its_position()
     {
         BvhDocument document = Parse(TwoRows);
         using var memory = new MemoryStream();
@@ -112,7 +112,7 @@ public sealed class BvhWriterTests : IDisposable
 
     // CHANNELS may stand after the children's; the values of a row stand in the order of these lines.
     [Fact]
-    public void Columns_in_an_order_of_their_own_follow_the_joints_when_written()
+    public void Columns_in_another_order_are_written_in_joint_order()
     {
         BvhDocument document = Parse(
             "HIERARCHY\nROOT A\n{\nOFFSET 0 0 0\nJOINT B\n{\nOFFSET 1 0 0\nCHANNELS 1 Xrotation\n}\nCHANNELS 2 Yrotation Zrotation\n}\n"
@@ -124,7 +124,7 @@ public sealed class BvhWriterTests : IDisposable
     }
 
     [Fact]
-    public void Joints_without_names_and_unknown_channels_keep_their_places()
+    public void Unnamed_joints_and_unknown_channels_are_kept()
     {
         BvhDocument document = Parse(
             "HIERARCHY\nROOT\n{\nOFFSET 0 0 0\nCHANNELS 2 Xrotation Scale\n}\nMOTION\nFrames: 1\nFrame Time: 0.01\n1 2\n");

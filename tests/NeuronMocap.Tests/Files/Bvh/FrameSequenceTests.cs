@@ -8,7 +8,7 @@ public class FrameSequenceTests
     private readonly FrameSequence _sequence = new(BvhGapHandling.Repeat);
 
     [Fact]
-    public void Frames_in_a_row_are_a_row_each() => Assert.Equal([1, 1, 1], Rows(120, [5, 6, 7]));
+    public void Consecutive_frames_are_a_row_each() => Assert.Equal([1, 1, 1], Rows(120, [5, 6, 7]));
 
     [Fact]
     public void Missing_frames_are_repeated() => Assert.Equal([1, 1, 3, 1], Rows(120, [5, 6, 9, 10], [0, 1, 4, 5]));
@@ -18,29 +18,29 @@ public class FrameSequenceTests
         Assert.Equal([1, 1, 1, 1], Rows(new FrameSequence(BvhGapHandling.Skip), 120, [5, 6, 9, 10], [0, 1, 4, 5]));
 
     [Fact]
-    public void Every_second_index_is_a_reduced_frequency_and_no_loss() =>
+    public void Every_second_index_is_a_reduced_frequency() =>
         Assert.Equal([1, 1, 1, 2, 1], Rows(60, [0, 2, 4, 8, 10], [0, 1, 2, 4, 5]));
 
     [Fact]
     public void The_index_wraps() => Assert.Equal([1, 1, 1, 2], Rows(120, [uint.MaxValue - 1, uint.MaxValue, 0, 2], [0, 1, 2, 4]));
 
     [Fact]
-    public void A_frame_that_comes_late_has_been_stood_in_for() => Assert.Equal([1, 1, 2, 0, 1], Rows(120, [5, 6, 8, 7, 9], [0, 1, 3, 3, 4]));
+    public void A_late_frame_was_already_replaced() => Assert.Equal([1, 1, 2, 0, 1], Rows(120, [5, 6, 8, 7, 9], [0, 1, 3, 3, 4]));
 
     // They once were taken for a server that counts anew, and the rows after them stood twice.
     [Fact]
-    public void Late_frames_in_order_that_fill_a_gap_are_no_restart() =>
+    public void Late_frames_that_fill_a_gap_are_no_restart() =>
         Assert.Equal([1, 1, 4, 0, 0, 0, 1], Rows(120, [4, 5, 9, 6, 7, 8, 10], [0, 1, 5, 5, 5, 5, 6]));
 
     [Fact]
-    public void A_server_that_counts_anew_loses_no_frames() => Assert.Equal(
+    public void A_restarted_index_loses_no_frames() => Assert.Equal(
         [1, 1, 0, 0, 1, 1, 1, 1, 1], Rows(120, [50, 51, 10, 11, 12, 13, 1_000_000, 1_000_001, 7], [0, 1, 2, 3, 4, 5, 6, 7, 8]));
 
     [Fact]
-    public void An_index_that_jumps_without_time_having_passed_is_no_loss() => Assert.Equal([1, 1, 1, 1], Rows(120, [5, 6, 5000, 9000]));
+    public void An_index_jump_without_a_pause_is_no_loss() => Assert.Equal([1, 1, 1, 1], Rows(120, [5, 6, 5000, 9000]));
 
     [Fact]
-    public void Frames_of_the_same_index_or_of_none_are_a_row_each()
+    public void Frames_of_equal_or_missing_index_are_a_row_each()
     {
         Assert.Equal([1, 1, 1], Rows(120, [0, 0, 0]));
         Assert.Equal([1, 1, 1], Rows(new FrameSequence(BvhGapHandling.Repeat), 120, [null, null, null], [0, 1, 2]));
@@ -53,7 +53,7 @@ public class FrameSequenceTests
     [InlineData(101, 100)]
     [InlineData(110, 110)]
     [InlineData(12.34, 12.34)]
-    public void The_rate_is_the_usual_one_near_what_was_measured(double rate, double expected)
+    public void The_measured_rate_snaps_to_a_usual_one(double rate, double expected)
     {
         Rows(rate, [.. Enumerable.Range(0, 2000).Select(static i => (uint?)i)]);
         Assert.Equal(expected, _sequence.Measure().FrameRate, 1e-6);
@@ -61,7 +61,7 @@ public class FrameSequenceTests
 
     // The intervals of a real stream: a few milliseconds more or less, and now and then two frames at once.
     [Fact]
-    public void Jitter_does_not_move_the_rate()
+    public void Jitter_does_not_change_the_rate()
     {
         var random = new Random(1);
         for (uint i = 0; i < 100; i++)
@@ -71,7 +71,7 @@ public class FrameSequenceTests
     }
 
     [Fact]
-    public void A_long_burst_at_the_start_does_not_move_the_rate()
+    public void A_long_burst_at_the_start_does_not_change_the_rate()
     {
         for (uint i = 0; i < 200; i++)
             _sequence.Next(i, Ticks(Math.Max(0.2, i / 60.0)));
@@ -81,7 +81,7 @@ public class FrameSequenceTests
 
     // What a server had ready when the connection stood.
     [Fact]
-    public void A_burst_at_the_start_of_a_short_take_does_not_move_the_rate()
+    public void A_burst_at_the_start_of_a_short_take_does_not_change_the_rate()
     {
         for (uint i = 0; i < 50; i++)
             _sequence.Next(i, Ticks(Math.Max(0.05, i / 60.0)));
@@ -91,7 +91,7 @@ public class FrameSequenceTests
 
     // Its clock starts, and then it makes up for what its start took.
     [Fact]
-    public void Servers_that_start_in_the_middle_of_a_take_do_not_move_the_rate()
+    public void Servers_that_start_mid_take_do_not_change_the_rate()
     {
         for (int run = 0; run < 3; run++)
         {
@@ -104,7 +104,7 @@ public class FrameSequenceTests
     }
 
     [Fact]
-    public void Losses_pauses_and_restarts_do_not_move_the_rate()
+    public void Losses_pauses_and_restarts_do_not_change_the_rate()
     {
         double time = 0;
         for (uint i = 0; i < 500; i++)
@@ -120,7 +120,7 @@ public class FrameSequenceTests
     }
 
     [Fact]
-    public void Without_two_frames_the_rate_is_that_of_axis_neuron()
+    public void The_rate_defaults_to_axis_neurons_below_two_frames()
     {
         Assert.Equal(BvhFrameTime.Default, _sequence.Measure());
         _sequence.Next(1, 0);

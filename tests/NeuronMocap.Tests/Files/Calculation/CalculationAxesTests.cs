@@ -28,7 +28,7 @@ public sealed class CalculationAxesTests
     }
 
     [Fact]
-    public void Exports_have_z_into_the_ground()
+    public void Exports_have_z_pointing_down()
     {
         Assert.Equal(-Up, CalculationAxes.Export.ToBvh(Vector3.UnitZ));
         Assert.Equal(Left, CalculationAxes.Export.ToBvh(Vector3.UnitX));
@@ -38,7 +38,7 @@ public sealed class CalculationAxesTests
     }
 
     [Theory, MemberData(nameof(All))]
-    public void There_and_back_is_where_it_was_and_turns_turn_what_they_turned(BodyDirection x, BodyDirection y, BodyDirection z)
+    public void Converting_axes_round_trips(BodyDirection x, BodyDirection y, BodyDirection z)
     {
         var axes = new CalculationAxes(x, y, z);
         var vector = new Vector3(1, -2, 3);
@@ -58,13 +58,13 @@ public sealed class CalculationAxesTests
     [Theory]
     [InlineData(BodyDirection.Left, BodyDirection.Right, BodyDirection.Up)]
     [InlineData(BodyDirection.Up, BodyDirection.Forward, BodyDirection.Up)]
-    public void Axes_on_one_line_are_refused(BodyDirection x, BodyDirection y, BodyDirection z) =>
+    public void Collinear_axes_are_refused(BodyDirection x, BodyDirection y, BodyDirection z) =>
         Assert.Throws<ArgumentException>(() => new CalculationAxes(x, y, z));
 
     [Theory]
     [InlineData(338)]
     [InlineData(946)]
-    public void A_row_there_and_back_is_the_same(int columns)
+    public void Converting_a_row_round_trips(int columns)
     {
         float[] values = CalculationText.Values(3, columns);
         var axes = new CalculationAxes(BodyDirection.Forward, BodyDirection.Left, BodyDirection.Down);

@@ -8,7 +8,7 @@ public sealed class CalculationDocumentTests
     public static TheoryData<int> Widths => [946, 338];
 
     [Theory, MemberData(nameof(Widths))]
-    public void Rows_are_read_as_they_stand(int columns)
+    public void Rows_are_read_exactly(int columns)
     {
         var document = CalculationDocument.Parse(CalculationText.Utf8(CalculationText.Rows(3, columns)));
 
@@ -26,7 +26,7 @@ public sealed class CalculationDocumentTests
     [InlineData(" ", "\r")]
     [InlineData("   ", " \t \n")]
     [InlineData("\t", "\t\r\n\r\n  \r\n")]
-    public void White_space_is_as_it_likes(string separator, string end)
+    public void Any_white_space_is_accepted(string separator, string end)
     {
         var document = CalculationDocument.Parse(CalculationText.Utf8("\n \t\n" + CalculationText.Rows(3, separator: separator, end: end)));
 
@@ -36,7 +36,7 @@ public sealed class CalculationDocumentTests
     }
 
     [Fact]
-    public void What_stands_above_the_rows_is_kept()
+    public void The_header_lines_are_kept()
     {
         string names = string.Join('\t', Enumerable.Range(0, 946).Select(column => $"{(column / 16) + 1:00}-X-{column}"));
         string header = $"\uFEFFAxis Neuron 演员一\r\nFrames: 2\r\n120\r\n\r\n{names}\t\r\n";
@@ -50,7 +50,7 @@ public sealed class CalculationDocumentTests
     }
 
     [Fact]
-    public void What_an_export_does_not_say_comes_from_the_options()
+    public void Missing_settings_come_from_the_options()
     {
         var options = new CalculationReadOptions { FrameRate = 60, AvatarName = "演员一", AvatarIndex = 3 };
         var document = CalculationDocument.Parse(CalculationText.Utf8(CalculationText.Rows(2)), options);
@@ -72,11 +72,11 @@ public sealed class CalculationDocumentTests
     [InlineData(-1)]
     [InlineData(double.NaN)]
     [InlineData(double.PositiveInfinity)]
-    public void A_rate_that_is_none_is_refused(double rate) =>
+    public void An_invalid_rate_is_refused(double rate) =>
         Assert.Throws<ArgumentOutOfRangeException>(() => new CalculationReadOptions { FrameRate = rate });
 
     [Fact]
-    public void Numbers_are_the_nearest_of_their_kind()
+    public void Numbers_are_read_as_the_nearest_float()
     {
         string[] words = ["-0.0000", "16777217", "1.00000017881393432617187500000000001", "1e-46", "1e39", "nan", "-1.#IND00", "+.5", "5."];
         string row = string.Join('\t', words.Concat(Enumerable.Repeat("0", 946 - words.Length)));
@@ -92,7 +92,7 @@ public sealed class CalculationDocumentTests
     }
 
     [Fact]
-    public void What_is_no_row_is_left_out_and_told()
+    public void Invalid_rows_are_dropped_and_reported()
     {
         string broken = CalculationText.Row(1).Replace("\t", "\tx", StringComparison.Ordinal);
         string text = CalculationText.Row(0, 500) + "\n" + CalculationText.Row(0) + "\r\n" + broken + "\r\nFrames: 3\r\n"
@@ -114,7 +114,7 @@ public sealed class CalculationDocumentTests
     }
 
     [Fact]
-    public void Strict_reading_refuses_what_would_be_repaired()
+    public void Strict_reading_refuses_repairs()
     {
         byte[] text = CalculationText.Utf8(CalculationText.Rows(2) + CalculationText.Row(2, 945) + "\n");
 
@@ -130,7 +130,7 @@ public sealed class CalculationDocumentTests
     [InlineData("\r\n\r\n")]
     [InlineData("1 2 3\n4 5 6\n")]
     [InlineData("HIERARCHY\nROOT Hips\n{\n")]
-    public void What_is_no_export_is_refused(string text)
+    public void Other_files_are_refused(string text)
     {
         var refusal = Assert.Throws<CalculationFormatException>(() => CalculationDocument.Parse(CalculationText.Utf8(text)));
         Assert.True(refusal.Line > 0 && refusal.Column > 0);
@@ -141,7 +141,7 @@ public sealed class CalculationDocumentTests
         Assert.Throws<CalculationFormatException>(() => CalculationDocument.Parse(new byte[5_000_000]));
 
     [Fact]
-    public void A_tail_of_zeros_as_of_a_crashed_system_costs_no_row()
+    public void A_tail_of_zeros_loses_no_row()
     {
         byte[] text = [.. CalculationText.Utf8(CalculationText.Rows(2)), .. new byte[3_000_000]];
 
@@ -152,7 +152,7 @@ public sealed class CalculationDocumentTests
     }
 
     [Fact]
-    public void Of_many_repairs_a_hundred_are_listed()
+    public void At_most_a_hundred_repairs_are_listed()
     {
         string text = CalculationText.Rows(1) + string.Concat(Enumerable.Repeat("x\n", 250)) + CalculationText.Row(1);
 
@@ -164,7 +164,7 @@ public sealed class CalculationDocumentTests
     }
 
     [Fact]
-    public void Cut_anywhere_all_rows_before_the_cut_are_read()
+    public void Every_row_before_a_cut_is_read()
     {
         byte[] text = CalculationText.Utf8(CalculationText.Rows(3, 338));
         int rowLength = CalculationText.Row(0, 338).Length + 3;

@@ -9,7 +9,7 @@ public sealed class CalculationFileTests
     private static readonly string[] Spaces = [" ", "\t", "  ", "\t ", "\v"];
 
     [Fact]
-    public void Any_rows_written_in_any_format_are_read_as_the_same_bits()
+    public void Rows_in_any_format_round_trip_bit_for_bit()
     {
         Gen<uint> bits = Gen.Choose(int.MinValue, int.MaxValue).Select(number => (uint)number);
         Gen<Sample> samples =
@@ -76,7 +76,7 @@ public sealed class CalculationFileTests
     }
 
     [Fact]
-    public void Progress_goes_from_nothing_to_the_length_of_the_file()
+    public void Progress_runs_from_zero_to_the_file_length()
     {
         byte[] text = CalculationText.Utf8(CalculationText.Rows(20));
         using var reader = new CalculationFileReader(new MemoryStream(text));
@@ -93,7 +93,7 @@ public sealed class CalculationFileTests
     }
 
     [Fact]
-    public void What_a_row_needs_is_asked_for()
+    public void Missing_row_arguments_are_refused()
     {
         Assert.Throws<ArgumentException>(() => new CalculationFileWriter(new MemoryStream(), 339));
         Assert.Throws<ArgumentException>(() => new CalculationTextFormat { Separator = "" });
@@ -115,7 +115,7 @@ public sealed class CalculationFileTests
     [InlineData(300, 0)]
     [InlineData(1, 300)]
     [InlineData(300, 300)]
-    public void Blanks_of_any_length_are_read_and_rows_written_again(int between, int behind)
+    public void Blanks_of_any_length_are_read(int between, int behind)
     {
         string end = new string(' ', behind) + "\n";
         byte[] text = CalculationText.Utf8(CalculationText.Rows(3, separator: new string(' ', between), end: end) + new string(' ', 300));
@@ -131,7 +131,7 @@ public sealed class CalculationFileTests
     }
 
     [Fact]
-    public void A_stream_stays_open_where_asked_for_and_its_reader_tells_how_far_it_is()
+    public void A_stream_stays_open_when_asked()
     {
         byte[] text = CalculationText.Utf8(CalculationText.Rows(30));
         var told = new Told();
@@ -149,7 +149,7 @@ public sealed class CalculationFileTests
     }
 
     [Fact]
-    public void Files_are_opened_and_made_by_their_path()
+    public void Files_are_opened_and_created_by_path()
     {
         string path = Path.Combine(Path.GetTempPath(), $"neuronmocap-{Guid.NewGuid():N}.calc");
         try

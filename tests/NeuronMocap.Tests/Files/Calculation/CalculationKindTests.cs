@@ -14,7 +14,7 @@ public sealed class CalculationKindTests
     [InlineData(12, false)]
     [InlineData(1, true)]
     [InlineData(60, true)]
-    public void Ends_of_bones_are_not_taken_for_their_centres(int frames, bool stands)
+    public void Bone_ends_are_not_mistaken_for_centres(int frames, bool stands)
     {
         CalculationDocument document = Parse(BoneEnds.Write(frames, stands));
         Assert.Equal(frames, document.FrameCount);
@@ -27,11 +27,11 @@ public sealed class CalculationKindTests
     [InlineData(240, false)]
     [InlineData(1, false)]
     [InlineData(60, true)]
-    public void Centres_of_bones_are_not_taken_for_their_ends(int frames, bool stands) =>
+    public void Bone_centres_are_not_mistaken_for_ends(int frames, bool stands) =>
         Assert.Empty(CalculationSkeleton.Measure(ActorExport.Write(frames, stands)).Warnings);
 
     [Fact]
-    public void Lengths_that_nobody_has_are_told()
+    public void Impossible_lengths_are_reported()
     {
         var actor = new SyntheticSource(120);
         using var text = new MemoryStream();
@@ -102,7 +102,7 @@ public sealed class CalculationKindTests
     [InlineData("Frame Rate:")]
     [InlineData("Zd: 1 2")]
     [InlineData("Zd: 1 2 NaN")]
-    public void A_header_that_makes_no_sense_says_nothing(string line)
+    public void An_invalid_header_is_ignored(string line)
     {
         string bare = BoneEnds.Write(1);
         CalculationDocument document = Parse(line + "\n" + bare[bare.IndexOf("bones", StringComparison.Ordinal)..]);
@@ -116,11 +116,11 @@ public sealed class CalculationKindTests
     [InlineData(-1)]
     [InlineData(double.NaN)]
     [InlineData(double.PositiveInfinity)]
-    public void No_layout_has_a_rate_that_is_none(double rate) =>
+    public void No_layout_accepts_an_invalid_rate(double rate) =>
         Assert.Throws<ArgumentOutOfRangeException>(() => CalculationTextFormat.AxisNeuron.WithFrameRate(rate));
 
     [Fact]
-    public void Rows_that_are_left_out_are_counted()
+    public void Dropped_rows_are_counted()
     {
         string text = BoneEnds.Write(3);
         CalculationDocument document = Parse(text + "1 2 x\r\n" + text[..^20][text.LastIndexOf("\r\n", text.Length - 3, StringComparison.Ordinal)..]);

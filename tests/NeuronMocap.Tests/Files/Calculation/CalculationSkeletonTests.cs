@@ -6,7 +6,7 @@ namespace NeuronMocap.Tests.Calculation;
 public sealed class CalculationSkeletonTests
 {
     [Fact]
-    public void Poses_give_the_centres_of_the_export_back()
+    public void Poses_reproduce_the_centres_of_the_export()
     {
         CalculationDocument document = ActorExport.Write(240);
         var skeleton = CalculationSkeleton.Measure(document);
@@ -26,7 +26,7 @@ public sealed class CalculationSkeletonTests
     }
 
     [Fact]
-    public void A_take_of_one_frame_has_a_body_too()
+    public void A_take_of_one_frame_has_a_body()
     {
         CalculationDocument whole = ActorExport.Write(240);
         using var text = new MemoryStream();

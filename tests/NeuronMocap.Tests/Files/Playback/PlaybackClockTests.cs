@@ -13,7 +13,7 @@ public sealed class PlaybackClockTests
     [InlineData(1)]
     [InlineData(4)]
     [InlineData(100)]
-    public void A_time_is_due_at_its_own_instant_without_drift(double speed)
+    public void Frames_are_due_without_drift(double speed)
     {
         var clock = new PlaybackClock();
         clock.SetSpeed(speed, Start);
@@ -29,7 +29,7 @@ public sealed class PlaybackClockTests
     }
 
     [Fact]
-    public void A_new_speed_counts_from_where_the_playback_stands()
+    public void A_new_speed_counts_from_the_current_position()
     {
         PlaybackClock clock = Running();
         clock.SetSpeed(2, After(10));
@@ -38,7 +38,7 @@ public sealed class PlaybackClockTests
     }
 
     [Fact]
-    public void A_pause_puts_off_what_follows_by_its_length()
+    public void A_pause_delays_what_follows()
     {
         PlaybackClock clock = Running();
         clock.Halt(After(3));
@@ -48,7 +48,7 @@ public sealed class PlaybackClockTests
     }
 
     [Fact]
-    public void Late_by_more_than_a_second_the_rest_is_put_off()
+    public void A_delay_over_a_second_shifts_the_rest()
     {
         PlaybackClock clock = Running();
         Assert.Equal(After(1), clock.Reach(TimeSpan.FromSeconds(1), After(1.9)));
@@ -58,7 +58,7 @@ public sealed class PlaybackClockTests
     }
 
     [Fact]
-    public void Without_pace_timestamps_keep_the_recorded_intervals_and_never_go_back()
+    public void Unpaced_timestamps_keep_the_recorded_intervals()
     {
         PlaybackClock clock = Running();
         clock.SetSpeed(RecordingPlayer.MaxSpeed, Start);

@@ -7,7 +7,7 @@ namespace NeuronMocap.Tests.Playback;
 public sealed class PlaybackPlaceTests
 {
     [Fact]
-    public async Task Paused_nothing_comes_and_steps_go_frame_by_frame_also_within_a_piece()
+    public async Task Steps_advance_a_paused_playback_frame_by_frame()
     {
         using TemporaryFile file = Recordings.OfTcp(
             (0, TestPackets.Motion(0)), (10, TestPackets.Motions(1, 3)), (20, [9, 9, .. TestPackets.Motion(4)[..99]]), (30, TestPackets.Motion(4)[99..]));
@@ -40,7 +40,7 @@ public sealed class PlaybackPlaceTests
     }
 
     [Fact]
-    public async Task Steps_pass_over_a_datagram_without_a_frame_once()
+    public async Task Steps_skip_a_datagram_without_a_frame()
     {
         using TemporaryFile file = Recordings.Write(static writer =>
         {
@@ -64,7 +64,7 @@ public sealed class PlaybackPlaceTests
     }
 
     [Fact]
-    public async Task Steps_back_show_the_frames_before()
+    public async Task Steps_back_show_earlier_frames()
     {
         using TemporaryFile file = Played.Frames(400, interval: 8, perPiece: 3);
         using RecordingPlayer player = Played.Open(file, new FakeTime());
@@ -112,7 +112,7 @@ public sealed class PlaybackPlaceTests
     [InlineData(3000, 300)]
     [InlineData(-5, 0)]
     [InlineData(3999, 400)]
-    public async Task A_seek_goes_on_with_the_first_frame_that_was_whole_then_or_later(double milliseconds, int expected)
+    public async Task A_seek_continues_with_the_next_whole_frame(double milliseconds, int expected)
     {
         // Each packet is cut in two: the cut lies before the place, the end behind it.
         byte[] bytes = TestPackets.Motions(0, 401);
@@ -131,7 +131,7 @@ public sealed class PlaybackPlaceTests
     }
 
     [Fact]
-    public async Task A_seek_while_it_plays_loses_nothing_and_keeps_the_state()
+    public async Task A_seek_while_playing_loses_nothing()
     {
         using TemporaryFile file = Played.Frames(300, interval: 10);
         using RecordingPlayer player = Played.Open(file, new FakeTime());

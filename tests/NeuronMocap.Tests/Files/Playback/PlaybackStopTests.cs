@@ -6,7 +6,7 @@ namespace NeuronMocap.Tests.Playback;
 public sealed class PlaybackStopTests
 {
     [Theory, InlineData(true), InlineData(false)]
-    public async Task A_long_seek_ends_with_the_reader_or_the_player(bool disposesPlayer)
+    public async Task Stopping_ends_a_long_seek(bool disposesPlayer)
     {
         var source = new EndlessSource();
         using var player = new RecordingPlayer(source, new PlaybackOptions());

@@ -7,7 +7,7 @@ namespace NeuronMocap.Tests.Playback;
 public sealed class RawDumpTests
 {
     [Fact]
-    public void All_frames_of_an_instant_have_one_time()
+    public void Frames_of_one_instant_share_a_time()
     {
         using var file = new TemporaryFile(
             [.. Enumerable.Range(0, 4).SelectMany(static frame => TestPackets.Join(TestPackets.Motion(frame), TestPackets.Motion(frame, avatar: 1), TestPackets.Calculation(frame)))]);
@@ -18,7 +18,7 @@ public sealed class RawDumpTests
     }
 
     [Fact]
-    public void Without_a_rate_and_timecodes_it_is_120_hz()
+    public void The_rate_defaults_to_120_Hz()
     {
         using var file = new TemporaryFile(TestPackets.Motions(0, 121));
         using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
@@ -29,7 +29,7 @@ public sealed class RawDumpTests
     [InlineData(24)]
     [InlineData(50)]
     [InlineData(60)]
-    public void Timecodes_tell_the_rate(int rate)
+    public void Timecodes_give_the_rate(int rate)
     {
         using var file = new TemporaryFile(TestPackets.Join(Enumerable.Range(rate / 3, 4 * rate).Select(frame => Studio(frame, rate))));
         using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
@@ -37,7 +37,7 @@ public sealed class RawDumpTests
     }
 
     [Fact]
-    public void A_source_gives_whole_packets_with_the_noise_before_them_and_can_be_moved()
+    public void A_source_gives_whole_packets_and_can_seek()
     {
         byte[] bytes = [1, 2, 3, .. TestPackets.Motion(0), .. TestPackets.Motion(1), 4, 5, .. TestPackets.Motion(2), 6];
         using var file = new TemporaryFile(bytes);

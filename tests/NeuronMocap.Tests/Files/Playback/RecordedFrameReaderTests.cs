@@ -30,7 +30,7 @@ public sealed class RecordedFrameReaderTests
     }
 
     [Fact]
-    public void What_is_no_packet_is_counted_by_reason_at_the_end_of_a_connection_too()
+    public void Skipped_bytes_are_counted_by_reason()
     {
         using TemporaryFile file = Recordings.OfTcp((0, [1, 2, 3, .. TestPackets.Motion(0)]), (1, TestPackets.Motion(1)[..200]));
         using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
@@ -40,7 +40,7 @@ public sealed class RecordedFrameReaderTests
     }
 
     [Fact]
-    public void Connections_do_not_continue_each_other()
+    public void Packets_do_not_continue_across_connections()
     {
         byte[] packet = TestPackets.Motion(9);
         using TemporaryFile file = Recordings.Write(writer =>
@@ -60,7 +60,7 @@ public sealed class RecordedFrameReaderTests
     }
 
     [Fact]
-    public void Lost_bytes_are_not_joined_over()
+    public void Packets_are_not_joined_across_lost_bytes()
     {
         byte[] packet = TestPackets.Motion(0);
         using TemporaryFile file = Recordings.Write(writer =>
@@ -76,7 +76,7 @@ public sealed class RecordedFrameReaderTests
     }
 
     [Fact]
-    public void Over_udp_each_sender_has_its_own_frames()
+    public void Each_UDP_sender_has_its_own_frames()
     {
         (byte[] first, byte[] second) = (TestPackets.Motion(1), TestPackets.Motion(2));
         using TemporaryFile file = Recordings.Write(writer =>
@@ -98,7 +98,7 @@ public sealed class RecordedFrameReaderTests
     [InlineData(null, null, RotationOrder.YXZ, SkeletonVariant.Neck1)]
     [InlineData("ZXY", null, RotationOrder.ZXY, SkeletonVariant.Spine3)]
     [InlineData("ZXY", RotationOrder.XYZ, RotationOrder.XYZ, SkeletonVariant.Spine3)]
-    public void The_format_is_that_of_the_options_or_of_the_recording(
+    public void The_format_comes_from_the_options_or_the_recording(
         string? recorded, RotationOrder? option, RotationOrder expected, SkeletonVariant variant)
     {
         RecordingMetadata metadata = recorded is null
@@ -117,7 +117,7 @@ public sealed class RecordedFrameReaderTests
     }
 
     [Fact]
-    public void A_packet_is_too_large_where_it_was_for_the_recording_reader()
+    public void The_packet_limit_comes_from_the_recording()
     {
         RecordingMetadata metadata = new RecordingMetadata().With(RecordingMetadata.MaxValuesKey, "300");
         using TemporaryFile file = Recordings.Write(
@@ -139,7 +139,7 @@ public sealed class RecordedFrameReaderTests
 
     [Theory]
     [MemberData(nameof(FixtureReaderTests.Names), MemberType = typeof(FixtureReaderTests))]
-    public void Fixtures_give_their_frames_from_a_dump_and_from_a_recording(string name)
+    public void Dumps_and_recordings_give_the_same_frames(string name)
     {
         StreamFixture fixture = StreamFixture.Load(name);
         using var dump = new TemporaryFile(fixture.Bytes, ".bin");
@@ -165,7 +165,7 @@ public sealed class RecordedFrameReaderTests
     [InlineData("", "is empty")]
     [InlineData("HIERARCHY\nROOT Hips", "BVH")]
     [InlineData("nothing to see", "neither a recording nor a dump")]
-    public void Another_file_is_refused_with_what_it_is(string content, string expected)
+    public void Another_kind_of_file_is_named_and_refused(string content, string expected)
     {
         using var file = new TemporaryFile(System.Text.Encoding.ASCII.GetBytes(content), ".nmrec");
         PlaybackException exception = Assert.Throws<PlaybackException>(() => RecordedFrameReader.Open(file.Path));
@@ -174,7 +174,7 @@ public sealed class RecordedFrameReaderTests
     }
 
     [Fact]
-    public void A_rate_is_for_dumps_alone()
+    public void Only_dumps_accept_a_rate()
     {
         using TemporaryFile file = Recordings.OfTcp((0, TestPackets.Motion(0)));
         Assert.Throws<ArgumentException>(() => RecordedFrameReader.Open(file.Path, new PlaybackOptions { FrameRate = 60 }));

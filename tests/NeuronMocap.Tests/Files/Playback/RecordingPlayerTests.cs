@@ -12,7 +12,7 @@ public sealed class RecordingPlayerTests
     [InlineData(1)]
     [InlineData(4)]
     [InlineData(0.5)]
-    public async Task Frames_come_at_their_times(double speed)
+    public async Task Frames_arrive_at_their_times(double speed)
     {
         using TemporaryFile file = Played.TenFrames();
         var time = new FakeTime();
@@ -30,7 +30,7 @@ public sealed class RecordingPlayerTests
     }
 
     [Fact]
-    public async Task A_new_speed_counts_from_the_frame_on_that_was_reached()
+    public async Task A_new_speed_applies_from_the_current_frame()
     {
         using TemporaryFile file = Played.Frames(5, interval: 100);
         using RecordingPlayer player = Played.Open(file, new FakeTime());
@@ -43,7 +43,7 @@ public sealed class RecordingPlayerTests
     }
 
     [Fact]
-    public async Task Each_pass_is_a_connection_and_follows_at_once()
+    public async Task Each_loop_is_a_new_connection()
     {
         using TemporaryFile file = Played.Frames(3, interval: 10);
         using RecordingPlayer player = Played.Open(file, new FakeTime());
@@ -64,7 +64,7 @@ public sealed class RecordingPlayerTests
     }
 
     [Fact]
-    public async Task An_endless_loop_ends_when_it_is_told_how_often()
+    public async Task Setting_a_count_ends_an_endless_loop()
     {
         using var dump = new TemporaryFile(TestPackets.Motions(0, 4));
         using RecordingPlayer player = Played.Open(dump, new FakeTime());
@@ -81,7 +81,7 @@ public sealed class RecordingPlayerTests
     }
 
     [Fact]
-    public async Task Connections_stand_and_end_when_they_did()
+    public async Task Connections_open_and_close_as_recorded()
     {
         using TemporaryFile file = Recordings.Write(static writer =>
         {
@@ -109,7 +109,7 @@ public sealed class RecordingPlayerTests
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
-    public async Task As_fast_as_possible_whoever_awaits_or_pumps_gets_all(bool awaits)
+    public async Task Every_consumer_gets_every_frame_at_full_speed(bool awaits)
     {
         const int count = 3000;
         using TemporaryFile file = Played.Frames(count, interval: 1000.0 / 120);
@@ -169,7 +169,7 @@ public sealed class RecordingPlayerTests
     }
 
     [Fact]
-    public async Task A_queue_that_nobody_pumps_can_be_given_up_and_the_reader_stopped()
+    public async Task An_unpumped_queue_does_not_block_stopping()
     {
         using TemporaryFile file = Played.Frames(100, interval: 10);
         using RecordingPlayer player = RecordingPlayer.Open(file.Path);
@@ -189,7 +189,7 @@ public sealed class RecordingPlayerTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public async Task It_stops_at_once_also_while_paused_and_in_a_long_gap(bool isPaused)
+    public async Task Stopping_is_immediate_while_paused_and_in_gaps(bool isPaused)
     {
         using TemporaryFile file = Played.Frames(2, interval: 3_600_000);
         using RecordingPlayer player = RecordingPlayer.Open(file.Path);
@@ -206,7 +206,7 @@ public sealed class RecordingPlayerTests
     }
 
     [Fact]
-    public async Task Disposing_of_the_player_stops_the_reader()
+    public async Task Disposing_the_player_stops_the_reader()
     {
         using TemporaryFile file = Played.Frames(2, interval: 3_600_000);
         RecordingPlayer player = RecordingPlayer.Open(file.Path);
@@ -221,7 +221,7 @@ public sealed class RecordingPlayerTests
     }
 
     [Fact]
-    public async Task A_paused_playback_is_not_silent_and_a_gap_of_the_recording_is()
+    public async Task A_pause_is_not_silence_but_a_recorded_gap_is()
     {
         using TemporaryFile file = Played.Frames(2, interval: 3_600_000);
         using RecordingPlayer player = RecordingPlayer.Open(file.Path);

@@ -26,7 +26,7 @@ public sealed class BlockOrderTests
     }
 
     [Fact]
-    public void Swapped_blocks_are_read_in_the_order_in_which_they_were_written()
+    public void Swapped_blocks_are_read_in_written_order()
     {
         for (int first = 0; first < Blocks; first++)
         {
@@ -44,7 +44,7 @@ public sealed class BlockOrderTests
     }
 
     [Fact]
-    public void A_doubled_block_is_read_once()
+    public void A_repeated_block_is_read_once()
     {
         for (int block = 0; block < Blocks; block++)
         {
@@ -61,7 +61,7 @@ public sealed class BlockOrderTests
     }
 
     [Fact]
-    public void Removed_blocks_are_named_and_the_recording_still_counts_as_closed()
+    public void Missing_blocks_are_named_in_a_closed_recording()
     {
         for (int first = 0; first < Blocks - 1; first++)
         {
@@ -79,7 +79,7 @@ public sealed class BlockOrderTests
     }
 
     [Fact]
-    public void A_removed_block_is_told_in_its_place_and_the_state_behind_it_anew()
+    public void A_missing_block_is_reported_in_place_and_state_is_restored()
     {
         using RecordingReader reader = Open(Enumerable.Range(0, Blocks).Where(block => block != 5));
         List<RecordedEntry> entries = RecordedEntry.ReadAll(reader);
@@ -89,7 +89,7 @@ public sealed class BlockOrderTests
     }
 
     [Fact]
-    public void A_recording_without_its_last_block_says_so()
+    public void A_missing_last_block_is_reported()
     {
         using RecordingReader reader = Open(Enumerable.Range(0, Blocks - 1));
         Assert.False(reader.IsComplete);
@@ -103,7 +103,7 @@ public sealed class BlockOrderTests
     }
 
     [Theory, InlineData(1), InlineData(2), InlineData(3)]
-    public void Blocks_in_any_order_any_number_of_times_are_read_in_time_order(int seed)
+    public void Shuffled_and_repeated_blocks_are_read_in_time_order(int seed)
     {
         var random = new Random(seed);
         for (int round = 0; round < 200; round++)
@@ -123,7 +123,7 @@ public sealed class BlockOrderTests
     }
 
     [Fact]
-    public void Blocks_are_found_in_a_file_that_is_damaged_as_well()
+    public void Shuffled_blocks_are_found_in_a_damaged_file()
     {
         int[] order = [.. Enumerable.Range(0, Blocks)];
         (order[3], order[8]) = (order[8], order[3]);
@@ -142,7 +142,7 @@ public sealed class BlockOrderTests
 
     // Each header and each payload is right; all have the same number, or fall.
     [Theory, InlineData(0), InlineData(-1)]
-    public void A_hostile_file_of_numbers_takes_neither_memory_nor_time(int step)
+    public void Hostile_block_numbers_take_bounded_memory_and_time(int step)
     {
         uint seed = BitConverter.ToUInt32(_head, 60);
         var file = new MemoryStream();
@@ -163,7 +163,7 @@ public sealed class BlockOrderTests
 
     // The look-up reads other blocks into the memory in which the block lies that made it necessary: one that something stands behind, to see whether it is whole.
     [Fact]
-    public void A_file_of_too_many_blocks_to_look_up_keeps_the_bytes_of_each_block()
+    public void Too_many_blocks_to_index_are_still_read()
     {
         int missing = 2;
         byte[] file = [.. Join([0, 1, 3, 4]), 1, 2, 3, .. Enumerable.Range(5, Blocks - 5).SelectMany(block => _blocks[block])];

@@ -16,7 +16,7 @@ public sealed class CraftedRecordingTests
     [InlineData("removed senders", 2)]
     [InlineData("metadata", 2)]
     [InlineData("bytes of unknown connections", 32)]
-    public void A_file_costs_no_more_than_so_many_bytes_for_each_of_its_own(string content, int mostPerByte)
+    public void Memory_is_proportional_to_the_file(string content, int mostPerByte)
     {
         using var file = new TemporaryFile(Write(content));
         long before = GC.GetAllocatedBytesForCurrentThread();
@@ -27,7 +27,7 @@ public sealed class CraftedRecordingTests
     }
 
     [Theory, InlineData("connections"), InlineData("senders")]
-    public void No_more_is_open_than_a_recorder_lets_be_open_and_the_problem_says_so(string content)
+    public void Open_connections_are_limited_with_a_reported_problem(string content)
     {
         using RecordingReader reader = RecordingReader.Open(new MemoryStream(Write(content)));
         int opened = 0;

@@ -7,7 +7,7 @@ namespace NeuronMocap.Tests.Recording;
 public sealed class RecorderFilesTests : RecorderTest
 {
     [Fact]
-    public async Task An_old_file_that_cannot_be_deleted_does_not_end_the_recording_and_is_tried_again()
+    public async Task An_undeletable_old_file_is_retried()
     {
         var options = new RecordingOptions { MaxFileSize = 1 << 20, MaxFiles = 1 };
         StreamRecorder recorder = new(Folder.PathOf("take.nmrec"), options, RecordingMetadata.Empty, Tap, static _ => { });
@@ -30,7 +30,7 @@ public sealed class RecorderFilesTests : RecorderTest
     }
 
     [Theory, InlineData(null), InlineData(3)]
-    public async Task Files_of_bounded_size_follow_each_other_and_each_is_whole(int? maxFiles)
+    public async Task Size_limited_files_are_each_complete(int? maxFiles)
     {
         const int Size = 1 << 20;
         string[] names = [];
@@ -82,7 +82,7 @@ public sealed class RecorderFilesTests : RecorderTest
     }
 
     [Fact]
-    public async Task A_numbered_file_of_an_earlier_recording_is_found_before_anything_is_recorded()
+    public async Task An_existing_numbered_file_is_refused_at_the_start()
     {
         string later = Folder.PathOf("take.0098.nmrec");
         await File.WriteAllTextAsync(later, "precious", TestContext.Current.CancellationToken);
@@ -103,7 +103,7 @@ public sealed class RecorderFilesTests : RecorderTest
     }
 
     [Fact]
-    public async Task Files_of_bounded_duration_follow_each_other()
+    public async Task Duration_limited_files_follow_each_other()
     {
         StreamRecorder recorder = new(
             Folder.PathOf("take.nmrec"), new RecordingOptions { MaxFileDuration = TimeSpan.FromSeconds(1) }, RecordingMetadata.Empty, Tap, static _ => { });

@@ -6,7 +6,7 @@ namespace NeuronMocap.Tests.Recording;
 public sealed class RecorderFullDiskTests : RecorderTest
 {
     [Fact]
-    public async Task A_full_disk_ends_the_recording_and_what_was_written_is_read()
+    public async Task A_full_disk_ends_the_recording_and_keeps_what_was_written()
     {
         using var disk = new FullStream(300_000);
         StreamRecorder recorder = Start(new RecordingOptions { FlushInterval = TimeSpan.FromSeconds(0.01) }, disk);
@@ -41,7 +41,7 @@ public sealed class RecorderFullDiskTests : RecorderTest
     }
 
     [Fact]
-    public async Task The_system_s_full_device_ends_the_recording()
+    public async Task The_full_device_ends_the_recording()
     {
         Assert.SkipUnless(File.Exists("/dev/full"), "There is no /dev/full.");
         Assert.Throws<IOException>(() => new StreamRecorder(
@@ -60,7 +60,7 @@ public sealed class RecorderFullDiskTests : RecorderTest
 
     // There is no room for the beginning of the third file, or for all of the second.
     [Theory, InlineData(3, 50), InlineData(2, 500_000)]
-    public async Task A_full_disk_behind_other_files_is_counted_over_all_of_them(int full, int room)
+    public async Task A_full_disk_counts_losses_over_all_files(int full, int room)
     {
         var files = new List<MemoryStream>();
         StreamRecorder recorder = Start(new RecordingOptions { MaxFileSize = 1 << 20 }, _ =>

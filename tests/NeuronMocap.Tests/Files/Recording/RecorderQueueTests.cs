@@ -9,7 +9,7 @@ namespace NeuronMocap.Tests.Recording;
 public sealed class RecorderQueueTests : RecorderTest
 {
     [Fact]
-    public async Task Pieces_that_find_no_room_are_counted_and_told_where_they_are_missing()
+    public async Task Dropped_pieces_are_counted_and_recorded_in_place()
     {
         var disk = new HeldStream();
         StreamRecorder recorder = Start(new RecordingOptions { QueueSize = 1 << 20 }, disk);
@@ -43,7 +43,7 @@ public sealed class RecorderQueueTests : RecorderTest
     }
 
     [Fact]
-    public async Task Losses_at_the_very_end_are_told_too()
+    public async Task Losses_at_the_end_are_recorded()
     {
         var disk = new HeldStream();
         StreamRecorder recorder = Start(new RecordingOptions { QueueSize = 1 << 20 }, disk);
@@ -56,7 +56,7 @@ public sealed class RecorderQueueTests : RecorderTest
     }
 
     [Fact]
-    public void Connections_find_room_whenPieces_do_not()
+    public void Connection_events_have_reserved_room()
     {
         var disk = new HeldStream();
         StreamRecorder recorder = Start(new RecordingOptions { QueueSize = 1 << 20 }, disk);
@@ -73,7 +73,7 @@ public sealed class RecorderQueueTests : RecorderTest
     }
 
     [Fact]
-    public async Task A_connection_whose_opening_found_no_room_is_told_with_its_firstPiece()
+    public async Task A_dropped_opening_is_recorded_with_the_first_piece()
     {
         var disk = new HeldStream();
         StreamRecorder recorder = Start(new RecordingOptions { QueueSize = 1 << 20 }, disk);
@@ -108,7 +108,7 @@ public sealed class RecorderQueueTests : RecorderTest
     }
 
     [Fact]
-    public void A_recorder_that_cannot_be_made_leaves_no_file_open()
+    public void A_failed_start_leaves_no_file_open()
     {
         var tap = new StreamTap();
         tap.Open(isDatagrams: false, new UnreadableEndPoint(), remote: null, timestamp: 0);
@@ -140,7 +140,7 @@ public sealed class RecorderQueueTests : RecorderTest
     }
 
     [Fact]
-    public void APiece_costs_the_receive_thread_no_allocation()
+    public void A_piece_allocates_nothing_on_the_receive_thread()
     {
         byte[] sender = new byte[16];
         sender[0] = 2;
@@ -154,7 +154,7 @@ public sealed class RecorderQueueTests : RecorderTest
     }
 
     [Fact]
-    public async Task What_has_arrived_is_in_the_file_soon_without_an_end()
+    public async Task Pieces_reach_the_file_before_the_end()
     {
         StreamRecorder recorder = new(
             Folder.PathOf("take.nmrec"), new RecordingOptions { FlushInterval = TimeSpan.FromSeconds(0.01) }, RecordingMetadata.Empty, Tap, static _ => { });

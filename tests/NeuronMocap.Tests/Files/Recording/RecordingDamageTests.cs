@@ -10,7 +10,7 @@ public sealed class RecordingDamageTests
     private const int Size = 50;
 
     [Theory, InlineData(false), InlineData(true)]
-    public void A_file_that_is_cut_anywhere_is_read_up_to_the_last_whole_block(bool compress)
+    public void A_cut_file_is_read_up_to_its_last_whole_block(bool compress)
     {
         var ends = new List<int>();
         byte[] file = Recordings.InBlocks(Blocks, PerBlock, Size, ends, compress);
@@ -33,7 +33,7 @@ public sealed class RecordingDamageTests
     }
 
     [Theory, InlineData(false), InlineData(true)]
-    public void Every_changed_bit_is_found_and_costs_no_more_than_its_block(bool compress)
+    public void A_changed_bit_costs_at_most_its_block(bool compress)
     {
         var ends = new List<int>();
         byte[] file = Recordings.InBlocks(Blocks, PerBlock, Size, ends, compress);
@@ -60,7 +60,7 @@ public sealed class RecordingDamageTests
 
     [Theory]
     [InlineData(1), InlineData(3), InlineData(31), InlineData(32), InlineData(100), InlineData(1000)]
-    public void Bytes_that_are_missing_or_were_put_in_cost_no_more_than_their_block(int count)
+    public void Missing_or_inserted_bytes_cost_at_most_their_block(int count)
     {
         byte[] file = Recordings.InBlocks(20, PerBlock, Size);
         for (int at = 400; at < 1500; at += 13)
@@ -85,7 +85,7 @@ public sealed class RecordingDamageTests
     }
 
     [Fact]
-    public void What_is_damaged_is_told_in_its_place_and_the_state_behind_it_anew()
+    public void Damage_is_reported_in_place_and_state_is_restored()
     {
         byte[] file = Recordings.Write(writer =>
         {
@@ -104,7 +104,7 @@ public sealed class RecordingDamageTests
     }
 
     [Fact]
-    public void A_recording_of_a_recording_is_not_mistaken_for_its_content()
+    public void A_recording_inside_a_recording_is_only_content()
     {
         byte[] inner = Recordings.InBlocks(3, PerBlock, Size);
         byte[] file = Recordings.Write(writer =>
@@ -125,7 +125,7 @@ public sealed class RecordingDamageTests
     }
 
     [Fact]
-    public void Files_that_are_no_recordings_are_refused_with_the_reason()
+    public void Other_files_are_refused_with_the_reason()
     {
         Assert.Contains("no recording", Refuse("HIERARCHY\nROOT Hips\n"u8.ToArray()), StringComparison.Ordinal);
         Assert.Contains("cut off", Refuse([]), StringComparison.Ordinal);
@@ -141,7 +141,7 @@ public sealed class RecordingDamageTests
 
     // Right checksums, wrong content: only somebody on purpose makes these.
     [Fact]
-    public void A_hostile_file_takes_neither_memory_nor_time()
+    public void A_hostile_file_takes_bounded_memory_and_time()
     {
         byte[] head = Recordings.Write(static _ => { })[..RecordingLayout.FileHeaderSize];
         uint seed = BitConverter.ToUInt32(head, 60);
@@ -165,7 +165,7 @@ public sealed class RecordingDamageTests
     [Theory]
     [InlineData("00"), InlineData("80"), InlineData("8000"), InlineData("800000"), InlineData("80000005"), InlineData("8300"), InlineData("81FFFFFFFFFFFFFFFF7F00")]
     [InlineData("0100FF"), InlineData("010002"), InlineData("01000500090000"), InlineData("0600047F6100"), InlineData("80FFFFFFFFFFFFFFFFFF01000000")]
-    public void A_block_that_no_writer_writes_ends_where_it_makes_no_sense(string payload)
+    public void An_invalid_block_ends_at_its_invalid_entry(string payload)
     {
         byte[] head = Recordings.Write(static _ => { })[..RecordingLayout.FileHeaderSize];
         byte[] bytes = Convert.FromHexString(payload);
@@ -178,7 +178,7 @@ public sealed class RecordingDamageTests
     }
 
     [Fact]
-    public void Blocks_and_entries_of_a_later_minor_version_are_passed_over()
+    public void Blocks_and_entries_of_a_newer_minor_version_are_skipped()
     {
         byte[] head = Recordings.Write(static _ => { })[..RecordingLayout.FileHeaderSize];
         byte[] unknown = Block(head, (BlockKind)77, 0, 0, new byte[3]);

@@ -16,7 +16,7 @@ public sealed class RecordingEventTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public async Task The_beginning_and_the_end_of_a_recording_are_told()
+    public async Task Start_and_end_of_a_recording_are_reported()
     {
         using var server = new TestServer();
         await using var reader = new NeuronReader(server.Options());
@@ -36,7 +36,7 @@ public sealed class RecordingEventTests : IDisposable
     }
 
     [Fact]
-    public async Task A_recording_that_fails_is_told_once_and_the_reader_goes_on()
+    public async Task A_failed_recording_is_reported_once_and_the_reader_goes_on()
     {
         Assert.SkipUnless(File.Exists("/dev/full"), "There is no /dev/full.");
         using var server = new TestServer();
@@ -64,7 +64,7 @@ public sealed class RecordingEventTests : IDisposable
     }
 
     [Fact]
-    public async Task What_the_command_channel_says_is_written_down()
+    public async Task Answers_of_the_command_channel_are_recorded()
     {
         var dimensions = new BoneDimensions { Head = 0.17f, Neck = 0.1f, Body = 0.51f, FootLength = 1f / 3 };
         byte[] sizes = new byte[BoneDimensions.Size];

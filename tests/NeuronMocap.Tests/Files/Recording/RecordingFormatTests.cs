@@ -10,7 +10,7 @@ namespace NeuronMocap.Tests.Recording;
 public sealed class RecordingFormatTests
 {
     [Fact]
-    public void The_checksum_is_crc_32c()
+    public void The_checksum_is_CRC_32C()
     {
         // The check value of the catalogues of CRCs.
         Assert.Equal(0xE306_9283, Crc32C.Append(0, "123456789"u8));
@@ -21,7 +21,7 @@ public sealed class RecordingFormatTests
     }
 
     [Fact]
-    public void The_checksum_of_a_block_s_header_is_what_the_document_says()
+    public void The_block_header_checksum_matches_the_document()
     {
         byte[] file = Recordings.Write(static writer => writer.WriteBytes(default, 0, [1, 2, 3]));
         Assert.Equal(Crc32C.Append(0, file.AsSpan(0, 60)), BitConverter.ToUInt32(file, 60));
@@ -33,7 +33,7 @@ public sealed class RecordingFormatTests
     [Theory]
     [InlineData(1480, 4 * 15 + 4 + 32, 0.0044)]
     [InlineData(784, 4 * 15 + 4 + 32, 0.0082)]
-    public void What_a_recording_adds_is_less_than_a_hundredth(int pieceSize, int bytesPerBlock, double most)
+    public void The_overhead_is_below_one_percent(int pieceSize, int bytesPerBlock, double most)
     {
         const int PerBlock = 15;
         byte[] piece = new byte[pieceSize];
@@ -56,7 +56,7 @@ public sealed class RecordingFormatTests
     }
 
     [Fact]
-    public void The_checkpoints_index_and_end_of_a_long_recording_are_less_than_a_thousandth()
+    public void Checkpoints_index_and_end_are_below_one_per_mille()
     {
         RecordingMetadata metadata = RecordingMetadata.Empty.With("notes", new string('x', 3000));
         long bytes = 0;
@@ -125,7 +125,7 @@ public sealed class RecordingFormatTests
     }
 
     [Fact]
-    public void The_index_of_a_very_long_file_stays_small_and_right()
+    public void The_index_of_a_long_file_stays_small()
     {
         var index = new RecordingIndex();
         for (int i = 0; i < 100_000; i++)
@@ -146,7 +146,7 @@ public sealed class RecordingFormatTests
     }
 
     [Fact]
-    public void Times_do_not_go_back_and_numbers_do_not_fit_everywhere()
+    public void Decreasing_times_and_invalid_numbers_are_refused()
     {
         byte[] file = Recordings.Write(writer =>
         {
@@ -191,7 +191,7 @@ public sealed class RecordingFormatTests
     }
 
     [Fact]
-    public void What_comes_to_be_known_late_is_found_without_an_end()
+    public void Late_metadata_is_found_in_an_unfinished_file()
     {
         byte[] file = Recordings.Write(writer =>
         {
@@ -206,7 +206,7 @@ public sealed class RecordingFormatTests
     }
 
     [Fact]
-    public void Random_entries_come_out_as_they_went_in()
+    public void Random_entries_round_trip()
     {
         Gen<(int Kind, int Delta, int Number, int Size)> entry =
             from kind in Gen.Choose(0, 9)

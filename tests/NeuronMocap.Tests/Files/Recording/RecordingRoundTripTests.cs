@@ -7,7 +7,7 @@ public sealed class RecordingRoundTripTests
     private static readonly DateTimeOffset Start = new(2026, 11, 21, 10, 30, 0, TimeSpan.Zero);
 
     [Theory, InlineData(false), InlineData(true)]
-    public void Everything_that_was_written_is_read(bool compress)
+    public void Every_entry_round_trips(bool compress)
     {
         var file = new MemoryStream();
         var options = new RecordingWriterOptions { StartTime = Start, Compress = compress, LeaveOpen = true };

@@ -18,7 +18,7 @@ public class RecordingWorkTests
     [InlineData(0, 1)]
     [InlineData(1, 1)]
     [InlineData(40, 3)]
-    public void Blocks_with_garbage_between_them_cost_a_few_looks_at_each(int length, int garbage)
+    public void Garbage_between_blocks_is_read_a_few_times(int length, int garbage)
     {
         byte[] file = CreateFile(size: length + garbage, length);
         Assert.InRange(CountRead(file), file.Length, Blocks * MostOfEachBlock);
@@ -28,14 +28,14 @@ public class RecordingWorkTests
     [Theory]
     [InlineData(10_000)]
     [InlineData(60_000)]
-    public void Blocks_that_overlap_cost_a_bounded_number_of_looks(int length)
+    public void Overlapping_blocks_are_read_a_bounded_number_of_times(int length)
     {
         byte[] file = CreateFile(size: 1, length);
         Assert.InRange(CountRead(file), file.Length, (Blocks * MostOfEachBlock) + MostLookedInto);
     }
 
     [Fact]
-    public void Markers_without_blocks_are_looked_at_once()
+    public void Markers_without_blocks_are_read_once()
     {
         byte[] file = [.. Head(out _), .. Enumerable.Range(0, 100_000).SelectMany(static _ => BlockHeader.Marker.ToArray())];
         Assert.InRange(CountRead(file), file.Length, 8L * file.Length);

@@ -50,7 +50,7 @@ public sealed class StreamRecorderTests : IDisposable
     }
 
     [Fact]
-    public async Task More_senders_than_the_reader_remembers_are_told_anew()
+    public async Task Forgotten_senders_are_recorded_again()
     {
         await using UdpEnd end = await UdpEnd.StartAsync();
         StreamRecorder recorder = end.Reader.StartRecording(_folder.PathOf("udp.nmrec"));
@@ -71,7 +71,7 @@ public sealed class StreamRecorderTests : IDisposable
     }
 
     [Fact]
-    public async Task A_recording_that_begins_in_the_middle_says_that_the_connection_stood()
+    public async Task A_late_recording_notes_the_open_connection()
     {
         using var server = new TestServer();
         await using var reader = new NeuronReader(server.Options());
@@ -163,7 +163,7 @@ public sealed class StreamRecorderTests : IDisposable
     }
 
     [Fact]
-    public async Task A_reader_that_has_ended_records_nothing_more()
+    public async Task An_ended_reader_cannot_record()
     {
         var reader = new NeuronReader("127.0.0.1");
         StreamRecorder recorder = reader.StartRecording(_folder.PathOf("take.nmrec"));
@@ -175,7 +175,7 @@ public sealed class StreamRecorderTests : IDisposable
     }
 
     [Fact]
-    public async Task An_option_out_of_its_range_is_named()
+    public async Task An_option_out_of_range_is_named()
     {
         await using var reader = new NeuronReader("127.0.0.1");
         AssertFault(new RecordingOptions { QueueSize = 1 }, "QueueSize");

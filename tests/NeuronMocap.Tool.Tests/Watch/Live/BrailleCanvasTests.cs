@@ -14,7 +14,7 @@ public sealed class BrailleCanvasTests
     [InlineData(1, 1, '⠐')]
     [InlineData(1, 2, '⠠')]
     [InlineData(1, 3, '⢀')]
-    public void A_dot_is_where_unicode_has_it(int x, int y, char expected)
+    public void Dots_match_the_Braille_patterns(int x, int y, char expected)
     {
         var canvas = new BrailleCanvas(1, 1);
         canvas.Set(x, y, Color.White);
@@ -42,7 +42,7 @@ public sealed class BrailleCanvasTests
     [InlineData(-5, -5, -1, -1)]
     [InlineData(float.NaN, 0, 1, 1)]
     [InlineData(0, float.NegativeInfinity, 1, 1)]
-    public void What_is_outside_or_nowhere_leaves_no_dot(float x0, float y0, float x1, float y1)
+    public void Points_outside_leave_no_dot(float x0, float y0, float x1, float y1)
     {
         var canvas = new BrailleCanvas(2, 1);
         canvas.DrawLine(x0, y0, x1, y1, Color.White);
@@ -51,7 +51,7 @@ public sealed class BrailleCanvasTests
     }
 
     [Fact]
-    public void Text_is_cut_off_at_the_edge()
+    public void Text_is_cut_at_the_edge()
     {
         var canvas = new BrailleCanvas(4, 1);
         canvas.Write(2, 0, "side", Color.White);
@@ -60,7 +60,7 @@ public sealed class BrailleCanvasTests
     }
 
     [Fact]
-    public void A_canvas_of_no_size_takes_everything_and_shows_nothing()
+    public void An_empty_canvas_accepts_everything()
     {
         var canvas = new BrailleCanvas(-1, 0);
         canvas.DrawLine(0, 0, 10, 10, Color.White);

@@ -5,7 +5,7 @@ namespace NeuronMocap.Tool.Tests.Watch.Live;
 public sealed class CountersTests
 {
     [Fact]
-    public void After_a_reset_only_what_came_later_counts()
+    public void A_reset_restarts_the_counters()
     {
         var counters = new Counters();
         counters.Reset(new ReaderStatistics { MotionFrames = 100, Lost = 7, BytesSkipped = 5 }, [new AvatarStatistics { Frames = 100, Lost = 7, Gaps = 4, Restarts = 2 }]);

@@ -15,7 +15,7 @@ public sealed class DashboardAvatarTests
     }
 
     [Fact]
-    public void Frequency_reducing_gaps_and_restarts_are_shown_where_there_is_room()
+    public void Reduced_frequency_gaps_and_restarts_are_shown()
     {
         LiveState state = State(Receiving);
         state.Counters.Take(default, [new AvatarStatistics
@@ -33,7 +33,7 @@ public sealed class DashboardAvatarTests
     [InlineData(40, 12)]
     [InlineData(80, 24)]
     [InlineData(200, 60)]
-    public void A_name_from_the_network_cannot_command_the_terminal(int width, int height)
+    public void A_name_from_the_network_cannot_control_the_terminal(int width, int height)
     {
         LiveState state = State(Receiving);
         state.Counters.Take(default, [new AvatarStatistics { AvatarName = "\e[2J\u202Eevil\u009b\u200B\u2066", LastTimestamp = state.Now }]);
@@ -43,7 +43,7 @@ public sealed class DashboardAvatarTests
     }
 
     [Fact]
-    public void Feet_have_a_letter_on_the_ground_and_a_dot_above_it_with_and_without_colours()
+    public void Standing_feet_are_letters_and_raised_feet_are_dots()
     {
         // A foot stands that is where it was a frame before.
         LiveState state = WithPose();
@@ -61,7 +61,7 @@ public sealed class DashboardAvatarTests
     }
 
     [Fact]
-    public void Feet_on_the_ground_have_a_letter_on_its_line()
+    public void Standing_feet_have_a_letter_on_the_ground_line()
     {
         LiveState state = WithPose();
         state.BonePage = -1;
@@ -94,7 +94,7 @@ public sealed class DashboardAvatarTests
     }
 
     [Fact]
-    public void The_table_of_bones_gives_its_place_to_more_avatars()
+    public void The_table_of_bones_makes_room_for_avatars()
     {
         LiveState state = WithThreePeople();
         state.BonePage = -1;
@@ -104,7 +104,7 @@ public sealed class DashboardAvatarTests
     }
 
     [Fact]
-    public void An_avatar_that_sends_no_more_says_so()
+    public void A_silent_avatar_is_marked()
     {
         LiveState state = WithPose();
         state.TakenAt += 100 * Stopwatch.Frequency;
@@ -112,7 +112,7 @@ public sealed class DashboardAvatarTests
     }
 
     [Fact]
-    public void What_only_colours_tell_apart_is_not_explained_without_them()
+    public void The_colour_legend_needs_colours()
     {
         Assert.DoesNotContain("■ left", string.Concat(Draw(WithPose(), 80, 24)), StringComparison.Ordinal);
         Assert.Contains("■ left", WithoutColours(string.Concat(Draw(WithPose(), 80, 24, isColoured: true))), StringComparison.Ordinal);

@@ -10,7 +10,7 @@ public sealed class DashboardLayoutTests
 
     [Theory]
     [MemberData(nameof(Sizes))]
-    public void It_fits_every_window_in_every_state(int width, int height)
+    public void Every_state_fits_every_window(int width, int height)
     {
         foreach (LiveState state in (LiveState[])[State(Refused), State(Receiving), WithPose(), WithManyAvatars(), WithHelp()])
         {
@@ -26,7 +26,7 @@ public sealed class DashboardLayoutTests
     [InlineData(71, 20)]
     [InlineData(72, 20)]
     [InlineData(95, 24)]
-    public void Every_width_that_is_allowed_shows_the_avatars_and_their_rates(int width, int height)
+    public void Every_allowed_width_shows_avatars_and_rates(int width, int height)
     {
         string text = string.Join('\n', Draw(WithPose(), width, height));
         foreach (string part in (string[])["avatar", "> 0 Char00", "84.1"])
@@ -40,7 +40,7 @@ public sealed class DashboardLayoutTests
     [InlineData(60, 16)]
     [InlineData(80, 24)]
     [InlineData(200, 60)]
-    public void The_sentence_that_explains_a_problem_is_shown_whole(int width, int height)
+    public void An_explanation_is_never_cut(int width, int height)
     {
         foreach (ConnectionStatus problem in (ConnectionStatus[])
         [
@@ -62,7 +62,7 @@ public sealed class DashboardLayoutTests
     [InlineData(60, 16)]
     [InlineData(80, 24)]
     [InlineData(200, 60)]
-    public void What_is_wrong_with_frames_that_arrive_is_shown_whole(int width, int height)
+    public void A_warning_about_frames_is_never_cut(int width, int height)
     {
         LiveState state = WithPose();
         state.Status = new(
@@ -76,7 +76,7 @@ public sealed class DashboardLayoutTests
     [Theory]
     [InlineData(40, 12)]
     [InlineData(50, 20)]
-    public void A_small_window_shows_who_is_there(int width, int height)
+    public void A_small_window_shows_the_avatars(int width, int height)
     {
         string text = string.Join('\n', Draw(WithPose(), width, height));
         foreach (string part in (string[])["RECEIVING", "studio:7001", "0 Char00", "0.0 Hz  lost 0", "front", "side", "q quit"])

@@ -12,7 +12,7 @@ public sealed class DashboardTests
     [Theory]
     [InlineData(80, 24)]
     [InlineData(120, 40)]
-    public void A_missing_connection_is_shown_with_its_reason_and_what_to_do(int width, int height)
+    public void A_missing_connection_shows_its_reason_and_advice(int width, int height)
     {
         string text = string.Join('\n', Draw(State(Refused), width, height));
 
@@ -22,7 +22,7 @@ public sealed class DashboardTests
     }
 
     [Fact]
-    public void The_small_view_shows_stream_counters_both_drawings_and_bones()
+    public void The_small_view_shows_counters_drawings_and_bones()
     {
         string text = string.Join('\n', Draw(WithPose(), 80, 24));
 
@@ -37,7 +37,7 @@ public sealed class DashboardTests
     [InlineData(80, 24)]
     [InlineData(140, 40)]
     [InlineData(40, 12)]
-    public void A_file_that_cannot_be_written_any_more_is_told_with_its_reason(int width, int height)
+    public void A_failed_file_is_shown_with_its_reason(int width, int height)
     {
         LiveState state = WithPose();
         state.AddFailure(new FileFailure("recording", "take.nmrec", "the disk is full.", 7, 0));
@@ -47,7 +47,7 @@ public sealed class DashboardTests
     [Theory]
     [InlineData(80, 24)]
     [InlineData(140, 40)]
-    public void Two_files_that_failed_are_both_told_and_the_status_stays(int width, int height)
+    public void Two_failed_files_are_shown_beside_the_status(int width, int height)
     {
         LiveState state = WithPose();
         state.AddFailure(new FileFailure("recording", "take.nmrec", "the disk is full.", 7, 0));
@@ -76,7 +76,7 @@ public sealed class DashboardTests
     }
 
     [Fact]
-    public void Without_a_keyboard_no_keys_are_offered()
+    public void No_keys_are_offered_without_a_keyboard()
     {
         var state = new LiveState(new WatchOptions()) { Status = Receiving, HasKeyboard = false };
         string last = Draw(state, 80, 24)[^1];
@@ -85,7 +85,7 @@ public sealed class DashboardTests
     }
 
     [Fact]
-    public void What_a_key_did_is_said_at_the_top_and_stays_in_the_events()
+    public void The_result_of_a_key_is_shown_and_kept_in_the_events()
     {
         LiveState state = WithPose();
         state.Say("Recorded 2.1 s, 121 frames, 179.1 kB to take.nmrec.");

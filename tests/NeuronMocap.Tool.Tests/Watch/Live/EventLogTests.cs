@@ -7,7 +7,7 @@ public sealed class EventLogTests
     private readonly EventLog _log = new();
 
     [Fact]
-    public void Attempts_that_fail_alike_are_one_event_with_a_count()
+    public void Equal_failures_are_one_event_with_a_count()
     {
         for (int attempt = 1; attempt <= 3; attempt++)
         {

@@ -46,7 +46,7 @@ public sealed class LiveViewProcessTests : IDisposable
     }
 
     [Fact]
-    public async Task Without_a_name_a_recording_has_the_date_and_time()
+    public async Task An_unnamed_recording_is_named_by_date_and_time()
     {
         SkipWithoutTerminal();
         using var terminal = new PseudoTerminal(_folder[string.Empty], "TERM=xterm-256color", "watch", _server.Address);
@@ -59,7 +59,7 @@ public sealed class LiveViewProcessTests : IDisposable
     }
 
     [Fact]
-    public async Task A_recording_that_cannot_begin_says_why_and_the_view_goes_on()
+    public async Task A_failed_recording_is_explained_and_the_view_goes_on()
     {
         SkipWithoutTerminal();
         DirectoryInfo gone = Directory.CreateDirectory(_folder["gone"]);

@@ -9,7 +9,7 @@ public sealed class SkeletonViewTests
     private const int Rows = 20;
 
     [Fact]
-    public void The_arms_of_a_T_pose_reach_to_both_sides_and_the_head_is_above_them()
+    public void A_T_pose_has_its_arms_out_and_its_head_above()
     {
         int[] widths = [.. Draw(Poses.Upright(), Viewpoint.Front).Select(row => row.TrimEnd('\u2800').Length - row.Length + row.TrimStart('\u2800').Length)];
 
@@ -20,14 +20,14 @@ public sealed class SkeletonViewTests
     }
 
     [Fact]
-    public void From_the_side_the_arms_are_short()
+    public void Arms_are_short_in_the_side_view()
     {
         string[] rows = Draw(Poses.Upright(), Viewpoint.Side);
         Assert.All(rows[1..^3], row => Assert.True(row.Trim('\u2800').Length < Columns / 3, row));
     }
 
     [Fact]
-    public void The_view_follows_the_hips_while_the_ground_stands_still()
+    public void The_view_follows_the_hips_above_fixed_ground()
     {
         string[] here = Draw(Poses.Upright(), Viewpoint.Front);
         string[] there = Draw(Poses.Upright(x: 130), Viewpoint.Front);
@@ -37,7 +37,7 @@ public sealed class SkeletonViewTests
     }
 
     [Fact]
-    public void The_scale_grows_with_what_it_has_seen_and_does_not_shrink()
+    public void The_scale_only_grows()
     {
         var scale = new ViewScale();
         var pose = new Pose(Poses.Upright());
@@ -52,7 +52,7 @@ public sealed class SkeletonViewTests
     }
 
     [Fact]
-    public void Values_that_no_body_has_do_not_change_the_scale()
+    public void Impossible_values_do_not_change_the_scale()
     {
         var scale = new ViewScale();
         float reach = scale.Reach;
@@ -61,7 +61,7 @@ public sealed class SkeletonViewTests
     }
 
     [Fact]
-    public void Every_bone_is_drawn_and_head_feet_and_fingers_have_ends()
+    public void Every_bone_and_end_site_is_drawn()
     {
         Assert.Equal(58 + 13, Wireframe.Lines(Skeleton.SkeletonVariant.Neck1).Length);
         Assert.Equal(58 + 13, Wireframe.Lines(Skeleton.SkeletonVariant.Spine3).Length);

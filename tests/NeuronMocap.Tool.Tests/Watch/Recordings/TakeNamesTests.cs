@@ -7,7 +7,7 @@ public sealed class TakeNamesTests
     private static readonly DateTime Now = new(2026, 2, 3, 14, 5, 6, DateTimeKind.Local);
 
     [Fact]
-    public void Without_a_name_the_date_and_time_make_one() => Assert.Equal(
+    public void A_missing_name_becomes_date_and_time() => Assert.Equal(
         ["neuron-2026-02-03-140506.nmrec", "neuron-2026-02-03-140506-2.nmrec", "neuron-2026-02-03-140506-3.nmrec"],
         TakeNames.After(path: null, Now).Take(3),
         StringComparer.Ordinal);

@@ -20,7 +20,7 @@ public sealed class TakeRecorderTests : IDisposable
     }
 
     [Fact]
-    public async Task Each_recording_has_a_file_of_its_own_and_its_frames_are_told()
+    public async Task Each_recording_has_its_own_file_and_summary()
     {
         string path = _folder["take.nmrec"];
         await using NeuronReader reader = Connect();
@@ -49,7 +49,7 @@ public sealed class TakeRecorderTests : IDisposable
     }
 
     [Fact]
-    public async Task A_folder_that_takes_no_files_is_a_reason_to_show()
+    public async Task An_unwritable_folder_is_reported()
     {
         await using NeuronReader reader = Connect();
         var takes = new TakeRecorder(reader, new RecordingSettings(_folder["missing/take.nmrec"], new RecordingOptions()));
@@ -60,7 +60,7 @@ public sealed class TakeRecorderTests : IDisposable
     }
 
     [Fact]
-    public async Task A_stream_that_has_ended_is_a_reason_to_show()
+    public async Task An_ended_stream_is_reported()
     {
         NeuronReader reader = Connect();
         var takes = new TakeRecorder(reader, new RecordingSettings(_folder["take.nmrec"], new RecordingOptions()));

@@ -24,7 +24,7 @@ public sealed class FigurePictureTests : IDisposable
     public void Dispose() => _loop.Dispose();
 
     [Fact]
-    public void The_picture_in_the_documentation_shows_the_figure_that_is_built()
+    public void The_documented_picture_matches_the_figure()
     {
         var canvas = new FigureCanvas(Width, Height);
         using Broadcaster server = Stage.Broadcast([.. Views.Select(static view => new StillActor(view.Seconds))]);
