@@ -79,7 +79,7 @@ public sealed class CalculationPortTests : IDisposable
         using TestConnection late = await server.AcceptAsync();
         await late.SendAsync(TestPackets.Calculation(1));
         ConnectionStatus receiving = await log.WaitAsync(status => status is { State: ConnectionState.Receiving, Reason: ConnectionReason.None } && status.Message.Contains($"{port}: receiving.", StringComparison.Ordinal));
-        Assert.Equal(1, reader.GetStatistics().CalculationFrames);
+        await reader.UntilAsync(static statistics => statistics.CalculationFrames == 1);
         Assert.Contains("Receiving from", receiving.Message, StringComparison.Ordinal);
     }
 

@@ -129,6 +129,7 @@ public sealed class ReconnectTests
     {
         BroadcasterOptions options = Expect.Options();
         options.FrameRate = 1000;
+        options.QueueCapacity = 10_000;
         options.BindAddress = ServerAtOneAddress.Address;
         var broadcaster = new Broadcaster(options);
         broadcaster.Start();

@@ -9,6 +9,9 @@ namespace NeuronMocap.Tests.Reader;
 // A server that is stopped and started again sends from another port of its address.
 public sealed class UdpRestartTests : IDisposable
 {
+    // The first index of frames that no server sent.
+    private const int ForgedFrame = 5000;
+
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("neuron-udp-restart");
 
     private string Target => Path.Combine(_folder.FullName, "take.bvh");
@@ -52,10 +55,9 @@ public sealed class UdpRestartTests : IDisposable
     }
 
     [Fact]
-    public async Task Two_active_servers_of_a_computer_stay_separate()
+    public Task Two_active_servers_of_a_computer_stay_separate() => WithoutPausesAsync(async (end, pauses) =>
     {
-        await using UdpEnd end = await UdpEnd.StartAsync();
-        using BvhExport export = end.Reader.ExportBvh(Target, new BvhExportOptions { FrameTime = BvhFrameTime.Default });
+        using BvhExport export = end.Reader.ExportBvh(Target, new BvhExportOptions { FrameTime = BvhFrameTime.Default, Overwrite = true });
         Socket[] servers = [end.CreateSender(), end.CreateSender()];
         for (int i = 0; i < 200; i++)
         {
@@ -65,16 +67,18 @@ public sealed class UdpRestartTests : IDisposable
 
         await end.Reader.WaitForFramesAsync(400);
         export.Dispose();
+        if (pauses.HasAny)
+            return;
+
         Assert.Equal([(0, 200L), (1, 200L)], end.Reader.GetAvatarStatistics().Select(avatar => (avatar.Sender, avatar.Frames)));
         Assert.Equal(200, BvhDocument.Load(Target).FrameCount);
-    }
+    });
 
     [Fact]
-    public async Task A_flood_from_the_servers_address_leaves_its_export_complete()
+    public Task A_flood_from_the_servers_address_leaves_its_export_complete() => WithoutPausesAsync(async (end, pauses) =>
     {
         const int Frames = 300;
-        await using UdpEnd end = await UdpEnd.StartAsync();
-        using BvhExport export = end.Reader.ExportBvh(Target, new BvhExportOptions { FrameTime = BvhFrameTime.Default });
+        using BvhExport export = end.Reader.ExportBvh(Target, new BvhExportOptions { FrameTime = BvhFrameTime.Default, Overwrite = true });
         Socket server = end.CreateSender();
         for (int i = 0; i < Frames; i++)
         {
@@ -83,16 +87,19 @@ public sealed class UdpRestartTests : IDisposable
             {
                 using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
                 socket.Connect(end.EndPoint);
-                await end.SendAsync(socket, TestPackets.Motion(5000 + i, avatar: forged));
+                await end.SendAsync(socket, TestPackets.Motion(ForgedFrame + i, avatar: forged));
             }
         }
 
         await end.DrainedAsync();
-        await end.Reader.UntilAsync(_ => end.Reader.GetAvatarStatistics() is [{ Frames: Frames }, ..]);
+        await end.Reader.UntilAsync(_ => pauses.HasAny || end.Reader.GetAvatarStatistics() is [{ Frames: Frames }, ..]);
         export.Dispose();
+        if (pauses.HasAny)
+            return;
+
         Assert.Equal(Frames, BvhDocument.Load(Target).FrameCount);
         Assert.Equal(Frames, export.FramesWritten);
-    }
+    });
 
     [Fact]
     public async Task A_recording_plays_back_as_the_same_stream()
@@ -159,11 +166,48 @@ public sealed class UdpRestartTests : IDisposable
         Assert.Fail("Every frame has a time at which it was handed out.");
     }
 
+    // A busy computer makes pauses of its own, which are a server's silence to the reader: then it is tried again.
+    private static async Task WithoutPausesAsync(Func<UdpEnd, Pauses, Task> test)
+    {
+        for (int attempt = 0; attempt < 20; attempt++)
+        {
+            await using UdpEnd end = await UdpEnd.StartAsync();
+            var pauses = new Pauses(end.Reader);
+            await test(end, pauses);
+            if (!pauses.HasAny)
+                return;
+        }
+
+        Assert.Fail("The machine makes pauses all the time.");
+    }
+
     private static IEnumerable<(int Sender, uint? Index)> Indices(int count) => Enumerable.Range(0, count).Select(i => (0, (uint?)i));
 
     private static async Task SendAsync(UdpEnd end, Socket server, int frames)
     {
         for (int i = 0; i < frames; i++)
             await end.SendAsync(server, TestPackets.Motion(i));
+    }
+
+    // Whether servers whose frames come in turn left out more than an eighth of a second: each of the two then half of what makes it silent.
+    private sealed class Pauses
+    {
+        private long _last;
+        private volatile bool _hasAny;
+
+        public Pauses(NeuronReader reader) => reader.MotionReceived += Check;
+
+        public bool HasAny => _hasAny;
+
+        private void Check(MotionFrame frame)
+        {
+            if (frame.FrameIndex >= ForgedFrame)
+                return;
+
+            if (_last != 0 && frame.Timestamp - _last > Stopwatch.Frequency / 8)
+                _hasAny = true;
+
+            _last = Math.Max(_last, frame.Timestamp);
+        }
     }
 }

@@ -178,8 +178,8 @@ public sealed class RecordingPlayerTests
         using FrameQueue queue = reader.OpenQueue(capacity: 8);
         reader.Start();
         await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 9);
-        queue.Dispose();
         using FrameQueue other = reader.OpenQueue(capacity: 2);
+        queue.Dispose();
         await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 12);
         var watch = Stopwatch.StartNew();
         await reader.DisposeAsync();

@@ -15,7 +15,7 @@ public sealed class RecorderQueueTests : RecorderTest
         StreamRecorder recorder = Start(new RecordingOptions { QueueSize = 1 << 20 }, disk);
         for (int i = 0; i < 3; i++)
         {
-            Lose(recorder, disk, pieces: 100);
+            await LoseAsync(recorder, disk, pieces: 100);
             disk.LetGo();
             await PushUntilTakenAsync(recorder);
         }
@@ -47,7 +47,7 @@ public sealed class RecorderQueueTests : RecorderTest
     {
         var disk = new HeldStream();
         StreamRecorder recorder = Start(new RecordingOptions { QueueSize = 1 << 20 }, disk);
-        Lose(recorder, disk, pieces: 10);
+        await LoseAsync(recorder, disk, pieces: 10);
         recorder.Stop();
         disk.LetGo();
         await recorder.Completion.Soon();
@@ -56,11 +56,11 @@ public sealed class RecorderQueueTests : RecorderTest
     }
 
     [Fact]
-    public void Connection_events_have_reserved_room()
+    public async Task Connection_events_have_reserved_room()
     {
         var disk = new HeldStream();
         StreamRecorder recorder = Start(new RecordingOptions { QueueSize = 1 << 20 }, disk);
-        Lose(recorder, disk, pieces: 10);
+        await LoseAsync(recorder, disk, pieces: 10);
         Reconnect(times: 50);
 
         disk.LetGo();
@@ -77,7 +77,7 @@ public sealed class RecorderQueueTests : RecorderTest
     {
         var disk = new HeldStream();
         StreamRecorder recorder = Start(new RecordingOptions { QueueSize = 1 << 20 }, disk);
-        Lose(recorder, disk, pieces: 10);
+        await LoseAsync(recorder, disk, pieces: 10);
         Reconnect(times: 1000);
 
         disk.LetGo();
@@ -168,24 +168,27 @@ public sealed class RecorderQueueTests : RecorderTest
         recorder.Dispose();
     }
 
-    // The disk takes nothing from here on.
-    private void Lose(StreamRecorder recorder, HeldStream disk, int pieces)
+    // The disk takes nothing from here on. Once the writing thread waits for it, no piece leaves the queue any more.
+    private async Task LoseAsync(StreamRecorder recorder, HeldStream disk, int pieces)
     {
+        const int Some = 200;
         disk.Hold();
+        for (int i = 0; i < Some; i++)
+            Push();
+
+        await Limits.UntilAsync(() => disk.IsWaitedFor);
         long lost = recorder.GetStatistics().LostPieces;
         while (recorder.GetStatistics().LostPieces < lost + pieces)
             Push();
     }
 
-    private async Task PushUntilTakenAsync(StreamRecorder recorder)
+    // Until one piece finds room in the queue.
+    private Task PushUntilTakenAsync(StreamRecorder recorder) => Limits.UntilAsync(() =>
     {
-        long taken = recorder.GetStatistics().Pieces;
-        await Limits.UntilAsync(() =>
-        {
-            Push();
-            return recorder.GetStatistics().Pieces > taken;
-        });
-    }
+        long lost = recorder.GetStatistics().LostPieces;
+        Push();
+        return recorder.GetStatistics().LostPieces == lost;
+    });
 
     private void Reconnect(int times)
     {

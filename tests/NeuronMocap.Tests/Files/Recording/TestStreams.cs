@@ -4,6 +4,10 @@ namespace NeuronMocap.Tests.Recording;
 internal sealed class HeldStream : MemoryStream
 {
     private readonly ManualResetEventSlim _free = new(initialState: true);
+    private volatile bool _isWaitedFor;
+
+    /// <summary>Whether a write waits until the disk is let go.</summary>
+    public bool IsWaitedFor => _isWaitedFor;
 
     public void Hold() => _free.Reset();
 
@@ -11,7 +15,9 @@ internal sealed class HeldStream : MemoryStream
 
     public override void Write(ReadOnlySpan<byte> buffer)
     {
+        _isWaitedFor = !_free.IsSet;
         _free.Wait(Limits.Unexpected);
+        _isWaitedFor = false;
         base.Write(buffer);
     }
 }
