@@ -19,7 +19,7 @@ public sealed partial class FrontPageTests
     private static string ProjectUrl => Properties.Descendants("ProjectUrl").Single().Value;
 
     [Fact]
-    public void The_readme_is_short_and_says_at_once_what_this_is()
+    public void The_readme_is_short_and_starts_with_the_purpose()
     {
         string[] lines = File.ReadAllLines(Repository.PathOf("README.md"));
 
@@ -38,7 +38,7 @@ public sealed partial class FrontPageTests
 
     // Packing puts the project's address before links that begin in this way.
     [Theory, MemberData(nameof(PackedProjects))]
-    public void A_package_has_a_readme_whose_links_packing_completes(string project)
+    public void Packing_can_complete_the_links_of_a_package_readme(string project)
     {
         string[] lines = File.ReadAllLines(Repository.PathOf("src", project, "README.md"));
         string[] targets = [.. Link().Matches(string.Join('\n', lines)).Select(static link => link.Groups["target"].Value)];
@@ -49,7 +49,7 @@ public sealed partial class FrontPageTests
     }
 
     [Fact]
-    public void The_icon_is_a_picture_of_128_by_128()
+    public void The_icon_is_128_by_128()
     {
         byte[] icon = File.ReadAllBytes(Repository.PathOf("src", "icon.png"));
 
@@ -58,7 +58,7 @@ public sealed partial class FrontPageTests
     }
 
     [Theory, InlineData("documentationUrl"), InlineData("changelogUrl"), InlineData("licensesUrl")]
-    public void The_addresses_of_the_unity_package_are_those_of_the_project(string property)
+    public void The_unity_package_links_to_the_project(string property)
     {
         using var manifest = JsonDocument.Parse(ThePackage.Staged.Files["package.json"]);
         string address = manifest.RootElement.GetProperty(property).GetString()!;
@@ -69,7 +69,7 @@ public sealed partial class FrontPageTests
     }
 
     [Fact]
-    public void The_sample_takes_can_be_read_and_lack_nothing()
+    public void The_sample_takes_are_complete()
     {
         BvhDocument bvh = BvhDocument.Load(Repository.PathOf("samples", "takes", "walk.bvh"));
         Assert.Empty(bvh.Repairs);
@@ -80,7 +80,7 @@ public sealed partial class FrontPageTests
         while (take.Read())
             frames++;
         Assert.Equal(240, frames);
-        Assert.Equal((0, 0), (take.GetStatistics().Lost, take.GetStatistics().BytesSkipped));
+        Assert.Equal(0, Assert.Single(take.GetAvatarStatistics()).Lost);
     }
 
     [GeneratedRegex(@"\]\((?<target>[^)]+)\)", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 60_000)]
