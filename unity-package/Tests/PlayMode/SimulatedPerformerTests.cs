@@ -1,10 +1,8 @@
 #nullable enable
-using System;
 using System.Collections;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;
-using Object = UnityEngine.Object;
 
 namespace NeuronMocap.Unity.Tests
 {
