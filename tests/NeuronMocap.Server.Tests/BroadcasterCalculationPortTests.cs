@@ -118,6 +118,7 @@ public sealed class BroadcasterCalculationPortTests
     public async Task Each_port_has_its_own_clients_and_limit()
     {
         BroadcasterOptions options = Options(2000, BroadcastFormat.Binary);
+        options.Sources = [new TestSource(0), new TestSource(1)];
         options.WaitForClient = false;
         options.MaxFrames = null;
         options.MaxClients = 1;

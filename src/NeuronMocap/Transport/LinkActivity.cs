@@ -92,8 +92,9 @@ internal sealed class LinkActivity(
         if (status.State != ConnectionState.Receiving || (!isDue && timestamp - Volatile.Read(ref _described) < DescriptionPeriod))
             return;
 
+        // After a jump in a playback nothing is known until the next frame: what was told still holds.
         StreamDescription stream = Describe();
-        if (string.Equals(stream.Text, _description, StringComparison.Ordinal))
+        if (stream.Format == StreamFormat.Unknown || string.Equals(stream.Text, _description, StringComparison.Ordinal))
             return;
 
         _description = stream.Text;

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Tests.Network;
@@ -61,17 +62,34 @@ public sealed class UdpFaultTests
     public async Task Many_alternating_senders_are_distinguished()
     {
         const int Senders = 60;
-        await using UdpEnd end = await UdpEnd.StartAsync();
-        Socket[] senders = [.. Enumerable.Range(0, Senders).Select(_ => end.CreateSender())];
-        for (int half = 0; half < 2; half++)
+
+        // A sender that is silent for a quarter of a second has been replaced by another. On a busy computer each may be: then it is tried again.
+        for (int attempt = 0; attempt < 20; attempt++)
         {
-            for (int i = 0; i < Senders; i++)
-                await end.SendAsync(senders[i], Datagram($"{i}{"ab"[half]}"));
+            await using UdpEnd end = await UdpEnd.StartAsync();
+            Socket[] senders = [.. Enumerable.Range(0, Senders).Select(_ => end.CreateSender())];
+            long start = Stopwatch.GetTimestamp();
+            for (int half = 0; half < 2; half++)
+            {
+                for (int i = 0; i < Senders; i++)
+                    await end.SendAsync(senders[i], Datagram($"{i}{"ab"[half]}"));
+            }
+
+            bool isLate = false;
+            await end.Reader.UntilAsync(statistics =>
+            {
+                isLate = Stopwatch.GetTimestamp() - start > Stopwatch.Frequency / 4;
+                return isLate || statistics.MotionFrames == Senders;
+            });
+            if (isLate)
+                continue;
+
+            Assert.Equal(Enumerable.Range(0, Senders), end.Reader.GetAvatarStatistics().Select(avatar => avatar.Sender));
+            Assert.Equal(0, end.Reader.GetStatistics().BytesSkipped);
+            return;
         }
 
-        await end.Reader.WaitForFramesAsync(Senders);
-        Assert.Equal(Enumerable.Range(0, Senders), end.Reader.GetAvatarStatistics().Select(avatar => avatar.Sender));
-        Assert.Equal(0, end.Reader.GetStatistics().BytesSkipped);
+        Assert.Fail("The machine makes pauses all the time.");
     }
 
     [Fact]

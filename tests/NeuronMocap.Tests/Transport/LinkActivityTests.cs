@@ -178,6 +178,23 @@ public sealed class LinkActivityTests
         Assert.Equal([ConnectionReason.None, ConnectionReason.NoData, ConnectionReason.SenderNotAllowed, ConnectionReason.NoData], reasons);
     }
 
+    // The timer may look between a jump and the first frame behind it.
+    [Fact]
+    public void After_a_jump_in_a_playback_what_was_told_holds_until_the_next_frame()
+    {
+        var stream = new StreamDescription(StreamFormat.Text, ConnectionReason.None, ": text format.");
+        var activity = new LinkActivity(_status, TimeSpan.FromSeconds(3), udpSenders: null, () => stream);
+        activity.BeginDelivery(Packet(0));
+        activity.EndDelivery();
+        ConnectionStatus told = _told[^1];
+        stream = default;
+        activity.Check(After(1.5));
+        Assert.Equal((told, StreamFormat.Text), (_told[^1], told.Format));
+        stream = new StreamDescription(StreamFormat.Studio, ConnectionReason.None, ": binary format of Axis Studio.");
+        activity.Check(After(2));
+        Assert.Equal(StreamFormat.Studio, _told[^1].Format);
+    }
+
     private static SocketAddress Stray => new IPEndPoint(IPAddress.Parse("192.0.2.1"), 40_000).Serialize();
 
     private LinkActivity OverUdp(SenderFilter filter)

@@ -7,6 +7,9 @@ namespace NeuronMocap.Unity.Tests.Infrastructure;
 /// <summary>A scene, servers for it, and at the end the proof that nothing is left running.</summary>
 public abstract class SourceFixture : IDisposable
 {
+    /// <summary>Milliseconds.</summary>
+    internal const double Quick = 100;
+
     private readonly List<Broadcaster> _servers = [];
 
     internal PlayerLoop Loop { get; private protected set; } = new();
@@ -67,15 +70,26 @@ public abstract class SourceFixture : IDisposable
         return found!;
     }
 
-    /// <summary>Closing is not to be noticed in a game. It takes some milliseconds; whatever waits for a time-out takes 2 s and more, and a busy machine has to be borne.</summary>
+    /// <summary>
+    /// Closing is not to be noticed in a game. It takes some milliseconds; whatever waits for a time-out takes 2 s and more, in each try. A busy machine
+    /// stretches single ones.
+    /// </summary>
+    internal static void AssertQuick(Func<double> close)
+    {
+        const int Tries = 20;
+        double quickest = double.PositiveInfinity;
+        for (int i = 0; i < Tries && quickest > Quick; i++)
+            quickest = Math.Min(quickest, close());
+
+        Assert.InRange(quickest, 0, Quick);
+    }
+
     /// <returns>Milliseconds.</returns>
-    internal static double AssertQuick(Action action)
+    internal static double Measure(Action action)
     {
         var watch = Stopwatch.StartNew();
         action();
-        double elapsed = watch.Elapsed.TotalMilliseconds;
-        Assert.InRange(elapsed, 0, 1000);
-        return elapsed;
+        return watch.Elapsed.TotalMilliseconds;
     }
 
     internal static int FreePort()

@@ -8,7 +8,6 @@ public sealed class MonoPackageTests
     private const string Program =
         """
         using System;
-        using System.Diagnostics;
         using NeuronMocap.Unity;
         using UnityEngine;
         using UnityEngine.StandIn;
@@ -40,9 +39,8 @@ public sealed class MonoPackageTests
                     loop.RunUntil(delegate { return source.Performers.Count == 1 && figure.Driver.IsDriving; });
                     Console.WriteLine("moves after a reload");
 
-                    Stopwatch clock = Stopwatch.StartNew();
                     loop.ExitPlayMode();
-                    Console.WriteLine("ended in a second: " + (clock.Elapsed < TimeSpan.FromSeconds(1)));
+                    Console.WriteLine("ended");
                     foreach (LogEntry entry in ConsoleLog.Problems)
                         Console.WriteLine(entry);
                 }
@@ -58,6 +56,6 @@ public sealed class MonoPackageTests
         using var program = new MonoProgram("UnityEngine.dll", "UnityEditor.dll", "NeuronMocap.Unity.dll");
         await program.CompileAsync(Program);
 
-        Assert.Equal(["moved, performers: 1", "moves after a reload", "ended in a second: True"], await program.RunAsync());
+        Assert.Equal(["moved, performers: 1", "moves after a reload", "ended"], await program.RunAsync());
     }
 }
