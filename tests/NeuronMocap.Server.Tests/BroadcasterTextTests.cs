@@ -137,6 +137,7 @@ public sealed class BroadcasterTextTests
         Format = BroadcastFormat.Text,
         WaitForClient = true,
         QueueCapacity = 10_000,
+        CloseTimeout = Limits.Unexpected,
     };
 
     private static Broadcaster Started(BroadcasterOptions options)

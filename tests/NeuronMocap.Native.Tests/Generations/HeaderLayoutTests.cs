@@ -94,7 +94,7 @@ public sealed class HeaderLayoutTests
         Assert.Equal(B12Frame.LineOf(socket, 1), await program.ReadAsync());
 
         await program.CallAsync("layout 2");
-        Assert.Equal("There is no header layout 2.", await program.CallAsync("error"));
+        Assert.Equal("Header layout 2 does not exist.", await program.CallAsync("error"));
         await program.CallAsync("layout -1");
         Assert.Equal("There is no header layout -1.", await program.CallAsync("error"));
         await connection.SendAsync(TestPackets.Motion(2, layout: HeaderLayout.Old));

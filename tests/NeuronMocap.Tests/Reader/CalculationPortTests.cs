@@ -351,5 +351,6 @@ public sealed class CalculationPortTests : IDisposable
         FrameRate = 500,
         MaxFrames = Frames,
         Calculation = CalculationSynthesizer.Write,
+        CloseTimeout = Limits.Unexpected,
     };
 }

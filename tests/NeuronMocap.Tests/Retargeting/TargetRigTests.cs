@@ -99,9 +99,9 @@ public sealed class TargetRigTests
     {
         AssertRefused("stands before its parent", nodes => nodes[2] = nodes[2] with { Parent = 2 });
         AssertRefused("stands before its parent", nodes => nodes[2] = nodes[2] with { Parent = -2 });
-        AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Position = new Vector3(0, float.NaN, 0) });
-        AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Scale = new Vector3(0, 0, float.PositiveInfinity) });
-        AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Rotation = new Quaternion(float.NaN, 0, 0, 1) });
+        AssertRefused("not a number", nodes => nodes[2] = nodes[2] with { Position = new Vector3(0, float.NaN, 0) });
+        AssertRefused("not a number", nodes => nodes[2] = nodes[2] with { Scale = new Vector3(0, 0, float.PositiveInfinity) });
+        AssertRefused("not a number", nodes => nodes[2] = nodes[2] with { Rotation = new Quaternion(float.NaN, 0, 0, 1) });
         AssertRefused("length zero", nodes => nodes[2] = nodes[2] with { Rotation = default });
         AssertRefused("is two bones", change: null, nodeByBone => nodeByBone[5] = nodeByBone[6]);
         AssertRefused("no node 55", change: null, nodeByBone => nodeByBone[5] = 55);

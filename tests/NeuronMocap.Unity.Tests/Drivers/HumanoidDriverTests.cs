@@ -97,7 +97,7 @@ public sealed class HumanoidDriverTests : SourceFixture
         TestFigure figure = TestFigure.Build("Figure");
         driver.Animator = figure.Animator;
         Loop.Frame();
-        Assert.Contains("no mocap source", driver.Problem, StringComparison.Ordinal);
+        Assert.Contains("No mocap source", driver.Problem, StringComparison.Ordinal);
 
         MocapSource source = Add(source => source.Port = FreePort());
         Loop.RunUntil(() => source.State == SourceState.Waiting);

@@ -14,6 +14,7 @@ internal static class Expect
         Sources = [.. Enumerable.Range(0, avatars).Select(avatar => new TestSource(avatar, frames))],
         Port = 0,
         FrameRate = BroadcasterOptions.MaxFrameRate,
+        CloseTimeout = Limits.Unexpected,
     };
 
     // The frames from first on, complete and in order: per avatar a motion packet and, if asked for, a calculation packet.

@@ -193,7 +193,7 @@ public class BvhMotionTests
         Assert.Equal(
             [
                 new BvhRepair(22, 1, "Another MOTION begins here; its rows follow those before it."),
-                new BvhRepair(25, 13, "There is a further frame time, '0.017'; it is ignored."),
+                new BvhRepair(25, 13, "Another frame time is given, '0.017'; it is ignored."),
                 new BvhRepair(27, 1, "Another MOTION begins here; its rows follow those before it."),
                 new BvhRepair(27, 1, "The number of frames is missing; 0 are there."),
             ],

@@ -44,9 +44,11 @@ public sealed class StreamRecorderTests : IDisposable
         Assert.Equal(sent.Select(Convert.ToHexString), entries.Where(entry => entry.Kind == RecordingEntryKind.Bytes).Select(entry => entry.Bytes));
         RecordedConnection opened = Assert.Single(entries, entry => entry.Kind == RecordingEntryKind.ConnectionOpened).Opened!;
         Assert.Equal(new RecordedConnection(0, TransportKind.Udp, local, "") { WasOpen = true }, opened);
+
+        // On a busy machine a sender may pause for so long that the other one counts as its successor. It is added again when it goes on.
         Assert.Equal(
             senders.Take(sent.Length).Select(sender => sender.LocalEndPoint!.ToString()!),
-            entries.Where(entry => entry.Kind == RecordingEntryKind.SenderAdded).Select(entry => entry.Text!));
+            entries.Where(entry => entry.Kind == RecordingEntryKind.SenderAdded).Select(entry => entry.Text!).Distinct());
     }
 
     [Fact]
