@@ -43,8 +43,6 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
 
     public bool Has(PacketKind kind) => _avatars.Keys.Any(key => key.Kind == kind);
 
-    public long SkippedFor(SkipReason reason) => _skipped.TryGetValue(reason, out var skipped) ? skipped.Bytes : 0;
-
     // What the bytes probably are that belong to no packet; the reason with the most of them decides.
     public FormatGuess Guess() => Largest is { Value.Bytes: > 0 } largest
         ? FormatGuess.Of(largest.Value.Start.ToArray(), largest.Key)

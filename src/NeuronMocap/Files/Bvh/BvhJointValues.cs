@@ -26,8 +26,6 @@ internal sealed class BvhJointValues
 
     public BvhJoint Joint { get; }
 
-    public int RotationCount => _rotations.Length;
-
     /// <summary>Whether any rotation can be written: one channel for each axis, in any order.</summary>
     public bool TurnsFreely => _rotations.Length == 3 && _rotations.Select(static rotation => rotation.Axis).Distinct().Count() == 3;
 
