@@ -145,11 +145,11 @@ internal sealed class FuzzCommand : RootCommand
     }
 
     // Whether nothing was found.
-    private bool Fuzz(FuzzTarget[] targets, ParseResult options, ulong seed, CancellationToken stop, out bool isCutShort)
+    private bool Fuzz(FuzzTarget[] targets, ParseResult options, ulong seed, CancellationToken cancellationToken, out bool isCutShort)
     {
         long bytes = options.GetValue(_bytes);
         string? data = DataFolder(options);
-        var run = new FuzzRun(targets, bytes, seed, data, stop);
+        var run = new FuzzRun(targets, bytes, seed, data, cancellationToken);
         Console.WriteLine(FuzzReport.DescribeCorpora(run, seed, data));
         var report = new FuzzReport(run, bytes);
         run.Run(report.Tick);

@@ -236,12 +236,12 @@ public sealed class BroadcasterCommandTests
         reader.DataCommands.Received += reply => modes.Enqueue((reply.AvatarIndex, reply.CombinationMode));
         reader.Start();
         await Limits.UntilAsync(() => reader.Status.IsConnected);
-        CancellationToken cancellation = TestContext.Current.CancellationToken;
+        CancellationToken cancellationToken = TestContext.Current.CancellationToken;
 
-        Assert.Equal(3, await reader.DataCommands.GetAvatarCountAsync(cancellation));
-        Assert.Equal(300, await reader.DataCommands.GetFrequencyAsync(2, cancellation));
-        Assert.Equal(59, (await reader.DataCommands.GetBoneSizesAsync(1, cancellation)).Count);
-        Assert.StartsWith("HIERARCHY", await reader.DataCommands.GetBvhTextAsync(0, cancellation), StringComparison.Ordinal);
+        Assert.Equal(3, await reader.DataCommands.GetAvatarCountAsync(cancellationToken));
+        Assert.Equal(300, await reader.DataCommands.GetFrequencyAsync(2, cancellationToken));
+        Assert.Equal(59, (await reader.DataCommands.GetBoneSizesAsync(1, cancellationToken)).Count);
+        Assert.StartsWith("HIERARCHY", await reader.DataCommands.GetBvhTextAsync(0, cancellationToken), StringComparison.Ordinal);
         Assert.True(reader.DataCommands.TryRegister(DataCommandId.CombinationMode));
         broadcaster.SetCombinationMode(2, SensorCombination.UpperBody);
         await Limits.UntilAsync(() => modes.Contains((2, SensorCombination.UpperBody)));

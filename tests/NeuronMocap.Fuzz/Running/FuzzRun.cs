@@ -10,7 +10,7 @@ internal sealed class FuzzRun
 
     private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(50);
 
-    private readonly CancellationToken _cancellation;
+    private readonly CancellationToken _cancellationToken;
     private volatile TargetProgress? _running;
 
     /// <summary>Makes a run.</summary>
@@ -18,10 +18,10 @@ internal sealed class FuzzRun
     /// <param name="bytes">Bytes of all inputs together; an empty input counts for none.</param>
     /// <param name="seed">The same seed and the same recordings give the same inputs.</param>
     /// <param name="data">A folder of recordings; null without.</param>
-    /// <param name="cancellation">Ends the run after the input at hand.</param>
-    public FuzzRun(IReadOnlyList<FuzzTarget> targets, long bytes, ulong seed, string? data, CancellationToken cancellation = default)
+    /// <param name="cancellationToken">Ends the run after the input at hand.</param>
+    public FuzzRun(IReadOnlyList<FuzzTarget> targets, long bytes, ulong seed, string? data, CancellationToken cancellationToken = default)
     {
-        _cancellation = cancellation;
+        _cancellationToken = cancellationToken;
         Corpora = targets.Select(target => target.Corpus).Distinct().ToDictionary(kind => kind, kind => Corpus.Load(kind, data));
         double shares = targets.Sum(target => target.Share);
         Progress = [.. targets.Select(target => new TargetProgress(target, Corpora[target.Corpus], seed, (long)(bytes * target.Share / shares), KeptInputs.All))];
@@ -61,7 +61,7 @@ internal sealed class FuzzRun
             foreach (TargetProgress target in Progress)
             {
                 RunSlice(target);
-                if (_cancellation.IsCancellationRequested)
+                if (_cancellationToken.IsCancellationRequested)
                     return;
             }
         }
@@ -72,7 +72,7 @@ internal sealed class FuzzRun
         _running = target;
         long start = Stopwatch.GetTimestamp();
         long end = target.Bytes + Slice;
-        while (!target.IsDone && target.Bytes < end && !_cancellation.IsCancellationRequested)
+        while (!target.IsDone && target.Bytes < end && !_cancellationToken.IsCancellationRequested)
             target.Step();
 
         target.Time += Stopwatch.GetElapsedTime(start);

@@ -40,14 +40,14 @@ public sealed class ThreadTests
     }
 
     // Every connection gets frames until it ends.
-    private static async Task ServeAsync(TestServer server, CancellationToken end)
+    private static async Task ServeAsync(TestServer server, CancellationToken cancellationToken)
     {
         byte[] frames = TestPackets.Motions(1, 20);
         var sending = new List<Task>();
         try
         {
             while (true)
-                sending.Add(SendUntilClosedAsync(await server.AcceptAsync(end), frames));
+                sending.Add(SendUntilClosedAsync(await server.AcceptAsync(cancellationToken), frames));
         }
         catch (OperationCanceledException)
         {

@@ -96,7 +96,7 @@ public sealed class HeaderLayoutTests
         await program.CallAsync("layout 2");
         Assert.Equal("Header layout 2 does not exist.", await program.CallAsync("error"));
         await program.CallAsync("layout -1");
-        Assert.Equal("There is no header layout -1.", await program.CallAsync("error"));
+        Assert.Equal("Header layout -1 does not exist.", await program.CallAsync("error"));
         await connection.SendAsync(TestPackets.Motion(2, layout: HeaderLayout.Old));
         Assert.Equal(B12Frame.LineOf(socket, 2), await program.ReadAsync());
 

@@ -42,7 +42,7 @@ public sealed class PublicApiTests
                 $"{type}.Dispose() -> void",
                 $"{type}.Find(System.ReadOnlySpan<byte> bytes, out string? text, in int start, params object[] rest) -> bool [static]",
                 $"{type}.Limit -> int = 7 [const]",
-                $"{type}.Make<TItem>(T? item, System.DayOfWeek day = System.DayOfWeek.Friday, System.Threading.CancellationToken token = default)"
+                $"{type}.Make<TItem>(T? item, System.DayOfWeek day = System.DayOfWeek.Friday, System.Threading.CancellationToken cancellationToken = default)"
                     + " -> System.Collections.Generic.List<TItem[]?> where TItem : struct [protected] [abstract]",
                 $"{type}.Name {{ get; init; }} -> string? [required]",
                 $"{type}.State {{ get; protected set; }} -> int? [virtual]",

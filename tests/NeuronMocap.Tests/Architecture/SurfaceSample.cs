@@ -38,6 +38,6 @@ public abstract class SurfaceSample<T> : IDisposable
     {
     }
 
-    protected abstract List<TItem[]?> Make<TItem>(T? item, DayOfWeek day = DayOfWeek.Friday, CancellationToken token = default)
+    protected abstract List<TItem[]?> Make<TItem>(T? item, DayOfWeek day = DayOfWeek.Friday, CancellationToken cancellationToken = default)
         where TItem : struct;
 }

@@ -283,14 +283,14 @@ public class CommandFaultTests
         Assert.Contains("not the port of the stream", exception.Message, StringComparison.Ordinal);
     }
 
-    private static async Task SendForEverAsync(TestConnection connection, byte[] bytes, CancellationToken end)
+    private static async Task SendForEverAsync(TestConnection connection, byte[] bytes, CancellationToken cancellationToken)
     {
         try
         {
-            while (!end.IsCancellationRequested)
+            while (!cancellationToken.IsCancellationRequested)
             {
                 await connection.SendAsync(bytes);
-                await Task.Delay(1, end);
+                await Task.Delay(1, cancellationToken);
             }
         }
         catch (Exception exception) when (exception is SocketException or ObjectDisposedException or OperationCanceledException)

@@ -64,7 +64,7 @@ internal sealed class FaultProxy : IAsyncDisposable
 }
 
 // What a script can do with one connection.
-internal sealed class ProxiedConnection(Socket client, Socket server, int number, CancellationToken stop) : IDisposable
+internal sealed class ProxiedConnection(Socket client, Socket server, int number, CancellationToken cancellationToken) : IDisposable
 {
     private readonly TestConnection _client = new(client);
     private readonly byte[] _buffer = new byte[64 * 1024];
@@ -78,7 +78,7 @@ internal sealed class ProxiedConnection(Socket client, Socket server, int number
         while (count > 0)
         {
             int size = (int)Math.Min(Math.Min(count, pieceSize), _buffer.Length);
-            await server.ReceiveExactlyAsync(_buffer.AsMemory(0, size), stop);
+            await server.ReceiveExactlyAsync(_buffer.AsMemory(0, size), cancellationToken);
             await _client.SendAsync(_buffer.AsMemory(0, size));
             count -= size;
         }
@@ -88,7 +88,7 @@ internal sealed class ProxiedConnection(Socket client, Socket server, int number
     public async Task ForwardRestAsync()
     {
         int count;
-        while ((count = await server.ReceiveAsync(_buffer, stop)) > 0)
+        while ((count = await server.ReceiveAsync(_buffer, cancellationToken)) > 0)
             await _client.SendAsync(_buffer.AsMemory(0, count));
     }
 
@@ -98,7 +98,7 @@ internal sealed class ProxiedConnection(Socket client, Socket server, int number
         for (int size; count > 0; count -= size)
         {
             size = Math.Min(count, _buffer.Length);
-            await server.ReceiveExactlyAsync(_buffer.AsMemory(0, size), stop);
+            await server.ReceiveExactlyAsync(_buffer.AsMemory(0, size), cancellationToken);
         }
     }
 
@@ -110,18 +110,18 @@ internal sealed class ProxiedConnection(Socket client, Socket server, int number
     public void Reset() => _client.Reset();
 
     // Keeps the connection open, without a byte, until the test is over.
-    public Task HoldAsync() => Task.Delay(Timeout.Infinite, stop);
+    public Task HoldAsync() => Task.Delay(Timeout.Infinite, cancellationToken);
 
     public void Dispose() => _client.Dispose();
 }
 
 internal static class SocketExtensions
 {
-    public static async Task ReceiveExactlyAsync(this Socket socket, Memory<byte> buffer, CancellationToken stop)
+    public static async Task ReceiveExactlyAsync(this Socket socket, Memory<byte> buffer, CancellationToken cancellationToken)
     {
         while (buffer.Length > 0)
         {
-            int count = await socket.ReceiveAsync(buffer, stop);
+            int count = await socket.ReceiveAsync(buffer, cancellationToken);
             if (count == 0)
                 throw new SocketException((int)SocketError.ConnectionReset);
 

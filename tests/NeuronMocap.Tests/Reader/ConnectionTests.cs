@@ -225,7 +225,7 @@ public sealed class ConnectionTests
 
         public override ReceiveThread ReceiveThread => ReceiveThread.Dedicated;
 
-        public override Task<LinkEnd> OpenAsync(CancellationToken stop) => throw new InvalidOperationException("no descriptor");
+        public override Task<LinkEnd> OpenAsync(CancellationToken cancellationToken) => throw new InvalidOperationException("no descriptor");
 
         public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver, ILinkListener? listener) => throw new InvalidOperationException();
 

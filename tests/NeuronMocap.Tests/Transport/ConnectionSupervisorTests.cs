@@ -147,7 +147,7 @@ public sealed class ConnectionSupervisorTests
 
         public override ReceiveThread ReceiveThread => ReceiveThread.Dedicated;
 
-        public override Task<LinkEnd> OpenAsync(CancellationToken stop) => Task.FromResult(LinkEnd.None);
+        public override Task<LinkEnd> OpenAsync(CancellationToken cancellationToken) => Task.FromResult(LinkEnd.None);
 
         public override Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver, ILinkListener? listener) => Task.FromResult(receive(receiver));
 

@@ -15,33 +15,33 @@ internal sealed class FrameServer : IDisposable
     public string Address => _listener.LocalEndpoint.ToString()!;
 
     /// <summary>Sends the bytes to each client and closes its connection.</summary>
-    public static FrameServer Sending(params byte[][] packets) => Start(async (stream, stop) =>
+    public static FrameServer Sending(params byte[][] packets) => Start(async (stream, cancellationToken) =>
     {
         foreach (byte[] packet in packets)
-            await stream.WriteAsync(packet, stop);
+            await stream.WriteAsync(packet, cancellationToken);
     });
 
     /// <summary>Sends a packet again and again until the client is gone.</summary>
-    public static FrameServer Repeating(byte[] packet) => Start(async (stream, stop) =>
+    public static FrameServer Repeating(byte[] packet) => Start(async (stream, cancellationToken) =>
     {
         while (true)
-            await stream.WriteAsync(packet, stop);
+            await stream.WriteAsync(packet, cancellationToken);
     });
 
     /// <summary>Sends packets to each client, a few every millisecond, until it is gone.</summary>
     /// <param name="packets">The packet with a number; called in order, from 0.</param>
-    public static FrameServer Pacing(Func<int, byte[]> packets) => Start(async (stream, stop) =>
+    public static FrameServer Pacing(Func<int, byte[]> packets) => Start(async (stream, cancellationToken) =>
     {
         for (int number = 0; ; number++)
         {
-            await stream.WriteAsync(packets(number), stop);
+            await stream.WriteAsync(packets(number), cancellationToken);
             if (number % 16 == 15)
-                await Task.Delay(1, stop);
+                await Task.Delay(1, cancellationToken);
         }
     });
 
     /// <summary>Accepts and sends nothing.</summary>
-    public static FrameServer Silent() => Start(static (_, stop) => Task.Delay(Timeout.Infinite, stop));
+    public static FrameServer Silent() => Start(static (_, cancellationToken) => Task.Delay(Timeout.Infinite, cancellationToken));
 
     /// <summary>An address where nothing listens.</summary>
     public static string RefusingAddress()
@@ -82,15 +82,15 @@ internal sealed class FrameServer : IDisposable
         return server;
     }
 
-    private async Task AcceptAsync(Func<NetworkStream, CancellationToken, Task> serve, CancellationToken stop)
+    private async Task AcceptAsync(Func<NetworkStream, CancellationToken, Task> serve, CancellationToken cancellationToken)
     {
         try
         {
             while (true)
             {
-                using Socket client = await _listener.AcceptSocketAsync(stop);
+                using Socket client = await _listener.AcceptSocketAsync(cancellationToken);
                 using var stream = new NetworkStream(client);
-                await ServeAsync(serve, stream, stop);
+                await ServeAsync(serve, stream, cancellationToken);
             }
         }
         catch (Exception exception) when (exception is OperationCanceledException or SocketException or ObjectDisposedException)
@@ -99,11 +99,11 @@ internal sealed class FrameServer : IDisposable
         }
     }
 
-    private static async Task ServeAsync(Func<NetworkStream, CancellationToken, Task> serve, NetworkStream stream, CancellationToken stop)
+    private static async Task ServeAsync(Func<NetworkStream, CancellationToken, Task> serve, NetworkStream stream, CancellationToken cancellationToken)
     {
         try
         {
-            await serve(stream, stop);
+            await serve(stream, cancellationToken);
         }
         catch (IOException)
         {

@@ -38,15 +38,15 @@ internal sealed partial class TestServer : IDisposable
     public async Task<TestConnection> AcceptAsync() => new(await _listener.AcceptSocketAsync(TestContext.Current.CancellationToken).AsTask().Soon());
 
     // For servers that wait until the test is over.
-    public async Task<TestConnection> AcceptAsync(CancellationToken end)
+    public async Task<TestConnection> AcceptAsync(CancellationToken cancellationToken)
     {
         try
         {
-            return new(await _listener.AcceptSocketAsync(end));
+            return new(await _listener.AcceptSocketAsync(cancellationToken));
         }
-        catch (Exception exception) when (end.IsCancellationRequested && exception is SocketException or InvalidOperationException)
+        catch (Exception exception) when (cancellationToken.IsCancellationRequested && exception is SocketException or InvalidOperationException)
         {
-            throw new OperationCanceledException(end);
+            throw new OperationCanceledException(cancellationToken);
         }
     }
 
