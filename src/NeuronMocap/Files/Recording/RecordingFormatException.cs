@@ -1,21 +1,21 @@
 namespace NeuronMocap.Recording;
 
-/// <summary>A file is no recording, or its head is damaged, or a newer version of the format.</summary>
+/// <summary>The exception that is thrown when a file is not a recording, has a damaged header, or has a newer version of the format.</summary>
 public sealed class RecordingFormatException : NeuronException
 {
-    /// <summary>Makes an exception without a message.</summary>
+    /// <summary>Creates an exception without a message.</summary>
     public RecordingFormatException()
     {
     }
 
-    /// <summary>Makes an exception.</summary>
+    /// <summary>Creates an exception with a message.</summary>
     /// <param name="message">What is wrong.</param>
     public RecordingFormatException(string message)
         : base(message)
     {
     }
 
-    /// <summary>Makes an exception that another one caused.</summary>
+    /// <summary>Creates an exception with a message and an inner exception.</summary>
     /// <param name="message">What is wrong.</param>
     /// <param name="innerException">The cause.</param>
     public RecordingFormatException(string message, Exception innerException)
