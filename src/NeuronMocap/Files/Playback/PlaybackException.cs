@@ -1,21 +1,21 @@
 namespace NeuronMocap.Recording;
 
-/// <summary>A file holds nothing that can be played: it is neither a recording nor a dump of a stream.</summary>
+/// <summary>The exception that is thrown when a file cannot be played, because it is neither a recording nor a dump of a stream.</summary>
 public sealed class PlaybackException : NeuronException
 {
-    /// <summary>Makes an exception without a message.</summary>
+    /// <summary>Creates an exception without a message.</summary>
     public PlaybackException()
     {
     }
 
-    /// <summary>Makes an exception.</summary>
+    /// <summary>Creates an exception with a message.</summary>
     /// <param name="message">What is wrong.</param>
     public PlaybackException(string message)
         : base(message)
     {
     }
 
-    /// <summary>Makes an exception that another one caused.</summary>
+    /// <summary>Creates an exception with a message and an inner exception.</summary>
     /// <param name="message">What is wrong.</param>
     /// <param name="innerException">The cause.</param>
     public PlaybackException(string message, Exception innerException)
