@@ -3,15 +3,15 @@ using Microsoft.Win32.SafeHandles;
 
 namespace NeuronMocap.Files;
 
-// // Ensures that a file has only one writer at a time, in this process and in others. The name or link that opened the file does not matter.
+// Ensures that a file has only one writer at a time, in this process and in others. The name or link that opened the file does not matter.
 //
 // Windows ensures this itself (FileShare.Read). On other systems, .NET locks whole files, including those of readers, and allows any number of
-// writers to share a file. Linux has locks that belong to an open file and do not affect readers. The writer locks one byte far behind the end
+// writers to share a file. Linux has locks that belong to an open file and do not affect readers. The writer locks one byte far beyond the end
 // until the file is closed or the process ends. Other systems open the file briefly in a way that fails while another .NET program has it open,
 // even for reading.
 internal static class FileWriterLock
 {
-    // F_OFD_SETLK and the errors that report a lock held by another process.
+    // F_OFD_SETLK and the errors that report that the lock is already held.
     private const int SetLock = 37;
     private const int TryAgain = 11;
     private const int AccessDenied = 13;

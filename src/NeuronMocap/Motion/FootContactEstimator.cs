@@ -17,7 +17,7 @@ public sealed class FootContactEstimator
     private FootSample _before;
     private double _time = double.NaN;
 
-    /// <summary>The feet that stood on the ground in the last frame.</summary>
+    /// <summary>The feet that stood on the ground in the latest frame.</summary>
     public FootContacts Contacts { get; private set; }
 
     /// <summary>Updates the estimate with a pose.</summary>
@@ -48,7 +48,7 @@ public sealed class FootContactEstimator
     public FootContacts Update(Vector3 leftFoot, Vector3 rightFoot, double seconds, FootContacts? measured = null) =>
         Update(new FootSample(leftFoot, rightFoot), seconds, measured);
 
-    /// <summary>Forgets all frames. Call this before another actor, or when a take starts again.</summary>
+    /// <summary>Forgets all frames. Call this before measuring another actor, or when a take starts again.</summary>
     public void Reset()
     {
         _ground.Reset();

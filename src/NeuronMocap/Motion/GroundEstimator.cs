@@ -15,7 +15,7 @@ public sealed class GroundEstimator
 
     private double _time = double.NaN;
 
-    /// <summary>The height in the last frame, in centimetres along Y; NaN before the first frame.</summary>
+    /// <summary>The height in the latest frame, in centimetres along Y; NaN before the first frame.</summary>
     public float Height { get; private set; } = float.NaN;
 
     /// <summary>The lowest point of all frames, in centimetres: the ground of a take on one level; NaN before the first frame.</summary>

@@ -46,7 +46,7 @@ public sealed class PoseBuffer
     public long DroppedCount => Interlocked.Read(ref _dropped);
 
     /// <summary>
-    /// Seconds from one received frame to the next on the sender's clock, averaged over the last few; 0 until known. Read it on the sampling
+    /// Seconds from one received frame to the next on the sender's clock, averaged over the latest frames; 0 until known. Read it on the sampling
     /// thread.
     /// </summary>
     public double FrameInterval => _clock.Interval;
@@ -89,7 +89,8 @@ public sealed class PoseBuffer
     /// ascend.
     /// </summary>
     /// <param name="seconds">
-    /// The display time of the pose, on the clock of the arrivals. The pose is that of <see cref="PoseBufferOptions.Delay"/> earlier.
+    /// The display time of the pose, on the clock of the arrivals. The pose belongs to a time that is <see cref="PoseBufferOptions.Delay"/>
+    /// earlier.
     /// </param>
     /// <param name="pose">Receives 59 transforms relative to their parents.</param>
     /// <returns>The origin of the pose; <see cref="PoseOrigin.None"/> if no pose was written.</returns>

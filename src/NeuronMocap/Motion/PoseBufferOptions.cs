@@ -13,8 +13,8 @@ public sealed class PoseBufferOptions
     public TimeSpan Delay { get; set; } = TimeSpan.FromMilliseconds(30);
 
     /// <summary>
-    /// Time for which the motion continues without new frames, while it slows down steadily to a stop. The default is 50 ms; 0 stops at the last
-    /// frame. The pose moves no further than the last speed covers in half of this time.
+    /// Time for which the motion continues without new frames, while it slows down steadily to a stop. The default is 50 ms; 0 stops at the latest
+    /// frame. The pose moves no further than the latest speed covers in half of this time.
     /// </summary>
     public TimeSpan MaxExtrapolation { get; set; } = TimeSpan.FromMilliseconds(50);
 

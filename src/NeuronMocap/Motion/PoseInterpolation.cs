@@ -7,7 +7,7 @@ namespace NeuronMocap.Motion;
 /// </summary>
 /// <remarks>
 /// Use transforms relative to the parents: in the world, bones would change their lengths in between. Of the two quaternions of a rotation, the
-/// nearer one is used, so a bone turns the shorter way. A pose is a span with any number of transforms.
+/// nearer one is used, so a bone takes the shorter rotation. A pose is a span with any number of transforms.
 /// </remarks>
 public static class PoseInterpolation
 {
@@ -17,7 +17,7 @@ public static class PoseInterpolation
     /// <summary>Interpolates between two frames: positions along a straight line, rotations at a constant speed.</summary>
     /// <param name="from">The pose at part 0.</param>
     /// <param name="to">The pose at part 1.</param>
-    /// <param name="part">The part of the way. Below 0 and above 1, the motion is extrapolated.</param>
+    /// <param name="part">The fraction of the interval, 0 to 1. Values outside this range extrapolate the motion.</param>
     /// <param name="pose">Receives as many transforms as <paramref name="from"/> has. It may be the memory of an input pose.</param>
     /// <exception cref="ArgumentException">The second pose has fewer transforms, or the destination is too small.</exception>
     public static void Linear(ReadOnlySpan<BoneTransform> from, ReadOnlySpan<BoneTransform> to, double part, Span<BoneTransform> pose)
@@ -75,8 +75,8 @@ public static class PoseInterpolation
     }
 
     /// <summary>
-    /// Replaces the quaternion of every rotation with the one of its two quaternions that is nearer to the previous frame. The rotations do not
-    /// change. The numbers can then be compared, averaged, filtered or interpolated one by one.
+    /// Selects one of the two quaternions of every rotation: the one nearer to the previous frame. The rotations do not change. The numbers can
+    /// then be compared, averaged, filtered or interpolated one by one.
     /// </summary>
     /// <param name="before">The previous frame, which is already continuous.</param>
     /// <param name="pose">The frame, which is changed in place.</param>

@@ -12,9 +12,9 @@ public enum PoseOrigin
     /// <summary>The frames before and after the requested time.</summary>
     Interpolated,
 
-    /// <summary>The last frames. No later frame has arrived, and the motion continues for a short time.</summary>
+    /// <summary>The latest frames. No later frame has arrived, and the motion continues for a short time.</summary>
     Extrapolated,
 
-    /// <summary>The last frame. No frame has arrived for longer than the motion continues, and the pose stands still.</summary>
+    /// <summary>The latest frame. No frame has arrived for longer than the motion continues, and the pose stands still.</summary>
     Held,
 }

@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Motion;
 
-// // A ring of slots between one writing and one sampling thread. Neither thread waits, and no slot is read while it is written.
+// A ring of slots between one writing and one sampling thread. Neither thread waits, and no slot is read while it is written.
 //
 // The writer fills the slot at Head and publishes it by storing Head + 1 with release semantics. The sampler reads Head with acquire semantics, and
 // therefore sees all data written to the slots before. The same holds in the other direction for Tail. Head and Tail are on separate cache lines; a

@@ -112,7 +112,7 @@ internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
         PoseInterpolation.Linear(_held, _slots[after].Pose, (time - start) / (end - start), pose);
     }
 
-    // Continues the motion of the last two frames beyond them, and slows down steadily to a stop.
+    // Continues the motion of the latest two frames beyond them, and slows down steadily to a stop.
     private PoseOrigin Continue(int last, double time, Span<BoneTransform> pose)
     {
         PoseSlot newest = _slots[last];

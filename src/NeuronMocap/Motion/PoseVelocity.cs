@@ -13,7 +13,7 @@ public static class PoseVelocity
     /// frame old. Frames at the same time give zero.
     /// </summary>
     /// <param name="earlier">The previous frame.</param>
-    /// <param name="later">The last frame.</param>
+    /// <param name="later">The latest frame.</param>
     /// <param name="elapsed">Seconds between the two frames.</param>
     /// <param name="velocities">Receives as many velocities as <paramref name="later"/> has transforms.</param>
     /// <exception cref="ArgumentException">The earlier pose has fewer transforms than the later one, or the destination is too small.</exception>

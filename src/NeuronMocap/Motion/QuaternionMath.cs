@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace NeuronMocap.Motion;
 
-// Quaternion functions that System.Numerics lacks. A rotation has two quaternions, q and -q; all functions here take the shorter way.
+// Quaternion functions that System.Numerics lacks. A rotation has two quaternions, q and -q; all functions here take the shorter rotation.
 internal static class QuaternionMath
 {
     // The rotation vector from one rotation to another. Its direction is the axis, which is the same in the axes of both. Its length is the angle

@@ -1,13 +1,13 @@
 namespace NeuronMocap.Motion;
 
-// // Reconstructs the sender's even clock from uneven arrivals: a straight line of arrival times over frame numbers, fitted by least squares.
+// Reconstructs the sender's even clock from uneven arrivals: a straight line of arrival times over frame numbers, fitted by least squares.
 //
 // The fit is recursive. It predicts the next arrival, and corrects position and period by fixed shares of the error. Up to Memory frames, the
 // shares are those of a fit over all frames so far. The line is therefore usable after a few frames and then hardly moves, but it follows the drift
 // of clocks.
 //
-// The error of a single late frame is limited to a usual error. If all errors have the same sign, the rate has changed or a frame without a number
-// is missing. The fit then starts again with the last frames.
+// The error of a single late frame is limited to three times the mean deviation. If all errors have the same sign, the rate has changed or a frame
+// without a number is missing. The fit then starts again with the latest frames.
 internal sealed class SenderClock
 {
     private const int Memory = 200;
@@ -80,7 +80,7 @@ internal sealed class SenderClock
         return arrival;
     }
 
-    // The sender paused, or it is another one. Time continues at the known rate until another rate shows.
+    // The sender paused, or another sender took over. Time continues at the known rate until a new rate is measured.
     private double Restart(double arrival, uint? index)
     {
         double earliest = _time + Interval;

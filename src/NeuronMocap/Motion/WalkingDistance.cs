@@ -60,7 +60,7 @@ public sealed class WalkingDistance
         _time = seconds;
     }
 
-    /// <summary>Starts again. Call this before another actor, or when an actor was placed elsewhere.</summary>
+    /// <summary>Starts again. Call this before measuring another actor, or when an actor was placed elsewhere.</summary>
     public void Reset()
     {
         _time = double.NaN;

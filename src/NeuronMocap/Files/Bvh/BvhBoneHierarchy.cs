@@ -9,8 +9,8 @@ public static class BvhBoneHierarchy
     /// <summary>Creates a hierarchy whose rows match motion packets: the values have the same number and order.</summary>
     /// <param name="format">The names of the bones and the order of the rotation channels.</param>
     /// <param name="layout">
-    /// The channels. With displacement, every bone has six; otherwise the hips have six and the other bones three. With a reference, the hips hang
-    /// from a root of that name, which has six channels and lies at the origin.
+    /// The channels. With displacement, every bone has six; otherwise the hips have six and the other bones three. With a reference, the hips are a
+    /// child of a root of that name, which has six channels and is at the origin.
     /// </param>
     /// <param name="body">The OFFSETs and End Sites; null for the default body of the format's variant.</param>
     /// <returns>The hierarchy.</returns>

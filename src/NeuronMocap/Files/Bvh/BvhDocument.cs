@@ -93,8 +93,7 @@ public sealed class BvhDocument
     public int RepairCount { get; private init; }
 
     /// <summary>
-    /// Number of rows and lines that were skipped because they have too few values or do not hold numbers. Declared rows that are missing do not
-    /// count.
+    /// Number of rows and lines that were skipped because they have too few values or are not numeric. Declared rows that are missing do not count.
     /// </summary>
     public int SkippedRowCount { get; private init; }
 

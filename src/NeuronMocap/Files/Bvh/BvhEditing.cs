@@ -49,8 +49,8 @@ public static class BvhEditing
 
     /// <summary>Joins takes that have the same hierarchy, one after the other.</summary>
     /// <param name="takes">
-    /// The takes, in order; at least one. Names, parents and channels of the joints must be the same. The frame times must be the same too, and so
-    /// must all offsets that position channels do not replace. See <see cref="WithRotationOrder"/>, <see cref="WithDisplacement"/>,
+    /// The takes, in order; at least one. Names, parents and channels of the joints must be the same. The frame times must also be the same, and
+    /// all offsets that position channels do not replace. See <see cref="WithRotationOrder"/>, <see cref="WithDisplacement"/>,
     /// <see cref="Resample(BvhDocument, BvhFrameTime)"/>.
     /// </param>
     /// <param name="isAligned">
@@ -149,8 +149,8 @@ public static class BvhEditing
     /// world.
     /// </summary>
     /// <remarks>
-    /// The shoulders are attached to another bone, which moves independently. A take without displacement receives displacement in frames where
-    /// that bone turns, because a fixed OFFSET cannot follow it.
+    /// The shoulders are attached to another bone, which moves independently. If that bone turns, a take without displacement receives
+    /// displacement, because a fixed OFFSET cannot follow the bone.
     /// </remarks>
     /// <param name="document">The take.</param>
     /// <param name="variant">The names of spine and neck.</param>

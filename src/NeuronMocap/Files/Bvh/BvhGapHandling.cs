@@ -1,7 +1,7 @@
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// Specifies how missing frames of a stream are written. Frame indices reveal them; a row of BVH has no time of its own, only a position.
+/// Specifies how frames that are missing from a stream are written. The frame indices reveal missing frames; a BVH row has a position but no time.
 /// </summary>
 public enum BvhGapHandling
 {

@@ -225,7 +225,7 @@ internal ref struct BvhHierarchyReader
         return value;
     }
 
-    // The names decide: each is one column. The number only tells how many unknown words are names too.
+    // Each name is one column. The number only tells how many of the unknown words are also names.
     private void ReadChannels()
     {
         ReadOnlySpan<byte> word = _text.PeekWord();

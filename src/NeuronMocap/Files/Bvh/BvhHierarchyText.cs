@@ -9,7 +9,7 @@ namespace NeuronMocap.Bvh;
 /// Creates the text that begins a BVH file, from HIERARCHY to the last brace.
 /// </summary>
 /// <remarks>
-/// Numbers have as many decimals as the layout specifies, three in that of Axis Neuron. A number that would change has more:
+/// Numbers have as many decimals as the layout specifies, three in that of Axis Neuron. A number has more decimals if it would otherwise change:
 /// <see cref="BvhDocument.Parse"/> reads exactly the same values.
 /// </remarks>
 public static class BvhHierarchyText

@@ -56,7 +56,7 @@ internal sealed class BvhJointValues
         _positions[1] < 0 ? _offset.Y : row[_positions[1]],
         _positions[2] < 0 ? _offset.Z : row[_positions[2]]);
 
-    /// <summary>Writes a rotation as the angles that are nearest to others. Requires <see cref="TurnsFreely"/>.</summary>
+    /// <summary>Writes a rotation as the angles that are nearest to another triple. Requires <see cref="TurnsFreely"/>.</summary>
     public void SetRotation(Span<float> row, BvhRotation rotation, BvhEulerTriple near) =>
         SetAngles(row, BvhEulerTriple.Of(rotation, Axes, near));
 

@@ -46,6 +46,6 @@ internal static class BvhMirroring
 
     private static Vector3 Mirror(Vector3 offset) => offset with { X = Opposite(offset.X) };
 
-    // Zero keeps its sign, which is easier to read; NaN keeps its sign too.
+    // Zero keeps its sign, because a file with -0 is harder to read. NaN remains NaN.
     private static float Opposite(float value) => value == 0 ? value : -value;
 }

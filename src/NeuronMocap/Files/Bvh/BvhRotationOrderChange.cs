@@ -50,7 +50,7 @@ internal static class BvhRotationOrderChange
         }
     }
 
-    // Angles that are already nearest keep their bits.
+    // Triples that are already the nearest keep their bits.
     private static void Filter(BvhJointValues joint, float[] values, int channelCount, int frameCount)
     {
         BvhEulerTriple near = joint.GetAngles(values.AsSpan(0, channelCount)).Or(default);

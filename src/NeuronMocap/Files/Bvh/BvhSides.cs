@@ -55,9 +55,9 @@ internal static class BvhSides
             ?? throw new NeuronException($"The sides do not match: {joint.Name} is a child of {joint.Parent!.Name}, but {otherParent!.Name} has no matching child.");
     }
 
-    // Finds a letter that may stand for a side. It stands at the beginning or the end of the name, or next to a sign, and is set off from its
-    // neighbours: lArm, LArm, Arm_L, Arm.l, "Bip01 L Thigh", ArmL. Only the other side's name can confirm it: in lowerBack, the letter does not
-    // stand for a side.
+    // Returns whether a letter may stand for a side. Such a letter is at the beginning or the end of the name, or next to a sign. It is also set
+    // off from its neighbours: lArm, LArm, Arm_L, Arm.l, "Bip01 L Thigh", ArmL. Only the other side's name can confirm it: in lowerBack, the letter
+    // does not stand for a side.
     private static bool IsAlone(string name, int index)
     {
         bool begins = index == 0 || !char.IsLetterOrDigit(name[index - 1]);

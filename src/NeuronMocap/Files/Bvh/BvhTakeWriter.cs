@@ -74,7 +74,8 @@ public sealed class BvhTakeWriter : IDisposable
     }
 
     /// <summary>
-    /// Writes a frame as a row. A frame that is out of order is skipped. A gap is handled as <see cref="BvhTakeOptions.GapHandling"/> specifies.
+    /// Writes a frame as a row. A frame that arrives after a later one is skipped. A gap is handled as <see cref="BvhTakeOptions.GapHandling"/>
+    /// specifies.
     /// </summary>
     /// <param name="frame">The frame. It is read only during the call.</param>
     /// <exception cref="InvalidOperationException"><see cref="Accepts"/> is false.</exception>

@@ -161,7 +161,7 @@ internal ref struct BvhText
     public void Advance(int count) => _position += count;
 
     /// <summary>
-    /// Reads a keyword, in any case, and the white space after it, if it comes next. The keyword does not have to be followed by white space.
+    /// Reads a keyword, in any case, and the white space after it, if the keyword comes next. The following text may touch the keyword.
     /// </summary>
     public bool TryRead(ReadOnlySpan<byte> keyword)
     {

@@ -4,7 +4,7 @@ namespace NeuronMocap.Bvh;
 /// Describes the text layout of a BVH file. A file that is read and written again keeps its look. Immutable; thread-safe.
 /// </summary>
 /// <remarks>
-/// The default is the layout of Axis Neuron. When a file is read, each property comes from the first place that shows it.
+/// The default is the layout of Axis Neuron. When a file is read, each property comes from its first occurrence.
 /// </remarks>
 public sealed record BvhTextFormat
 {

@@ -191,8 +191,8 @@ public sealed class BvhWriter : IDisposable
     }
 
     /// <summary>
-    /// Writes the remaining rows, updates the number of frames, and closes the stream. After a failure of the stream, this only closes it. Further
-    /// calls have no effect.
+    /// Writes the remaining rows, updates the number of frames, and closes the stream. After a failure of the stream, this truncates the file after
+    /// the last complete row and closes the stream. Further calls have no effect.
     /// </summary>
     /// <exception cref="IOException">The stream fails. It is closed nevertheless.</exception>
     public void Dispose()

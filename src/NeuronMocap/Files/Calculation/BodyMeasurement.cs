@@ -4,8 +4,8 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// Measures the body of a take, and how the sensors sit on it, in three passes over the frames. Centres and sensor rotations are recorded; joints,
-/// lengths and rotations of the bones are not. See docs/guide/calculation.md.
+/// Measures the body of a take, and how the sensors are mounted on it, in three passes over the frames. Centres and sensor rotations are recorded;
+/// joints, lengths and rotations of the bones are not. See docs/guide/calculation.md.
 /// </summary>
 internal sealed class BodyMeasurement
 {

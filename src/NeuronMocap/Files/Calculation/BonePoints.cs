@@ -6,9 +6,9 @@ namespace NeuronMocap.Calculation;
 /// Determines which point of a bone an export contains: most exports contain the centres, some the ends.
 /// </summary>
 /// <remarks>
-/// With ends, all thighs begin at the hips, without a hip width. The distances from the hips to the end of the thigh, and from there to the end of
-/// the shank, are then constant. Between centres, both distances change as soon as a leg moves, by a centimetre even in takes of half a second. The
-/// first distance is then much shorter than the second.
+/// If an export contains ends, all thighs begin at the hips, without a hip width. The distances from the hips to the end of the thigh, and from
+/// there to the end of the shank, are then constant. Between centres, both distances change as soon as a leg moves, by a centimetre even in takes
+/// of half a second. The first distance is then much shorter than the second.
 /// </remarks>
 internal static class BonePoints
 {

@@ -8,8 +8,8 @@ namespace NeuronMocap.Calculation;
 /// thread-safe.
 /// </summary>
 /// <remarks>
-/// The axes of BVH are right-handed: Y up, X to the actor's left, Z forward. The axes of sensors are renamed in the same way. The identity rotation
-/// therefore stays the identity.
+/// The axes of BVH are right-handed: Y up, X to the actor's left, Z forward. The axes of sensors are converted in the same way. The identity
+/// rotation therefore stays the identity.
 /// </remarks>
 public sealed class CalculationAxes
 {

@@ -213,8 +213,8 @@ public sealed class CalculationFileReader : IDisposable
         return true;
     }
 
-    // The last row of a file may be complete and only lack its line end. Its last number then has at least as many digits as every number of the
-    // first row. A row of 338 values ends with a flag, which has no decimals.
+    // The last row of a file may be complete and only lack its line end. Its last number then has at least as many decimals as the number with the
+    // fewest in the first row. A row of 338 values ends with a flag, which has no decimals.
     private bool IsCutInNumber(in CalculationRow row) =>
         FrameCount > 0 && ValueCount == CalculationFrame.FullValueCount && row.Length == _lines.TextAndEnd.Length
         && CalculationRow.CountDecimals(row.LastWord) < _minDecimals;

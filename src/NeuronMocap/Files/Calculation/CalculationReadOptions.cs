@@ -1,8 +1,8 @@
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// Options for reading a calculation export, including facts that the file does not contain. The values are copied when used; later changes have no
-/// effect.
+/// Options for reading a calculation export, including values that the file does not contain. The values are copied when used; later changes have
+/// no effect.
 /// </summary>
 public sealed class CalculationReadOptions
 {

@@ -9,11 +9,11 @@ namespace NeuronMocap.Calculation;
 /// </summary>
 /// <remarks>
 /// <para>
-/// The way centres and sensors move together shows where the joints are, how long the bones are, and how the sensors sit on them. Poses of the 59
+/// The way centres and sensors move together shows where the joints are, how long the bones are, and how the sensors are mounted. Poses of the 59
 /// bones follow from these measurements.
 /// </para>
 /// <para>
-/// A bone has the rotation of its sensor. It is then turned along the shortest path to its recorded centre. Only the feet leave their place in the
+/// A bone has the rotation of its sensor. It is then turned along the shortest path to its recorded centre. Only the feet may move relative to the
 /// body, because the server holds them to the ground when both stand. docs/guide/calculation.md compares the result with recorded data. Finger
 /// motion is unknown: fingers follow the hand.
 /// </para>

@@ -21,7 +21,7 @@ public sealed record CalculationTextFormat
     public ReadOnlyMemory<byte> Header { get; init; }
 
     /// <summary>The separator between two values: white space. The default is a tab.</summary>
-    /// <exception cref="ArgumentException">The value is empty or not white space without a line end.</exception>
+    /// <exception cref="ArgumentException">The value is empty, contains a line end, or is not white space.</exception>
     public string Separator
     {
         get;

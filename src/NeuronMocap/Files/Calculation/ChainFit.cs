@@ -7,12 +7,13 @@ namespace NeuronMocap.Calculation;
 /// </summary>
 /// <remarks>
 /// <para>
-/// A joint is fixed in the sensor axes of both of its bones. The centre of a bone lies in the middle between its two joints. In every frame, the
-/// vector from one bone's centre to the next is therefore R1 a + R2 b. Each bone has one constant vector, which is unknown; together they form a
-/// linear least-squares problem.
+/// A joint is fixed in the sensor axes of both of its bones. The centre of a bone is the midpoint of its two joints. In every frame, the vector
+/// from one bone's centre to the next is therefore R1 a + R2 b. Each bone has one constant vector, which is unknown; together they form a linear
+/// least-squares problem.
 /// </para>
 /// <para>
-/// A joint that hardly moves, such as that of a shoulder blade, is thus found from the moving joints beyond it. If nothing moves, a guess decides.
+/// A joint that hardly moves, such as that of a shoulder blade, is therefore found from the moving joints beyond it. If nothing moves, a guess
+/// decides.
 /// </para>
 /// </remarks>
 /// <param name="boneCount">Number of bones, including that of the trunk; at least 2.</param>

@@ -3,11 +3,11 @@ using System.Numerics;
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// Measures one leg or arm from all frames of a take: the lengths of its bones, and how the sensors sit on them.
+/// Measures one leg or arm from all frames of a take: the lengths of its bones, and how the sensors are mounted on them.
 /// </summary>
 /// <remarks>
-/// The first joint lies at the trunk. Each bone's centre lies in the middle between its two joints, which gives the next joint. Knee and elbow bend
-/// about one axis. This axis shows how thigh, shank and arm are turned about their own length.
+/// The first joint is at the trunk. Each bone's centre is the midpoint of its two joints, which gives the next joint. Knee and elbow bend about one
+/// axis. This axis shows how thigh, shank and arm are turned about their own length.
 /// </remarks>
 internal sealed class LimbMeasurement(ReadOnlyMemory<Bone> bones, bool isLeg, bool isLeft)
 {

@@ -5,7 +5,7 @@ namespace NeuronMocap.Calculation;
 
 /// <summary>
 /// Measures hips and chest from all frames of a take: where the legs, the spine and the shoulders begin in the axes of the sensors, and how the two
-/// sensors sit. The X axis of the hips goes through both hip joints; the Y axis of the chest goes along the spine.
+/// sensors are mounted. The X axis of the hips goes through both hip joints; the Y axis of the chest goes along the spine.
 /// </summary>
 internal sealed class TrunkMeasurement(SkeletonVariant variant)
 {
@@ -67,7 +67,7 @@ internal sealed class TrunkMeasurement(SkeletonVariant variant)
         Vector3 left = frame.GetCentre(Bone.LeftUpLeg);
         Quaternion hipsSensor = frame.GetRotation(Bone.Hips);
 
-        // A guess for a take without motion: the joints lie on a line through the hips, as wide as in the default body.
+        // A guess for a take without motion: the joints are on a line through the hips, as wide as in the default body.
         Vector3 line = left - right;
         line = line == Vector3.Zero ? Vector3.UnitX : Vector3.Normalize(line);
         float halfWidth = 2 * HipShare * ((left + right) / 2 - hips).Length();

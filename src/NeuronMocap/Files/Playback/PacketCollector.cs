@@ -4,7 +4,7 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Recording;
 
 // Counts the packets of an arrival and keeps its frames until they are requested. An assembler delivers all packets of an arrival at once, in
-// memory that it uses again.
+// memory that it reuses.
 internal sealed class PacketCollector(StreamCounters counters) : IPacketReceiver
 {
     private readonly List<(ReceivedPacket Packet, int Start)> _packets = [];

@@ -99,10 +99,10 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
         (_steps, _stepsBack, _isShowing) = (0, 0, false);
     });
 
-    // Any thread. Nothing more is played.
+    // Any thread. Whether the playback has ended.
     public bool HasEnded => _hasEnded;
 
-    // A link was closed.
+    // Called when a link was closed.
     public void Wake() => Change(static () => { });
 
     public void End() => Change(() => _hasEnded = true);

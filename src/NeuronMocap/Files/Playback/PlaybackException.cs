@@ -9,15 +9,15 @@ public sealed class PlaybackException : NeuronException
     }
 
     /// <summary>Creates an exception with a message.</summary>
-    /// <param name="message">What is wrong.</param>
+    /// <param name="message">The message that describes the error.</param>
     public PlaybackException(string message)
         : base(message)
     {
     }
 
     /// <summary>Creates an exception with a message and an inner exception.</summary>
-    /// <param name="message">What is wrong.</param>
-    /// <param name="innerException">The cause.</param>
+    /// <param name="message">The message that describes the error.</param>
+    /// <param name="innerException">The exception that caused this one.</param>
     public PlaybackException(string message, Exception innerException)
         : base(message, innerException)
     {

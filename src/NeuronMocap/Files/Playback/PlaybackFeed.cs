@@ -37,8 +37,8 @@ internal sealed class PlaybackFeed
 
     public bool IsOfConnection(in RecordedEvent recorded) => recorded.Kind == RecordedEventKind.Bytes && _parser.Continues(recorded);
 
-    // Returns whether the event completed a frame. If not, the event is finished. The bytes of a connection give the same frames however they are
-    // split; a datagram stays whole.
+    // Returns whether the event completed a frame. If not, the event is finished. The bytes of a connection can be split anywhere without changing
+    // the frames; a datagram stays whole.
     public bool PushToFrame(in RecordedEvent recorded, long timestamp)
     {
         long frames = _receiver.Frames;

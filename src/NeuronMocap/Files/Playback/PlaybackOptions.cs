@@ -14,7 +14,7 @@ public sealed class PlaybackOptions
     /// </summary>
     /// <remarks>
     /// Null, the default, uses the rate of the timecodes, which frames of Axis Studio contain if its server has a clock. Without timecodes, it is
-    /// 120, the rate of Axis Neuron with fewer than 18 sensors (manual section 2.1).
+    /// 120, the rate of Axis Neuron with fewer than 18 sensors (manual section 1.3).
     /// </remarks>
     public double? FrameRate { get; set; }
 

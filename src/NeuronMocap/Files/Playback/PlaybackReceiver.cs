@@ -14,7 +14,7 @@ internal sealed class PlaybackReceiver : IPacketReceiver
 
     public long Frames { get; private set; }
 
-    // The time of the last frame, and the number of frames with that time, including the last one.
+    // The time of the latest frame, and the number of frames with that time, including that frame.
     public TimeSpan FrameTime { get; private set; }
 
     public int FramesOfTime { get; private set; }

@@ -32,7 +32,7 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
         return Receive();
     });
 
-    // Any thread. A link was closed.
+    // Any thread. Called when a link was closed.
     public void Wake() => control.Wake();
 
     private LinkEnd Open()

@@ -71,7 +71,7 @@ internal sealed class RawDumpIndex : IPacketReceiver
         Pass(bytes.Length);
     }
 
-    // Ends the index with the bytes behind the last packet.
+    // Ends the index with the bytes after the last packet.
     public void End()
     {
         if (_position > EndOf(_pieces.Count - 1))

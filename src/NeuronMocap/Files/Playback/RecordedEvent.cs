@@ -28,7 +28,7 @@ internal readonly record struct RecordedEvent(RecordedEventKind Kind, TimeSpan T
     // Number of the connection.
     public int Connection { get; init; }
 
-    // Whether this is the connection of a calculation port, beside another one.
+    // Whether this is the additional connection of a calculation port.
     public bool IsCalculation { get; init; }
 
     // For an opened connection: whether it was already open. Its first bytes may then be the middle of a packet.

@@ -29,7 +29,7 @@ internal sealed class RecordedEventParser(int maxValues, SenderFilter filter, IP
         recorded.Kind is RecordedEventKind.Opened or RecordedEventKind.Bytes && ParserOf(recorded) is { } parser && parser.Connection != recorded.Connection;
 
     // A connection without its beginning is joined late, because its first bytes may be the middle of a packet. Over UDP, the first datagram of
-    // each sender shows what it is.
+    // each sender shows whether it starts a packet.
     public void Open(in RecordedEvent recorded)
     {
         Close(ParserOf(recorded));
@@ -76,7 +76,7 @@ internal sealed class RecordedEventParser(int maxValues, SenderFilter filter, IP
         _servers = new UdpServers();
     }
 
-    // Assigns datagrams to senders without further waiting.
+    // Ends the wait of datagrams for their sender to be identified.
     public void Settle()
     {
         foreach (Parser? parser in _parsers)

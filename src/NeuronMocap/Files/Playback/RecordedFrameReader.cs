@@ -117,7 +117,7 @@ public sealed class RecordedFrameReader : IDisposable
             Time = recorded.Time;
             if (recorded.Kind == RecordedEventKind.End)
             {
-                // Datagrams that were not yet assigned to a sender are processed now.
+                // Datagrams that wait for their sender to be identified are processed now.
                 _hasEnded = true;
                 _parser.Close(recorded.Time);
                 continue;

@@ -8,7 +8,7 @@ internal sealed class BlockCompression : IDisposable
 {
     private readonly MemoryStream _packed = new();
 
-    // The packed payload stands behind room for a block header. It is in this object's memory and valid until the next call.
+    // The packed payload follows space reserved for a block header. It is in this object's memory and valid until the next call.
     public bool TryPack(ReadOnlySpan<byte> payload, out Span<byte> block)
     {
         Span<byte> length = stackalloc byte[sizeof(int)];

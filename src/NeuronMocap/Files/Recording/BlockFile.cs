@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-// Finds and reads the blocks of a file, including those behind damaged places. It holds one block in memory, both as stored and unpacked.
+// Finds and reads the blocks of a file, including those after damaged sections. It holds one block in memory, both as stored and unpacked.
 internal sealed class BlockFile
 {
     private const int MinCapacity = 4096;
@@ -24,7 +24,7 @@ internal sealed class BlockFile
     // The length when the file was opened. Data written later is not read.
     public long Length { get; }
 
-    // Finds the next block at or behind an offset and returns its offset; -1 if there is none. The payload is within the file but not checked.
+    // Finds the next block at or after an offset and returns its offset; -1 if there is none. The payload is within the file but not checked.
     public long Find(long offset, out BlockHeader header)
     {
         if (TryReadHeader(offset, out header))

@@ -41,7 +41,7 @@ internal sealed class BlockIterator(BlockFile file, RecordingProblems problems, 
         _sequence = place == RecordingLayout.FileHeaderSize ? 0 : null;
     }
 
-    // Returns false at the end. Broken places accumulate until they are forgotten.
+    // Returns false at the end. Damage accumulates until ForgetBreak is called.
     public bool TryRead(out ArraySegment<byte> payload)
     {
         while (_order is null)

@@ -76,7 +76,7 @@ internal sealed class BlockOrder
         places.RemoveRange(kept, places.Count - kept);
     }
 
-    // A gap behind a damaged place is not reported again.
+    // A gap after a damaged section is not reported again.
     private static void ReportMissing(List<BlockPosition> places, RecordingProblems problems)
     {
         uint expected = 0;

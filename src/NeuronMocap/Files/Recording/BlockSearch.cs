@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-// Goes through a file block by block. It skips and reports damaged places.
+// Goes through a file block by block. It skips and reports damaged sections.
 internal sealed class BlockSearch(BlockFile file, RecordingProblems problems)
 {
     public const string DamagedBlock = "A block is damaged: its checksum is wrong.";
@@ -35,7 +35,7 @@ internal sealed class BlockSearch(BlockFile file, RecordingProblems problems)
         return offset >= 0;
     }
 
-    // Continues behind the block. If no block follows there, this block may be incomplete, and the next one may begin anywhere within it. The
+    // Continues after the block. If no block follows there, this block may be incomplete, and the next one may begin anywhere within it. The
     // payload then decides whether the block is damaged.
     public void Pass(long offset, in BlockHeader header)
     {

@@ -48,7 +48,7 @@ internal sealed class BlockWriter : IDisposable
         }
     }
 
-    // The buffer begins with room for a block header.
+    // The buffer begins with space reserved for a block header.
     public void Write(BlockKind kind, ByteBuffer block, long time) => Write(kind, BlockEncoding.Plain, time, block.Array.AsSpan(0, block.Length));
 
     public void Flush()

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace NeuronMocap.Recording;
 
-// A buffer for building bytes. The memory grows and is used again.
+// A buffer for building bytes. The memory grows and is reused.
 internal sealed class ByteBuffer(int capacity)
 {
     private byte[] _bytes = new byte[capacity];

@@ -1,7 +1,7 @@
 namespace NeuronMocap.Recording;
 
-// Encodes the entries of one block, behind room for the block header. Times and repeated values are differences within the block, so each block can
-// be read on its own. A piece that follows another one costs four bytes, or six if its length differs.
+// Encodes the entries of one block, after space reserved for the block header. Times and repeated values are stored as differences within the
+// block. Each block can therefore be read independently. A piece that follows another one costs four bytes, or six if its length differs.
 internal sealed class EntryEncoder
 {
     public const byte BytesTag = 0x80;

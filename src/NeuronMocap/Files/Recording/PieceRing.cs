@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Recording;
 
-// // A bounded queue of bytes from the receive thread to the thread that writes a recording. It has one producer and one consumer, and needs
+// A bounded queue of bytes from the receive thread to the thread that writes a recording. It has one producer and one consumer, and needs
 // neither locks nor allocation.
 //
 // Both indices count bytes without end and are taken modulo the capacity, a power of two. Only the producer writes the tail, and only the consumer

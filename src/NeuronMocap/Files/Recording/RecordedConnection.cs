@@ -14,8 +14,7 @@ public sealed record RecordedConnection(int Number, TransportKind Transport, str
     public bool WasOpen { get; init; }
 
     /// <summary>
-    /// Whether this is the connection of <see cref="NeuronReaderOptions.CalculationPort"/>, which exists beside another one. Only its calculation
-    /// data is used.
+    /// Whether this is the additional connection of <see cref="NeuronReaderOptions.CalculationPort"/>. Only its calculation data is used.
     /// </summary>
     public bool IsCalculation { get; init; }
 }

@@ -3,8 +3,8 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Recording;
 
-// Tracks what a recorder has written about one connection to its ring. Facts that found no room are written before the next piece that does.
-// Producer only.
+// Tracks what a recorder has written about one connection to its ring. If the ring was full, the missing records are written before the next piece
+// that fits. Producer only.
 internal sealed class RecordedLink(StreamConnection connection, bool isReported)
 {
     private bool _isReported = isReported;

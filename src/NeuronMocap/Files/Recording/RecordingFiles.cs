@@ -155,8 +155,8 @@ internal sealed class RecordingFiles : IDisposable
         _undeleted = undeleted;
     }
 
-    // Rejects later files of an earlier recording whose first files may be deleted. Otherwise, this recording would reach those names hours later
-    // and end there.
+    // Fails if later files of an earlier recording exist. Its first files may have been deleted. Otherwise, this recording would reach those names
+    // hours later and end there.
     private void RefuseLaterFiles()
     {
         if (!_options.HasNumbers || _options.Overwrite)

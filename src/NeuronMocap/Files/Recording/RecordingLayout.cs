@@ -9,7 +9,7 @@ internal static class RecordingLayout
     // Maximum payload of a block, both as stored and unpacked. It limits the memory that a hostile file can make a reader allocate.
     public const int MaxPayload = 1024 * 1024;
 
-    // A block of this size is written.
+    // A block is written when it reaches this size.
     public const int BlockSize = 64 * 1024;
 
     public const int MaxPiece = 512 * 1024;
@@ -27,7 +27,7 @@ internal enum BlockKind : byte
 {
     Entries = 1,
 
-    // Entries that repeat earlier facts that still hold. Reading can begin here.
+    // Entries that repeat the current metadata, connections and senders. Reading can begin here.
     Checkpoint = 2,
 
     // The positions of the checkpoints.

@@ -1,7 +1,7 @@
 namespace NeuronMocap.Recording;
 
-// The facts known about a file before it is read: positions of checkpoints, duration and metadata. They come from the last block if the recording
-// was closed and is complete. Otherwise, all block headers are visited.
+// Determines the checkpoints, duration and metadata of a file before it is read. They come from the last block if the recording was closed and is
+// complete. Otherwise, all block headers are visited.
 internal sealed class RecordingMap
 {
     private readonly BlockFile _file;
@@ -107,7 +107,7 @@ internal sealed class RecordingMap
         return time;
     }
 
-    // Reads the metadata of the last checkpoint, which include facts that became known earlier in the recording.
+    // Reads the metadata of the last checkpoint, which includes values that became known earlier in the recording.
     private RecordingMetadata ReadMetadata()
     {
         if (!_file.TryReadHeader(LastCheckpoint, out BlockHeader header) || header.Kind != BlockKind.Checkpoint

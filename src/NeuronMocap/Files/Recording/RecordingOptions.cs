@@ -36,8 +36,8 @@ public sealed class RecordingOptions
     public bool FlushToDisk { get; set; }
 
     /// <summary>
-    /// Maximum size of a file in bytes, 1 MiB or more. Null, the default, means no limit. At the limit, the next file begins, which is complete on
-    /// its own. A single larger piece has its own file.
+    /// Maximum size of a file in bytes, 1 MiB or more. Null, the default, means no limit. At the limit, the next file begins, which can be read
+    /// independently. A single larger piece has its own file.
     /// </summary>
     public long? MaxFileSize { get; set; }
 

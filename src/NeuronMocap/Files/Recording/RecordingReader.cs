@@ -9,8 +9,8 @@ namespace NeuronMocap.Recording;
 /// </para>
 /// <para>
 /// A file that was not closed is read up to its last whole block. This happens when the recording process was killed or is still running. Damaged
-/// and missing places are skipped and reported (<see cref="Problems"/>, <see cref="RecordingEntryKind.Damaged"/>). Blocks out of order are read in
-/// the order of their numbers, each once.
+/// and missing sections are skipped and reported (<see cref="Problems"/>, <see cref="RecordingEntryKind.Damaged"/>). Blocks out of order are read
+/// in the order of their numbers, each once.
 /// </para>
 /// </remarks>
 public sealed class RecordingReader : IDisposable
@@ -29,7 +29,7 @@ public sealed class RecordingReader : IDisposable
     private long _time;
     private long _from;
 
-    // Whether the facts of a checkpoint are new: at the beginning, after a jump, and behind a damaged place.
+    // Whether the entries of a checkpoint are new to the caller: at the beginning, after a jump, and after a damaged section.
     private bool _isStateUnknown = true;
 
     private RecordingReader(Stream stream, bool leaveOpen)
@@ -161,10 +161,10 @@ public sealed class RecordingReader : IDisposable
     }
 
     /// <summary>
-    /// Moves to a time. The next entries describe the open connections, senders and metadata at that time, with their own times or that of a
-    /// checkpoint. All entries from that time on follow.
+    /// Moves to a time. The next entries describe the open connections, the senders and the metadata at that time. They have their own times or
+    /// that of a checkpoint. All entries from that time on follow.
     /// </summary>
-    /// <param name="position">The time since <see cref="StartTime"/>. Behind the end, only the descriptions follow.</param>
+    /// <param name="position">The time since <see cref="StartTime"/>. After the end, only the descriptions follow.</param>
     /// <exception cref="ArgumentOutOfRangeException">The time is negative.</exception>
     public void Seek(TimeSpan position)
     {
@@ -207,7 +207,7 @@ public sealed class RecordingReader : IDisposable
         return false;
     }
 
-    // Called before the entries behind the damaged or missing place.
+    // Called before the entries that follow the damaged or missing section.
     private bool TryReportDamage(out RecordingEntry entry)
     {
         entry = new RecordingEntry { Kind = RecordingEntryKind.Damaged, Time = new TimeSpan(_time), LostBytes = _walk.DamagedBytes };

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-// The facts that hold at a position of a recording. Checkpoints and the start of a following file repeat them.
+// The state at a position of a recording: metadata, open connections and senders. Checkpoints and the start of a following file repeat it.
 internal sealed class RecordingState(RecordingMetadata metadata)
 {
     private readonly SortedDictionary<int, OpenConnection> _connections = [];

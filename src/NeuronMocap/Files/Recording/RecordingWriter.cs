@@ -13,7 +13,7 @@ namespace NeuronMocap.Recording;
 /// </para>
 /// <para>
 /// Times must not decrease: an earlier time counts as the time of the previous entry. Exceptions of the stream reach the caller. After such an
-/// exception, the writer writes nothing more, and the file ends behind the last whole block.
+/// exception, the writer writes nothing more, and the file ends after the last whole block.
 /// </para>
 /// </remarks>
 public sealed class RecordingWriter : IDisposable
@@ -21,13 +21,13 @@ public sealed class RecordingWriter : IDisposable
     /// <summary>Maximum number of bytes in one piece.</summary>
     public const int MaxPieceLength = RecordingLayout.MaxPiece;
 
-    // A checkpoint follows every MiB, and every change of the metadata. All checkpoints together are limited to a thousandth of the file plus this
-    // allowance.
+    // A checkpoint follows every MiB, and every change of the metadata. All checkpoints together are limited to a thousandth of the file plus
+    // CheckpointAllowance.
     private const long CheckpointDistance = 1024 * 1024;
     private const long CheckpointAllowance = 16 * 1024;
     private const int CheckpointShare = 1000;
 
-    // Size of the data behind the last entry, without the index itself: index header, end block, block headers, and the head of a piece.
+    // Size of the data after the last entry, without the index itself: index header, end block, block headers, and the head of a piece.
     private const int ClosingBytes = 4096;
     private const int IndexPlaceBytes = 18;
 
@@ -49,7 +49,7 @@ public sealed class RecordingWriter : IDisposable
 
     /// <summary>Begins a recording on a stream.</summary>
     /// <param name="stream">The stream to write, from its current position, which must be the beginning of the file.</param>
-    /// <param name="metadata">The metadata that are already known; null for none.</param>
+    /// <param name="metadata">The metadata that is already known; null for none.</param>
     /// <param name="options">The options; null for the defaults.</param>
     /// <exception cref="ArgumentException">The stream is not writable.</exception>
     public RecordingWriter(Stream stream, RecordingMetadata? metadata = null, RecordingWriterOptions? options = null)
@@ -108,7 +108,7 @@ public sealed class RecordingWriter : IDisposable
 
     /// <summary>Begins a recording in a new file.</summary>
     /// <param name="path">The path of the file; the usual extension is ".nmrec".</param>
-    /// <param name="metadata">The metadata that are already known; null for none.</param>
+    /// <param name="metadata">The metadata that is already known; null for none.</param>
     /// <param name="options">The options; null for the defaults.</param>
     /// <returns>The writer, which closes the file when disposed.</returns>
     /// <exception cref="IOException">The file already exists, or cannot be created or written.</exception>
@@ -128,8 +128,8 @@ public sealed class RecordingWriter : IDisposable
     }
 
     /// <summary>
-    /// Begins the next file of the same recording. The file is complete on its own: it starts with the metadata and the open connections and
-    /// senders. This writer does not change. The times of the new writer are relative to its own start.
+    /// Begins the next file of the same recording. The file can be read independently: it starts with the metadata and the open connections and
+    /// senders. This writer does not change. The new writer's times are relative to its own start.
     /// </summary>
     /// <param name="stream">The next file.</param>
     /// <param name="time">The start of the next file, in this writer's time.</param>

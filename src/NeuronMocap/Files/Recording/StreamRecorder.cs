@@ -11,7 +11,7 @@ namespace NeuronMocap.Recording;
 /// <remarks>
 /// <para>
 /// The reader never waits for the recording. Its receive thread copies each piece into a queue, and a separate thread writes. If the queue is full,
-/// pieces are missing; the recording notes this at their position, and they are counted.
+/// pieces are lost. The recording marks the position, and the statistics count them.
 /// </para>
 /// <para>
 /// If the file cannot be written, for example on a full disk, the recording ends (<see cref="Failure"/>) and the reader continues.

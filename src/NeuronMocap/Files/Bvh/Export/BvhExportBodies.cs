@@ -14,8 +14,8 @@ internal sealed class BvhExportBodies(BvhExportOptions options, ServerInquiry? i
 
     private bool _hasGivenUp;
 
-    // Waits for the format that the command channel reports before frames are taken from the queue. A file whose first part has an assumed rotation
-    // order is not useful.
+    // Waits until the command channel has reported the format, because frames are decoded with the format known when they are taken from the queue.
+    // Without the wait, the first part of a file could have a rotation order that was only assumed.
     public void WaitForFormat(ManualResetEventSlim stop)
     {
         var waited = Stopwatch.StartNew();
