@@ -77,7 +77,7 @@ internal ref struct BvhHierarchyReader
                 throw new BvhFormatException($"The file has no HIERARCHY; it begins with {quote}.", _place.Line, _place.Column);
         }
 
-        _repairs.Add(_place, $"The file begins with {quote}", $"what comes before HIERARCHY is ignored");
+        _repairs.Add(_place, $"The file begins with {quote}", $"the text before HIERARCHY is ignored");
     }
 
     private void ReadStatement()
@@ -146,7 +146,7 @@ internal ref struct BvhHierarchyReader
         _text.SkipToBrace();
         LeaveEndSite();
         if (_open!.EndSite is not null)
-            _repairs.Add(_place, $"Another End Site of {Describe(_open)}", $"it replaces the one before");
+            _repairs.Add(_place, $"Another End Site of {Describe(_open)}", $"it replaces the previous one");
 
         _inEndSite = true;
         _open.EndSite = Vector3.Zero;
@@ -201,7 +201,7 @@ internal ref struct BvhHierarchyReader
         }
 
         if (_open!.HasOffset)
-            _repairs.Add(_place, $"Another OFFSET of {Describe(_open)}", $"it replaces the one before");
+            _repairs.Add(_place, $"Another OFFSET of {Describe(_open)}", $"it replaces the previous one");
 
         _open.Offset = offset;
         _open.HasOffset = true;
@@ -255,7 +255,7 @@ internal ref struct BvhHierarchyReader
             return;
 
         string announced = hasCount ? Quote(count.ToString(CultureInfo.InvariantCulture)) : "no number";
-        _repairs.Add(_place, $"CHANNELS of {Describe(_open)} announces {announced} and names {read}", $"the names are used");
+        _repairs.Add(_place, $"CHANNELS of {Describe(_open)} declares {announced} but names {read}", $"the names are used");
     }
 
     private bool TryReadChannel(bool isKnownOnly, out BvhChannel channel)

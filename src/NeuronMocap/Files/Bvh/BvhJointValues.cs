@@ -28,7 +28,7 @@ internal sealed class BvhJointValues
 
     public int RotationCount => _rotations.Length;
 
-    /// <summary>Whether the joint can hold any rotation: it has one channel for each axis, in any order.</summary>
+    /// <summary>Whether any rotation can be written: one channel for each axis, in any order.</summary>
     public bool TurnsFreely => _rotations.Length == 3 && _rotations.Select(static rotation => rotation.Axis).Distinct().Count() == 3;
 
     public bool HasPosition => _positions.Any(static column => column >= 0);

@@ -138,9 +138,9 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
     {
         _rows.LeaveOut();
         if (_frames == default)
-            repairs.Add(_block, $"The number of frames is missing", $"{_blockRows} are there");
+            repairs.Add(_block, $"The number of frames is missing", $"rows found: {_blockRows}");
         else if (_announced != _blockRows)
-            repairs.Add(_frames, $"{_announcedText} frames are announced and {_blockRows} rows are there", $"the rows count");
+            repairs.Add(_frames, $"{_announcedText} frames are declared, but there are {_blockRows} rows", $"the rows count");
     }
 
     private void ReadFrames(ref BvhText text, BvhTextPosition place)
@@ -157,7 +157,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         }
         else
         {
-            repairs.Add(place, $"The number of frames is given again", $"it is ignored");
+            repairs.Add(place, $"The number of frames is declared again", $"it is ignored");
         }
 
         text.Advance(word.Length);

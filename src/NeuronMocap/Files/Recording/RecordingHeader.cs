@@ -46,7 +46,7 @@ internal readonly record struct RecordingHeader(DateTimeOffset StartTime, Guid R
         if (!magic.SequenceEqual(Magic[..magic.Length]))
             throw new RecordingFormatException("This is not a recording: its header is missing.");
         if (bytes.Length < RecordingLayout.FileHeaderSize)
-            throw new RecordingFormatException($"The recording ends within its header, after {bytes.Length} bytes.");
+            throw new RecordingFormatException($"The recording is cut off within its header, after {bytes.Length} bytes.");
 
         checksum = BinaryPrimitives.ReadUInt32LittleEndian(bytes[ChecksumOffset..]);
         if (checksum != Crc32C.Append(0, bytes[..ChecksumOffset]))

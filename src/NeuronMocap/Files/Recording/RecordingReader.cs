@@ -169,7 +169,7 @@ public sealed class RecordingReader : IDisposable
     public void Seek(TimeSpan position)
     {
         if (position < TimeSpan.Zero)
-            throw new ArgumentOutOfRangeException(nameof(position), position, "A recording begins at time zero.");
+            throw new ArgumentOutOfRangeException(nameof(position), position, "The time must not be negative.");
 
         _walk.MoveTo(position.Ticks, _map.Index.Count > 0 ? _map.Index.Find(position.Ticks) : RecordingLayout.FileHeaderSize);
         _open.Clear();

@@ -70,7 +70,7 @@ public class BvhFrameRateTests
         Assert.Equal(0, document.DeclaredFrameTime);
         Assert.Equal(
             [
-                new BvhRepair(18, 13, $"'{frameTime}' is not a frame time; 120 Hz is assumed unless another one follows."),
+                new BvhRepair(18, 13, $"'{frameTime}' is not a frame time; 120 Hz is assumed unless a valid one follows."),
             ],
             document.Repairs);
     }

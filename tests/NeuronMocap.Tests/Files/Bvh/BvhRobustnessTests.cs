@@ -95,7 +95,7 @@ public class BvhRobustnessTests
     {
         string rest = $"MOTION\r\nFrames: -6.27744e+66\r\nFrame Time: 0.008\r\n{string.Concat(Enumerable.Repeat("\r\n", 138_000))}MOTION\r\nFrames: -6.27744e+66\r\nMOTION\r\n";
         Assert.Equal(
-            "refused: line 1, column 1: There is no HIERARCHY; the file begins with 'MOTION'. (1, 1)",
+            "refused: line 1, column 1: The file has no HIERARCHY; it begins with 'MOTION'. (1, 1)",
             BvhReadings.AssertAlike(Encoding.UTF8.GetBytes(rest), seed: 1));
 
         BvhDocument document = Parse(Hierarchy + rest);

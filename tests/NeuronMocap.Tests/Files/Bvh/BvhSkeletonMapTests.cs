@@ -109,12 +109,12 @@ public class BvhSkeletonMapTests
     public void Names_with_a_prefix_are_not_neurons(string prefix)
     {
         string reason = Refuse(Neuron(edit: (_, joint) => joint.Replace("ROOT ", "ROOT " + prefix, StringComparison.Ordinal)));
-        Assert.Equal($"There is no joint named Hips; the file's first joint is named {prefix}Hips.", reason);
+        Assert.Equal($"The file has no joint named Hips; its first joint is named {prefix}Hips.", reason);
     }
 
     [Fact]
     public void A_skeleton_of_fewer_joints_is_not_neurons() =>
-        Assert.Equal("There is no joint named RightUpLeg; the file's first joint is named Hips.", Refuse(TwoRows));
+        Assert.Equal("The file has no joint named RightUpLeg; its first joint is named Hips.", Refuse(TwoRows));
 
     [Theory]
     [InlineData(Bone.LeftHandPinky3, "LeftHandPinky3", "LeftPinkyEnd", "no joint named LeftHandPinky3")]

@@ -128,7 +128,7 @@ public sealed class RecordingDamageTests
     public void Other_files_are_refused_with_the_reason()
     {
         Assert.Contains("not a recording", Refuse("HIERARCHY\nROOT Hips\n"u8.ToArray()), StringComparison.Ordinal);
-        Assert.Contains("ends within its header", Refuse([]), StringComparison.Ordinal);
+        Assert.Contains("cut off", Refuse([]), StringComparison.Ordinal);
         byte[] head = Recordings.Write(static _ => { })[..RecordingLayout.FileHeaderSize];
         Assert.Contains("after 63 bytes", Refuse(head[..63]), StringComparison.Ordinal);
         head[8] = 2;
