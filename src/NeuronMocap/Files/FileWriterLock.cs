@@ -7,8 +7,8 @@ namespace NeuronMocap.Files;
 //
 // Windows ensures this itself (FileShare.Read). On other systems, .NET locks whole files, including those of readers, and allows any number of
 // writers to share a file. Linux has locks that belong to an open file and do not affect readers. The writer locks one byte far beyond the end
-// until the file is closed or the process ends. Other systems open the file briefly in a way that fails while another .NET program has it open,
-// even for reading.
+// until the file is closed or the process ends. On other systems, the file is opened briefly in a way that fails while another .NET program has it
+// open, even for reading.
 internal static class FileWriterLock
 {
     // F_OFD_SETLK and the errors that report that the lock is already held.

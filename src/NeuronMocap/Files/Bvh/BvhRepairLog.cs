@@ -43,8 +43,8 @@ internal sealed class BvhRepairLog(bool isStrict)
         Add(place, fault, remedy);
     }
 
-    // Builds a description only while the list has room. Otherwise, a file of nothing but defects would cost hundreds of bytes for each of its
-    // bytes.
+    // Builds a description only while the list has room. Otherwise, a file that consists of defects would cost hundreds of bytes for each of its
+    // own.
     [InterpolatedStringHandler]
     public readonly ref struct Description
     {

@@ -29,7 +29,7 @@ public sealed class BvhSkeletonMap
         _body = MakeBody(joints, format.Variant);
     }
 
-    /// <summary>The file. Without rows if the map was created from a hierarchy.</summary>
+    /// <summary>The file. It has no rows if the map was created from a hierarchy.</summary>
     public BvhDocument Document { get; }
 
     /// <summary>The names of the bones and the order of the rotation values.</summary>

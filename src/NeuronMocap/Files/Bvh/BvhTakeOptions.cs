@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// Options of a <see cref="BvhTakeWriter"/> that frames do not contain. The values are copied when used; later changes have no effect.
+/// Options of a <see cref="BvhTakeWriter"/>: values that frames do not contain. The values are copied when used; later changes have no effect.
 /// </summary>
 public sealed class BvhTakeOptions
 {

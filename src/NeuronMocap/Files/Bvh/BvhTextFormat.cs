@@ -1,7 +1,7 @@
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// Describes the text layout of a BVH file. A file that is read and written again keeps its look. Immutable; thread-safe.
+/// Describes the text layout of a BVH file. A file that is read and written again keeps its layout. Immutable; thread-safe.
 /// </summary>
 /// <remarks>
 /// The default is the layout of Axis Neuron. When a file is read, each property comes from its first occurrence.

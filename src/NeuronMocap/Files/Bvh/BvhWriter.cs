@@ -47,12 +47,12 @@ public sealed class BvhWriter : IDisposable
     private int _length;
     private int _writtenFrameCount;
 
-    // The first is the end of the last whole row, or of the header, in the buffer. The others are that end in the stream, and the number of rows up
-    // to there.
+    // _rowsEnd is the end of the last whole row, or of the header, in the buffer. _takenEnd is the same in the stream, and _takenFrames is the
+    // number of rows up to there.
     private int _rowsEnd = -1;
     private long _takenEnd;
     private int _takenFrames;
-    // Bytes after that end that the stream has accepted: the beginning of a row.
+    // Bytes after _takenEnd that the stream has accepted: the beginning of a row.
     private long _carried;
     private Exception? _failure;
     private BvhFrameTime _frameTime;

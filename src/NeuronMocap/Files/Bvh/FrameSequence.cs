@@ -3,7 +3,7 @@ using NeuronMocap.Frames;
 
 namespace NeuronMocap.Bvh;
 
-// Determines how many rows a frame makes, from its index, and the duration of a row, from the receive times.
+// Determines how many rows to write for a frame, from its index, and the duration of a row, from the receive times.
 internal sealed class FrameSequence(BvhGapHandling gaps)
 {
     // No suit is faster. An index jump without elapsed time is therefore not a loss, and a malicious stream cannot inflate the file.

@@ -59,8 +59,8 @@ public sealed class CalculationSkeleton
     public float GroundHeight { get; }
 
     /// <summary>
-    /// Warnings about implausible lengths, such as legs that differ by tens of centimetres; empty when all lengths are plausible. Such lengths show
-    /// that the values have another meaning than this library assumes, or that a sensor failed.
+    /// Warnings about implausible lengths, as English sentences; empty when all lengths are plausible. One example is legs that differ by tens of
+    /// centimetres. Such lengths show that the values have another meaning than this library assumes, or that a sensor failed.
     /// </summary>
     public IReadOnlyList<string> Warnings { get; }
 

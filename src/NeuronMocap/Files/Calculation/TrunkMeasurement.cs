@@ -33,10 +33,10 @@ internal sealed class TrunkMeasurement(SkeletonVariant variant)
     /// <summary>The vector from the hips to the spine joint, in the axes of the hip sensor.</summary>
     public Vector3 SpineJoint { get; private set; }
 
-    /// <summary>The axes of the hips in those of the sensor.</summary>
+    /// <summary>The axes of the hips in those of the hip sensor.</summary>
     public Quaternion Hips { get; private set; }
 
-    /// <summary>The axes of the chest in those of the sensor.</summary>
+    /// <summary>The axes of the chest in those of the chest sensor.</summary>
     public Quaternion Chest { get; private set; }
 
     /// <summary>The division of the spine that the body has.</summary>

@@ -158,7 +158,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     }
 
     // Playback thread. Returns how many frames to go back from the last frame passed. A step forward, which shows the frame, replaces the steps
-    // back. A frame that was still to be shown has not been passed.
+    // back. A frame that is still to be shown does not count as passed.
     public int TakeStepsBack()
     {
         lock (_lock)

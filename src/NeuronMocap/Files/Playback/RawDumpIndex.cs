@@ -2,7 +2,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Recording;
 
-// The ends of the packets in a dump, and the instant of each packet. The assembler that later reads the packets finds them.
+// Finds the ends of the packets in a dump and the instant of each packet. It uses the assembler that later reads the packets.
 internal sealed class RawDumpIndex : IPacketReceiver
 {
     // Bytes that are not part of a packet become a piece of their own at this length.

@@ -3,8 +3,8 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Recording;
 
-// The bytes of a TCP stream in a file without times. They are returned packet by packet, each with preceding bytes that are not a packet. All
-// packets of one instant, one for each avatar and kind, come at once. The instants have an even rate.
+// Reads the bytes of a TCP stream from a file without times. They are returned packet by packet. Bytes that are not a packet come with the packet
+// that follows them. All packets of one instant, one for each avatar and kind, come at once. The instants have an even rate.
 internal sealed class RawDumpSource : RecordedEventSource
 {
     private const double UsualRate = 120;

@@ -4,7 +4,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Recording;
 
-// The events of a recorded stream, in order. Not thread-safe.
+// Reads the events of a recorded stream, in order. Not thread-safe.
 internal abstract class RecordedEventSource(string path) : IDisposable
 {
     public string FileName => Path.GetFileName(path);

@@ -5,7 +5,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Recording;
 
-// The recorded stream of a recording. A file that continues another one starts with its own first bytes, not after the time of the earlier files.
+// Reads the stream of a recording. A file that continues another one starts with its own first bytes, not after the time of the earlier files.
 internal sealed class RecordedStreamSource : RecordedEventSource
 {
     // The maximum that the options of a reader allow.

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-// Tracks the open connections and senders while a recording is read. Their number has the same limit as in a writer. A caller that tracks them
+// Tracks the open connections and senders while a recording is read. Their number has the same limit as in a writer. A caller that stores them
 // therefore needs bounded memory for any file.
 internal sealed class OpenEntries
 {

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-/// <summary>Represents one entry of a recording. It uses the reader's memory and is valid until the next entry is read.</summary>
+/// <summary>Represents one entry of a recording. It refers to the reader's memory and is valid until the next entry is read.</summary>
 public readonly ref struct RecordingEntry
 {
     /// <summary>The kind of the entry, which determines the members that have a value.</summary>
