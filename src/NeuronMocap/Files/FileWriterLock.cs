@@ -3,14 +3,15 @@ using Microsoft.Win32.SafeHandles;
 
 namespace NeuronMocap.Files;
 
-// Makes sure that a file has one writer, whatever name or link it was opened by, in this process and in others.
+// Ensures that a file has only one writer at a time, in this process and in others. The name or link that opened the file does not matter.
 //
-// Windows does so itself (FileShare.Read). Elsewhere .NET locks whole files, those of readers too, and lets any number of writers share one. Linux has locks
-// that belong to an open file and that readers do not meet: one far behind the end is the writer's, until the file is closed or the process ends.
-// On other systems the file is opened for an instant in a way that fails while another program of .NET has it open, readers included.
+// Windows ensures this itself (FileShare.Read). On other systems, .NET locks whole files, including those of readers, and allows any number of
+// writers to share a file. Linux has locks that belong to an open file and do not affect readers. The writer locks one byte far beyond the end
+// until the file is closed or the process ends. On other systems, the file is opened briefly in a way that fails while another .NET program has it
+// open, even for reading.
 internal static class FileWriterLock
 {
-    // F_OFD_SETLK and the errors that say that somebody else holds the lock.
+    // F_OFD_SETLK and the errors that report that the lock is already held.
     private const int SetLock = 37;
     private const int TryAgain = 11;
     private const int AccessDenied = 13;
@@ -21,10 +22,10 @@ internal static class FileWriterLock
     // The layout of the lock differs on 32-bit systems.
     private static readonly bool HasFileLocks = OperatingSystem.IsLinux() && IntPtr.Size == sizeof(long);
 
-    // Before the file is opened. True where only TryTake can tell.
+    // Called before the file is opened. Returns true when only TryTake can decide.
     public static bool IsFree(string path) => HasFileLocks || OperatingSystem.IsWindows() || CanBeOpenedAlone(path);
 
-    // For as long as the file is open. A file system without locks is taken as it is.
+    // The lock lasts as long as the file is open. On a file system without locks, this succeeds.
     public static bool TryTake(FileStream file) => !HasFileLocks || TryLock(file.SafeFileHandle);
 
     internal static bool CanBeOpenedAlone(string path)
@@ -60,7 +61,7 @@ internal static class FileWriterLock
     [DefaultDllImportSearchPaths(DllImportSearchPath.System32)]
     private static extern int Control(SafeFileHandle file, int command, ref FileLock claim);
 
-    // struct flock of 64-bit systems. The process must be 0.
+    // The struct flock of 64-bit systems. Process must be 0.
     [StructLayout(LayoutKind.Sequential)]
     private struct FileLock
     {

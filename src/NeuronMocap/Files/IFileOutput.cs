@@ -1,22 +1,22 @@
 namespace NeuronMocap.Files;
 
-// What writes to files what a reader receives, as logs tell of it. Any thread.
+// A file output writes what a reader receives. Log messages use these members. They can be called on any thread.
 internal interface IFileOutput
 {
-    // As it was asked for.
+    // The path as the caller gave it.
     string Path { get; }
 
     Task Completion { get; }
 
     Exception? Failure { get; }
 
-    // Pieces or frames that arrived and are in no file.
+    // Number of pieces or frames that were received but not written to a file.
     long Lost { get; }
 
-    // Old files that should be gone.
+    // Number of old files that could not be deleted.
     int UndeletedFiles { get; }
 
-    // Sentences.
+    // Complete sentences for the log.
     string DescribeStart();
 
     string DescribeLoss(long count);
@@ -25,9 +25,9 @@ internal interface IFileOutput
 
     string DescribeEnd();
 
-    // The reader has ended. Without waiting.
+    // Called when the reader has ended. Does not wait.
     void Stop();
 
-    // As Completion, but what awaits it goes on on the output's thread.
+    // Like Completion, but continuations run on the output's thread.
     Task Ended { get; }
 }

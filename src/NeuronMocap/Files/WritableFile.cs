@@ -1,25 +1,25 @@
 namespace NeuronMocap.Files;
 
-// Opens files to write, each for one writer at a time. Others may read a file while it grows, as one looks at a log.
+// Opens files for writing, with one writer at a time for each file. Others can read a file while it grows, as with a log file.
 internal static class WritableFile
 {
-    // Without a buffer of its own: what is written is the system's, and outlives the process.
+    // Without a buffer in the process: written data belongs to the operating system and outlives the process.
     private const int NoBuffer = 1;
     private const FileShare Sharing = FileShare.Read | FileShare.Delete;
 
     // ERROR_SHARING_VIOLATION.
     private const int SharingViolation = unchecked((int)0x8007_0020);
 
-    // A file that was not there before.
+    // Creates a file that must not exist yet.
     public static FileStream CreateNew(string path) => Open(path, FileMode.CreateNew);
 
-    // An empty file, whatever was there.
+    // Creates an empty file, or empties an existing one.
     public static FileStream Create(string path)
     {
         FileStream file = OpenOrCreate(path);
         try
         {
-            // A device has no length.
+            // A device does not have a length.
             if (file.CanSeek && file.Length > 0)
                 file.SetLength(0);
 
@@ -32,7 +32,7 @@ internal static class WritableFile
         }
     }
 
-    // A new file, or one that is to be replaced and still holds what it did.
+    // Creates a file, or opens an existing file to be replaced. The existing content remains.
     public static FileStream OpenOrCreate(string path) => Open(path, FileMode.OpenOrCreate);
 
     private static FileStream Open(string path, FileMode mode)
@@ -50,6 +50,6 @@ internal static class WritableFile
     }
 
     private static IOException InUse(string path) => new(
-        $"The file '{path}' is being written already, by this program or another one. A file has one writer: choose another name, or end the other one first.",
+        $"The file '{path}' is already being written, by this program or another one. Choose another name, or end the other writer first.",
         SharingViolation);
 }

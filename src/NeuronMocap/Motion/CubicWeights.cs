@@ -1,7 +1,8 @@
 namespace NeuronMocap.Motion;
 
-// How much each of four frames counts for a moment between the two in the middle: the Hermite polynomial whose slopes at those two are the
-// central differences for uneven times. They sum to 1. A frame infinitely far away does not count: the slope beside it is that to the other neighbour.
+// The weights of four frames for a time between the middle two. They come from the Hermite polynomial whose slopes at those two frames are the
+// central differences for uneven times. The weights sum to 1. A frame infinitely far away has no weight: the slope beside it is that to the other
+// neighbour.
 internal readonly struct CubicWeights
 {
     public CubicWeights(double first, double second, double third, double fourth, double seconds)
@@ -10,7 +11,7 @@ internal readonly struct CubicWeights
         double h1 = third - second;
         double h2 = fourth - third;
         if (!(h0 > 0 && h1 > 0 && h2 > 0))
-            throw new ArgumentException("Each frame must be later than the one before.", nameof(seconds));
+            throw new ArgumentException("Each frame must be later than the previous one.", nameof(seconds));
 
         double t = Math.Max(0, Math.Min(1, (seconds - second) / h1));
         double slope1 = t * (1 - t) * (1 - t) * h1;

@@ -4,9 +4,12 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Motion;
 
 /// <summary>
-/// Which feet stand on the ground, frame by frame: for live use. What calculation data says is taken as it is; where there is none, it is
-/// estimated from the motion. For a whole take, <see cref="FootContactTrack"/> knows more: it sees what comes. Allocates nothing. Not thread-safe.
+/// Estimates which feet stand on the ground, frame by frame, for live use. Does not allocate memory. Not thread-safe.
 /// </summary>
+/// <remarks>
+/// The contacts of calculation data are used unchanged. Without them, contacts are estimated from the motion. For a complete take,
+/// <see cref="FootContactTrack"/> is more accurate, because it knows the following frames.
+/// </remarks>
 public sealed class FootContactEstimator
 {
     private readonly GroundEstimator _ground = new();
@@ -14,15 +17,19 @@ public sealed class FootContactEstimator
     private FootSample _before;
     private double _time = double.NaN;
 
-    /// <summary>Which feet stood on the ground in the newest frame.</summary>
+    /// <summary>The feet that stood on the ground in the latest frame.</summary>
     public FootContacts Contacts { get; private set; }
 
-    /// <summary>Takes a frame of a pose.</summary>
+    /// <summary>Updates the estimate with a pose.</summary>
     /// <param name="world">59 transforms in the world, in <see cref="Bone"/> order; centimetres, Y up.</param>
-    /// <param name="body">Says where the feet end.</param>
-    /// <param name="seconds">When it was, on any clock. A frame no later than the one before leaves the estimate as it was.</param>
-    /// <param name="measured">What calculation data says about this frame, where there is any: <c>CalculationFrame.FootContacts</c>.</param>
-    /// <returns>Which feet stand on the ground.</returns>
+    /// <param name="body">The body, which defines where the feet end.</param>
+    /// <param name="seconds">
+    /// The time of the frame on any clock. A frame that is not later than the previous one does not change the estimate.
+    /// </param>
+    /// <param name="measured">
+    /// The contacts that calculation data reports for this frame, if available: <c>CalculationFrame.FootContacts</c>.
+    /// </param>
+    /// <returns>The feet that stand on the ground.</returns>
     /// <exception cref="ArgumentException">There are fewer than 59 transforms.</exception>
     public FootContacts Update(ReadOnlySpan<BoneTransform> world, SkeletonBody body, double seconds, FootContacts? measured = null)
     {
@@ -30,16 +37,18 @@ public sealed class FootContactEstimator
         return Update(FootSample.Of(world, body), seconds, measured);
     }
 
-    /// <summary>Takes a frame of which the feet are known, as calculation data of any axes and units has them once they are converted.</summary>
+    /// <summary>Updates the estimate with the positions of the feet, for example from converted calculation data.</summary>
     /// <param name="leftFoot">The middle of the left foot, in centimetres, Y up.</param>
     /// <param name="rightFoot">The middle of the right foot.</param>
-    /// <param name="seconds">When it was, on any clock. A frame no later than the one before leaves the estimate as it was.</param>
-    /// <param name="measured">What calculation data says about this frame, where there is any.</param>
-    /// <returns>Which feet stand on the ground.</returns>
+    /// <param name="seconds">
+    /// The time of the frame on any clock. A frame that is not later than the previous one does not change the estimate.
+    /// </param>
+    /// <param name="measured">The contacts that calculation data reports for this frame, if available.</param>
+    /// <returns>The feet that stand on the ground.</returns>
     public FootContacts Update(Vector3 leftFoot, Vector3 rightFoot, double seconds, FootContacts? measured = null) =>
         Update(new FootSample(leftFoot, rightFoot), seconds, measured);
 
-    /// <summary>Forgets all frames: before another actor, or a take that starts over.</summary>
+    /// <summary>Forgets all frames. Call this before measuring another actor, or when a take starts again.</summary>
     public void Reset()
     {
         _ground.Reset();
@@ -56,7 +65,7 @@ public sealed class FootContactEstimator
         else if (elapsed > 0)
             Contacts = now.Touches(Contacts, _before, now, elapsed, ground);
 
-        // Two frames that came at once have no speed between them; the next one is compared with the first.
+        // Two frames with the same time do not define a speed. The next frame is compared with the first of them.
         if (elapsed is > 0 or double.NaN)
         {
             _before = now;

@@ -4,7 +4,7 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Motion;
 
 /// <summary>
-/// The way of the feet through a take, from which their contacts with the ground follow when all of it is known. Not thread-safe.
+/// Collects the motion of the feet in a complete take and estimates their contacts with the ground. Not thread-safe.
 /// </summary>
 public sealed class FootContactTrack
 {
@@ -13,8 +13,8 @@ public sealed class FootContactTrack
 
     /// <summary>Adds the next frame of the take.</summary>
     /// <param name="world">59 transforms in the world, in <see cref="Bone"/> order; centimetres, Y up.</param>
-    /// <param name="body">Says where the feet end.</param>
-    /// <param name="seconds">When it was, on any clock; later than the frame before.</param>
+    /// <param name="body">The body, which defines where the feet end.</param>
+    /// <param name="seconds">The time of the frame on any clock, later than the previous one.</param>
     /// <exception cref="ArgumentException">There are fewer than 59 transforms.</exception>
     public void Add(ReadOnlySpan<BoneTransform> world, SkeletonBody body, double seconds)
     {
@@ -22,14 +22,14 @@ public sealed class FootContactTrack
         Add(FootSample.Of(world, body), seconds);
     }
 
-    /// <summary>Adds the next frame of a take of which the feet are known, as calculation data has them once it is converted.</summary>
+    /// <summary>Adds the positions of the feet in the next frame, for example from converted calculation data.</summary>
     /// <param name="leftFoot">The middle of the left foot, in centimetres, Y up.</param>
     /// <param name="rightFoot">The middle of the right foot.</param>
-    /// <param name="seconds">When it was, on any clock; later than the frame before.</param>
+    /// <param name="seconds">The time of the frame on any clock, later than the previous one.</param>
     public void Add(Vector3 leftFoot, Vector3 rightFoot, double seconds) => Add(new FootSample(leftFoot, rightFoot), seconds);
 
-    /// <summary>Estimates for every frame which feet stand on the ground.</summary>
-    /// <returns>As many as frames were added, in their order.</returns>
+    /// <summary>Estimates which feet stand on the ground in every frame.</summary>
+    /// <returns>The contacts of all frames, in the order in which they were added.</returns>
     public FootContacts[] EstimateContacts()
     {
         float[] ground = EstimateGround();
@@ -46,7 +46,7 @@ public sealed class FootContactTrack
         return contacts;
     }
 
-    // As GroundEstimator does, from both ends: a step up is known before it comes.
+    // Applies GroundEstimator from both ends, so a step up is known in advance.
     private float[] EstimateGround()
     {
         float[] heights = [.. _samples.Select(static sample => sample.Lowest)];

@@ -3,11 +3,11 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Motion;
 
-// The middle of each foot in one frame: what a pose and calculation data both have. A foot touches while its middle is as low as it gets
-// and hardly moves; one that touches keeps doing so until it is clearly away, so that neither noise nor a slow roll makes it flicker.
+// The middle of each foot in one frame, which both a pose and calculation data contain. A foot touches the ground when its middle is low and hardly
+// moves. It keeps touching until it is clearly away. Noise or a slow roll of the foot therefore do not make the result flicker.
 internal readonly struct FootSample(Vector3 left, Vector3 right)
 {
-    // In centimetres and centimetres per second; the best of a search over the recorded takes, and any near them are nearly as good.
+    // In centimetres and centimetres per second. A search over the recorded takes found these values; similar values are nearly as good.
     private const float NearGround = 3;
     private const float LeftGround = 5;
     private const float LargestSpeed = 30;
@@ -31,7 +31,7 @@ internal readonly struct FootSample(Vector3 left, Vector3 right)
     private static Vector3 Middle(ReadOnlySpan<BoneTransform> world, SkeletonBody body, Bone foot) =>
         (world[(int)foot].Position + JointPositions.GetEnd(world, body, foot)) / 2;
 
-    // A speed that is not a number is that of a take of one frame.
+    // In a take of one frame, the speed is not a number.
     private static bool Touches(bool last, float height, double speed) =>
         height < (last ? LeftGround : NearGround) && !(speed >= (last ? SpeedOfLeaving : LargestSpeed));
 }

@@ -1,25 +1,29 @@
 namespace NeuronMocap.Motion;
 
 /// <summary>
-/// How high the ground is under an actor, from the lowest points of the body, frame by frame: for live use. It is never above
-/// the body, follows it down at once, and up at <see cref="MaxRise"/>: up stairs within a few steps, and hardly in a jump. Allocates nothing. Not thread-safe.
+/// Estimates the height of the ground under an actor from the lowest points of the body, frame by frame, for live use. Does not allocate memory.
+/// Not thread-safe.
 /// </summary>
+/// <remarks>
+/// The ground is never above the body. It follows the body down at once, and up at <see cref="MaxRise"/>. It therefore follows an actor up stairs
+/// within a few steps, and hardly rises during a jump.
+/// </remarks>
 public sealed class GroundEstimator
 {
-    /// <summary>How fast the ground may come up, in centimetres per second: that of stairs.</summary>
+    /// <summary>Maximum speed at which the ground rises, in centimetres per second: that of walking up stairs.</summary>
     public const float MaxRise = 30;
 
     private double _time = double.NaN;
 
-    /// <summary>The height in the newest frame, in centimetres, along Y; NaN before the first.</summary>
+    /// <summary>The height in the latest frame, in centimetres along Y; NaN before the first frame.</summary>
     public float Height { get; private set; } = float.NaN;
 
-    /// <summary>The lowest point of all frames, in centimetres: the ground of a take on one level; NaN before the first.</summary>
+    /// <summary>The lowest point of all frames, in centimetres: the ground of a take on one level; NaN before the first frame.</summary>
     public float Lowest { get; private set; } = float.NaN;
 
-    /// <summary>Takes a frame. One whose height or time is not a finite number is left out.</summary>
+    /// <summary>Updates the estimate with a frame. A frame whose height or time is not finite is ignored.</summary>
     /// <param name="lowest">The lowest point of the body, in centimetres: <see cref="Skeleton.JointPositions.GetLowest"/>.</param>
-    /// <param name="seconds">When, on any clock.</param>
+    /// <param name="seconds">The time of the frame on any clock.</param>
     /// <returns>The height of the ground.</returns>
     public float Update(float lowest, double seconds)
     {
@@ -33,7 +37,7 @@ public sealed class GroundEstimator
         return Height;
     }
 
-    /// <summary>Begins again.</summary>
+    /// <summary>Forgets all frames.</summary>
     public void Reset()
     {
         _time = double.NaN;

@@ -3,15 +3,21 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Motion;
 
 /// <summary>
-/// From frames that come when they come to poses at the moments of another clock, such as a display's: a jitter buffer. It finds the sender's even clock
-/// in the arrivals, and gives the pose at any moment of it, a chosen delay in the past, between the frames that it has. When none comes in time
-/// the motion goes on for a short while and stops. Late, doubled and missing frames, frames that come at once, another rate and a
-/// counter that starts again are all taken as they come.
-/// <para>
-/// One thread pushes, usually the receive thread; one other samples. Neither ever waits for the other, a pose is never half of one frame and half of
-/// another, and nothing is allocated after the constructor. One buffer for each avatar.
-/// </para>
+/// Converts frames that arrive at uneven times to poses at the times of another clock, such as that of a display: a jitter buffer.
 /// </summary>
+/// <remarks>
+/// <para>
+/// The buffer reconstructs the sender's even clock from the arrivals. It interpolates the pose at any time on that clock, a chosen delay in the
+/// past. If no frame arrives in time, the motion continues for a short while and then stops.
+/// </para>
+/// <para>
+/// The buffer handles frames that are late, duplicate, missing or bundled, a change of the frame rate, and a counter that restarts.
+/// </para>
+/// <para>
+/// One thread pushes, usually the receive thread, and one thread samples. Neither waits for the other, and a pose never mixes parts of two pushed
+/// frames. After the constructor, nothing is allocated. Use one buffer for each avatar.
+/// </para>
+/// </remarks>
 public sealed class PoseBuffer
 {
     private readonly double _delay;
@@ -22,9 +28,9 @@ public sealed class PoseBuffer
     private long _dropped;
     private int _taken;
 
-    /// <summary>Makes a buffer.</summary>
-    /// <param name="options">Delay and limits; null for the defaults.</param>
-    /// <exception cref="ArgumentOutOfRangeException">One of the options is out of range.</exception>
+    /// <summary>Creates a buffer.</summary>
+    /// <param name="options">The delay and limits; null for the defaults.</param>
+    /// <exception cref="ArgumentOutOfRangeException">An option is out of range.</exception>
     public PoseBuffer(PoseBufferOptions? options = null)
     {
         options = PoseBufferOptions.CopyChecked(options);
@@ -33,26 +39,34 @@ public sealed class PoseBuffer
         _timeline = new PoseTimeline(options, _ring.Capacity);
     }
 
-    /// <summary>Frames that came while there was no room: nobody sampled for long, or the delay is too long for the capacity. Any thread may ask.</summary>
+    /// <summary>
+    /// Number of frames dropped because the buffer was full. Either no thread sampled for a long time, or the delay is too long for the capacity.
+    /// Thread-safe.
+    /// </summary>
     public long DroppedCount => Interlocked.Read(ref _dropped);
 
-    /// <summary>Seconds from one frame to the next on the sender's clock, of those that came, in the mean of the last few; 0 before it is known. Ask the sampling thread.</summary>
+    /// <summary>
+    /// Seconds from one received frame to the next on the sender's clock, averaged over the latest frames; 0 until known. Read it on the sampling
+    /// thread.
+    /// </summary>
     public double FrameInterval => _clock.Interval;
 
     /// <summary>
-    /// Seconds by which arrivals miss the sender's even clock, in the mean. A delay of one frame and four times this is rarely too short. Ask the
-    /// sampling thread.
+    /// Mean deviation of arrivals from the sender's even clock, in seconds. A delay of one frame plus four times this value is rarely too short.
+    /// Read it on the sampling thread.
     /// </summary>
     public double Jitter => _clock.Jitter;
 
-    /// <summary>Adds a frame. For one thread, the same or another one than that of <see cref="Sample"/>; never waits, allocates nothing.</summary>
+    /// <summary>
+    /// Adds a frame. Call it from one thread, which may be the thread of <see cref="Sample"/>. It never waits and does not allocate memory.
+    /// </summary>
     /// <param name="pose">
-    /// 59 transforms relative to their parents, in <see cref="Bone"/> order; copied. What is relative to a moving Reference node is not
-    /// brought into the world here.
+    /// 59 transforms relative to their parents, in <see cref="Bone"/> order; copied. Transforms relative to a moving Reference node are not
+    /// converted to the world.
     /// </param>
-    /// <param name="arrivalSeconds">When the frame was received, on the clock that samples are asked for on.</param>
-    /// <param name="frameIndex">The sender's counter, where it has one: it tells what is missing, doubled or in another order.</param>
-    /// <returns>False when there was no room, or the time is not a number: the frame is dropped and counted.</returns>
+    /// <param name="arrivalSeconds">The receive time of the frame, on the clock of <see cref="Sample"/>.</param>
+    /// <param name="frameIndex">The sender's counter, if available. It reveals missing, duplicate and reordered frames.</param>
+    /// <returns>True if the frame was added. False if the buffer was full or the time is not finite: the frame is dropped and counted.</returns>
     /// <exception cref="ArgumentException">There are fewer than 59 transforms.</exception>
     public bool Push(ReadOnlySpan<BoneTransform> pose, double arrivalSeconds, uint? frameIndex = null)
     {
@@ -70,11 +84,17 @@ public sealed class PoseBuffer
         return true;
     }
 
-    /// <summary>Gives the pose of a moment. For one thread; never waits, allocates nothing. Moments may come in any order, and usually ascend.</summary>
-    /// <param name="seconds">When the pose is shown, on the clock of the arrivals; the pose is that of <see cref="PoseBufferOptions.Delay"/> before.</param>
+    /// <summary>
+    /// Computes the pose at a time. Call it from one thread. It never waits and does not allocate memory. Times may have any order, but usually
+    /// ascend.
+    /// </summary>
+    /// <param name="seconds">
+    /// The display time of the pose, on the clock of the arrivals. The pose belongs to a time that is <see cref="PoseBufferOptions.Delay"/>
+    /// earlier.
+    /// </param>
     /// <param name="pose">Receives 59 transforms relative to their parents.</param>
-    /// <returns>What the pose was made of; <see cref="PoseOrigin.None"/> when none was written.</returns>
-    /// <exception cref="ArgumentException">There is less room.</exception>
+    /// <returns>The origin of the pose; <see cref="PoseOrigin.None"/> if no pose was written.</returns>
+    /// <exception cref="ArgumentException">The memory is too small.</exception>
     public PoseOrigin Sample(double seconds, Span<BoneTransform> pose)
     {
         ForwardKinematics.CheckRoom(pose, nameof(pose));

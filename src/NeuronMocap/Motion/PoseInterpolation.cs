@@ -3,21 +3,23 @@ using System.Numerics;
 namespace NeuronMocap.Motion;
 
 /// <summary>
-/// Poses between frames. Use transforms relative to the parents: in the world, bones would change their lengths on the way. Of the two
-/// quaternions of a rotation the nearer one is taken, so that a bone turns the shorter way. Poses are spans of as many transforms as there
-/// are. Allocates nothing; thread-safe.
+/// Interpolates poses between frames. Does not allocate memory. Thread-safe.
 /// </summary>
+/// <remarks>
+/// Use transforms relative to the parents: in the world, bones would change their lengths in between. Of the two quaternions of a rotation, the
+/// nearer one is used, so a bone takes the shorter rotation. A pose is a span with any number of transforms.
+/// </remarks>
 public static class PoseInterpolation
 {
-    // Beyond 50 degrees from one frame to the next there is no smooth motion to be guessed.
+    // Above 50 degrees between two frames, smooth motion cannot be reconstructed.
     private const float MinCosine = 0.9f;
 
-    /// <summary>Between two frames: positions on a straight line, rotations at a constant speed.</summary>
+    /// <summary>Interpolates between two frames: positions along a straight line, rotations at a constant speed.</summary>
     /// <param name="from">The pose at part 0.</param>
     /// <param name="to">The pose at part 1.</param>
-    /// <param name="part">How far; below 0 and above 1 the motion goes on.</param>
-    /// <param name="pose">Receives as many transforms as <paramref name="from"/> has; may be the memory of either.</param>
-    /// <exception cref="ArgumentException">The second pose has fewer transforms, or there is less room.</exception>
+    /// <param name="part">The fraction of the interval, 0 to 1. Values outside this range extrapolate the motion.</param>
+    /// <param name="pose">Receives as many transforms as <paramref name="from"/> has. It may be the memory of an input pose.</param>
+    /// <exception cref="ArgumentException">The second pose has fewer transforms, or the destination is too small.</exception>
     public static void Linear(ReadOnlySpan<BoneTransform> from, ReadOnlySpan<BoneTransform> to, double part, Span<BoneTransform> pose)
     {
         Check(from, to, pose);
@@ -30,13 +32,15 @@ public static class PoseInterpolation
     }
 
     /// <summary>
-    /// Between the second and the third of four frames, with no jump of the velocity where one frame takes over from another. Where a
-    /// bone turns by more than 50 degrees from one frame to the next, it turns at a constant speed.
+    /// Interpolates between the second and the third of four frames. The velocity does not jump at frames. A bone that turns more than 50 degrees
+    /// between two frames turns at a constant speed.
     /// </summary>
     /// <param name="frames">The four poses.</param>
-    /// <param name="seconds">When: between the times of the second and the third.</param>
+    /// <param name="seconds">The requested time, between the times of the second and the third frame.</param>
     /// <param name="pose">Receives as many transforms as the second pose has.</param>
-    /// <exception cref="ArgumentException">A pose has fewer transforms than the second, there is less room, or the times do not ascend.</exception>
+    /// <exception cref="ArgumentException">
+    /// A pose has fewer transforms than the second, the destination is too small, or the times do not ascend.
+    /// </exception>
     public static void Cubic(in CubicPoseWindow frames, double seconds, Span<BoneTransform> pose)
     {
         ReadOnlySpan<BoneTransform> before = frames.First.IsEmpty ? frames.Second : frames.First;
@@ -71,12 +75,12 @@ public static class PoseInterpolation
     }
 
     /// <summary>
-    /// Chooses, of the two quaternions of every rotation, the one nearer to that of the frame before: so that they may be compared, averaged,
-    /// filtered or interpolated number by number. The rotations stay the same.
+    /// Selects one of the two quaternions of every rotation: the one nearer to the previous frame. The rotations do not change. The numbers can
+    /// then be compared, averaged, filtered or interpolated one by one.
     /// </summary>
-    /// <param name="before">The frame before, itself made continuous.</param>
-    /// <param name="pose">The frame; changed in place.</param>
-    /// <exception cref="ArgumentException">The frame before has fewer transforms.</exception>
+    /// <param name="before">The previous frame, which is already continuous.</param>
+    /// <param name="pose">The frame, which is changed in place.</param>
+    /// <exception cref="ArgumentException">The previous frame has fewer transforms.</exception>
     public static void MakeContinuous(ReadOnlySpan<BoneTransform> before, Span<BoneTransform> pose)
     {
         Check(pose, before, pose);

@@ -1,11 +1,13 @@
 namespace NeuronMocap.Motion;
 
-/// <summary>How poses between frames are made.</summary>
+/// <summary>Specifies how poses between frames are computed.</summary>
 public enum PoseInterpolationMethod
 {
-    /// <summary>On a straight line and at a constant turn: <see cref="PoseInterpolation.Linear"/>. The speed jumps at every frame.</summary>
+    /// <summary>
+    /// Along a straight line and at a constant rotation speed: <see cref="PoseInterpolation.Linear"/>. The velocity jumps at every frame.
+    /// </summary>
     Linear,
 
-    /// <summary>With a steady speed: <see cref="PoseInterpolation.Cubic"/>.</summary>
+    /// <summary>With a continuous velocity: <see cref="PoseInterpolation.Cubic"/>.</summary>
     Cubic,
 }

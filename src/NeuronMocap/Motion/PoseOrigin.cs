@@ -1,20 +1,20 @@
 namespace NeuronMocap.Motion;
 
-/// <summary>What a pose that a <see cref="PoseBuffer"/> gives was made of.</summary>
+/// <summary>Specifies from which frames a <see cref="PoseBuffer"/> computed a pose.</summary>
 public enum PoseOrigin
 {
-    /// <summary>Nothing: no frame has come yet, and no pose was written.</summary>
+    /// <summary>No frame has arrived yet, and no pose was written.</summary>
     None,
 
-    /// <summary>The first frame, as it is: the moment is before it.</summary>
+    /// <summary>The first frame, unchanged. The requested time is before it.</summary>
     First,
 
-    /// <summary>The frames before and after the moment.</summary>
+    /// <summary>The frames before and after the requested time.</summary>
     Interpolated,
 
-    /// <summary>The newest frames: the motion goes on without a later one, for a short time.</summary>
+    /// <summary>The latest frames. No later frame has arrived, and the motion continues for a short time.</summary>
     Extrapolated,
 
-    /// <summary>The newest frame: none has come for longer than motion is made up, and the pose stands still.</summary>
+    /// <summary>The latest frame. No frame has arrived for longer than the motion continues, and the pose stands still.</summary>
     Held,
 }

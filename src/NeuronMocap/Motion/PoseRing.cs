@@ -2,10 +2,12 @@ using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Motion;
 
-// Slots that go round between one writing and one sampling thread. The writer fills the slot at Head and publishes it by storing Head + 1
-// with release semantics; the sampler reads Head with acquire semantics, so it sees all that was written to the slots before. The
-// same holds backwards for Tail. Each stands on cache lines of its own, so that a thread that stores one does not slow down the other. Between the two the slots are the sampler's own, in any order and for as long as it likes: neither
-// ever waits, and nothing is read while it is written.
+// A ring of slots between one writing and one sampling thread. Neither thread waits, and no slot is read while it is written.
+//
+// The writer fills the slot at Head and publishes it by storing Head + 1 with release semantics. The sampler reads Head with acquire semantics, and
+// therefore sees all data written to the slots before. The same holds in the other direction for Tail. Head and Tail are on separate cache lines; a
+// store by one thread does not slow down the other. The slots between Tail and Head belong to the sampler, which may use them in any order and for
+// any time.
 internal sealed class PoseRing
 {
     private readonly PoseSlot[] _slots;
@@ -13,7 +15,7 @@ internal sealed class PoseRing
 
     private Numbers _numbers;
 
-    // Tests start next to where the numbers wrap around.
+    // Tests start near the point where the numbers wrap around.
     public PoseRing(int capacity, int firstNumber = 0)
     {
         int size = 1;
@@ -27,18 +29,18 @@ internal sealed class PoseRing
 
     public int Capacity => _slots.Length;
 
-    // The writer's: the next slot, or null while all are in use.
+    // Writer. The next slot, or null while all are in use.
     public PoseSlot? Free => _numbers.Head - Volatile.Read(ref _numbers.Tail) < _slots.Length ? At(_numbers.Head) : null;
 
-    // The writer's: hands over the slot that it has filled.
+    // Writer. Publishes the slot that it has filled.
     public void Publish() => Volatile.Write(ref _numbers.Head, _numbers.Head + 1);
 
-    // The sampler's: number of the slot after the newest one. Numbers count on and may wrap; compare them by their difference.
+    // Sampler. Number of the slot after the newest one. Numbers may wrap around; compare them by their difference.
     public int End => Volatile.Read(ref _numbers.Head);
 
     public PoseSlot At(int number) => _slots[number & _mask];
 
-    // The sampler's: gives back all slots from the oldest on that are done, of those before a number.
+    // Sampler. Releases the oldest slots that are done, up to a number.
     public void Release(int end)
     {
         int tail = _numbers.Tail;

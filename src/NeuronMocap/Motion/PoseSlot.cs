@@ -2,7 +2,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Motion;
 
-// One frame in the buffer. The first three are the writer's, the last two the sampler's.
+// One frame in the buffer. The first three fields belong to the writer, the last two to the sampler.
 internal sealed class PoseSlot
 {
     public readonly BoneTransform[] Pose = new BoneTransform[BoneHierarchy.BoneCount];
@@ -10,9 +10,9 @@ internal sealed class PoseSlot
     public double Arrival;
     public uint? Index;
 
-    // When the frame was, on the even clock of the sender that its arrivals show.
+    // The time of the frame on the sender's even clock.
     public double Time;
 
-    // Not needed any more; it goes back to the writer once all before it do.
+    // The slot is no longer needed. It returns to the writer after all slots before it.
     public bool IsDone;
 }

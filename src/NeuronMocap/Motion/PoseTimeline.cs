@@ -2,13 +2,13 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Motion;
 
-// The frames that a sampler has, in the order of the sender's clock, and the poses between and behind them. One thread.
+// Holds the frames of a sampler in the order of the sender's clock, and computes the poses between and after them. One thread.
 internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
 {
-    // Frames closer than this are one: their difference says nothing about a speed.
+    // Frames closer than this count as one, because their difference does not define a speed.
     private const double MinInterval = 5e-5;
 
-    // Without so many frames in a row the motion between is not known, and is not made up.
+    // If this many consecutive frames are missing, the motion between is unknown and is not interpolated.
     private const double GapIntervals = 6;
 
     private readonly PoseSlot[] _slots = new PoseSlot[capacity];
@@ -59,7 +59,7 @@ internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
         else
             origin = CopyFirst(pose);
 
-        // A cubic needs two frames before the moment, and so does one that is a little earlier.
+        // Cubic interpolation needs two frames before the requested time. One more is kept for a slightly earlier request.
         Forget(after - 3);
         return origin;
     }
@@ -99,7 +99,7 @@ internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
         PoseInterpolation.Cubic(frames, time, pose);
     }
 
-    // After a long gap: the pose stood still, and goes over to the frame that ends it within the delay, so that it does not jump.
+    // After a long gap, the pose stood still. It moves to the frame that ends the gap within the delay, and therefore does not jump.
     private void CatchUp(int after, double time, Span<BoneTransform> pose)
     {
         double end = _slots[after].Time;
@@ -112,7 +112,7 @@ internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
         PoseInterpolation.Linear(_held, _slots[after].Pose, (time - start) / (end - start), pose);
     }
 
-    // The motion of the last two frames goes on behind them, and slows down steadily until it stands.
+    // Continues the motion of the latest two frames beyond them, and slows down steadily to a stop.
     private PoseOrigin Continue(int last, double time, Span<BoneTransform> pose)
     {
         PoseSlot newest = _slots[last];
@@ -123,7 +123,7 @@ internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
             PoseSlot before = _slots[last - 1];
             double interval = newest.Time - before.Time;
 
-            // A speed across a gap is none.
+            // A speed across a gap has no meaning.
             if (interval <= Math.Max(GapIntervals * _interval, _delay + _reach))
             {
                 PoseInterpolation.Linear(before.Pose, newest.Pose, 1 + (ahead / Math.Max(interval, _interval / 2)), pose);

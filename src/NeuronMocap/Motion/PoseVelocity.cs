@@ -1,20 +1,22 @@
 namespace NeuronMocap.Motion;
 
 /// <summary>
-/// Velocities by finite differences, right for any spacing of the frames. Poses are spans of transforms, as many as there are, usually in the
-/// world; times are seconds on any clock. Allocates nothing; thread-safe.
+/// Computes velocities by finite differences, for any spacing of the frames. Does not allocate memory. Thread-safe.
 /// </summary>
+/// <remarks>
+/// A pose is a span with any number of transforms, usually in the world. Times are in seconds on any clock.
+/// </remarks>
 public static class PoseVelocity
 {
     /// <summary>
-    /// The velocity from one frame to the next: what is known live. It is the true one halfway between the two, so half a frame old.
-    /// Frames at the same time give zero.
+    /// Computes the velocity from one frame to the next, for live use. The result is exact halfway between the two frames, and therefore half a
+    /// frame old. Frames at the same time give zero.
     /// </summary>
-    /// <param name="earlier">The frame before.</param>
-    /// <param name="later">The newest frame.</param>
-    /// <param name="elapsed">Seconds from one to the other.</param>
+    /// <param name="earlier">The previous frame.</param>
+    /// <param name="later">The latest frame.</param>
+    /// <param name="elapsed">Seconds between the two frames.</param>
     /// <param name="velocities">Receives as many velocities as <paramref name="later"/> has transforms.</param>
-    /// <exception cref="ArgumentException">The earlier pose has fewer transforms than the later, or there is less room.</exception>
+    /// <exception cref="ArgumentException">The earlier pose has fewer transforms than the later one, or the destination is too small.</exception>
     public static void ComputeBackward(
         ReadOnlySpan<BoneTransform> earlier, ReadOnlySpan<BoneTransform> later, double elapsed, Span<BoneVelocity> velocities)
     {
@@ -29,15 +31,16 @@ public static class PoseVelocity
     }
 
     /// <summary>
-    /// The velocity at a frame from its two neighbours: for takes. Exact for constant acceleration, also where the neighbours are not equally far.
+    /// Computes the velocity at a frame from its two neighbours, for takes. The result is exact for constant acceleration, even if the neighbours
+    /// are not equally far away.
     /// </summary>
-    /// <param name="before">The frame before.</param>
+    /// <param name="before">The previous frame.</param>
     /// <param name="now">The frame.</param>
-    /// <param name="after">The frame after.</param>
-    /// <param name="elapsedBefore">Seconds from the frame before to the frame.</param>
-    /// <param name="elapsedAfter">Seconds from the frame to the frame after.</param>
+    /// <param name="after">The next frame.</param>
+    /// <param name="elapsedBefore">Seconds from the previous frame to the frame.</param>
+    /// <param name="elapsedAfter">Seconds from the frame to the next frame.</param>
     /// <param name="velocities">Receives as many velocities as <paramref name="now"/> has transforms.</param>
-    /// <exception cref="ArgumentException">A neighbour has fewer transforms than the frame, or there is less room.</exception>
+    /// <exception cref="ArgumentException">A neighbour has fewer transforms than the frame, or the destination is too small.</exception>
     public static void ComputeCentral(
         ReadOnlySpan<BoneTransform> before,
         ReadOnlySpan<BoneTransform> now,
@@ -49,7 +52,7 @@ public static class PoseVelocity
         Check(before, now, velocities);
         Check(after, now, velocities);
 
-        // The nearer neighbour tells more about this moment: each difference is weighted by the length of the other.
+        // The nearer neighbour is more accurate. Each difference is weighted by the length of the other.
         double both = Math.Max(elapsedBefore, 0) + Math.Max(elapsedAfter, 0);
         float weightBefore = both > 0 ? (float)(Math.Max(elapsedAfter, 0) / both) : 0;
         float first = elapsedAfter > 0 ? PerSecond(elapsedBefore) * weightBefore : PerSecond(elapsedBefore);

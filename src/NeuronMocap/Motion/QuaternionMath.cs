@@ -2,10 +2,11 @@ using System.Numerics;
 
 namespace NeuronMocap.Motion;
 
-// What System.Numerics lacks about quaternions. A rotation has two, q and -q; all here take the shorter way.
+// Quaternion functions that System.Numerics lacks. A rotation has two quaternions, q and -q; all functions here take the shorter rotation.
 internal static class QuaternionMath
 {
-    // The turn that leads from one rotation to another: its axis in the axes of both, its length in radians, at most pi.
+    // The rotation vector from one rotation to another. Its direction is the axis, which is the same in the axes of both. Its length is the angle
+    // in radians, at most pi.
     public static Vector3 TurnBetween(Quaternion from, Quaternion to)
     {
         Quaternion turn = to * Quaternion.Conjugate(from);
@@ -21,14 +22,14 @@ internal static class QuaternionMath
     public static Quaternion InHemisphereOf(Quaternion reference, Quaternion rotation) =>
         Quaternion.Dot(reference, rotation) < 0 ? Quaternion.Negate(rotation) : rotation;
 
-    // Goes on past either end at the same speed.
+    // Extrapolates beyond either end at the same speed.
     public static Quaternion Slerp(Quaternion from, Quaternion to, float part)
     {
         to = InHemisphereOf(from, to);
         float cosine = Quaternion.Dot(from, to);
         float sine = Difference(from, to).Length() / 2;
 
-        // From the chord: near 1 a cosine says nothing about the angle.
+        // The angle comes from the chord, because a cosine near 1 does not determine the angle accurately.
         float half = MathF.Asin(Math.Min(sine, 1));
         if (half < 1e-4f || cosine >= 1)
             return Quaternion.Normalize(Quaternion.Lerp(from, to, part));

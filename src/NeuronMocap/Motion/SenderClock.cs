@@ -1,11 +1,13 @@
 namespace NeuronMocap.Motion;
 
-// Finds the sender's even clock in uneven arrivals: the straight line of arrival times over frame numbers, fitted by least squares.
+// Reconstructs the sender's even clock from uneven arrivals: a straight line of arrival times over frame numbers, fitted by least squares.
 //
-// The fit is the recursive one: predict the next arrival, correct position and period by fixed shares of the error. The shares are those of a
-// fit over all frames so far until there are Memory of them, so a line stands after a few frames and then hardly moves, yet follows the drift of
-// clocks. A single late frame counts as late as frames usually are. When the errors all point one way, the rate has changed or a frame without
-// number is missing, and the fit begins again with the newest frames.
+// The fit is recursive. It predicts the next arrival, and corrects position and period by fixed shares of the error. Up to Memory frames, the
+// shares are those of a fit over all frames so far. The line is therefore usable after a few frames and then hardly moves, but it follows the drift
+// of clocks.
+//
+// The error of a single late frame is limited to three times the mean deviation. If all errors have the same sign, the rate has changed or a frame
+// without a number is missing. The fit then starts again with the latest frames.
 internal sealed class SenderClock
 {
     private const int Memory = 200;
@@ -25,19 +27,19 @@ internal sealed class SenderClock
     private int _count;
     private int _steps;
 
-    // Before there is a line, frames that a server sends at once lie anywhere, and there is no speed between them.
+    // Before the fit settles, frames that a server sends together have arbitrary times, and a speed between them has no meaning.
     public bool IsSettled => _steps >= 2 * ShortMemory;
 
     // Seconds for each step of the index; 0 before the second frame.
     public double Period { get; private set; }
 
-    // Seconds by which arrivals usually miss the even clock.
+    // Mean deviation of arrivals from the even clock, in seconds.
     public double Jitter => _deviation;
 
-    // Seconds from one frame to the next, where every second index is missing, say, twice the period.
+    // Seconds from one frame to the next. For example, if every second index is missing, this is twice the period.
     public double Interval { get; private set; }
 
-    // When a frame was on the even clock; null for one that was there before.
+    // Returns the time of a frame on the even clock; null for a duplicate.
     public double? Place(double arrival, uint? index)
     {
         if (_count == 0)
@@ -46,14 +48,14 @@ internal sealed class SenderClock
         int step = index is { } number && _index is { } last ? unchecked((int)(number - last)) : 1;
         if (step == 0)
         {
-            // A datagram that came twice comes close; a counter that stands still is none.
+            // A duplicate datagram arrives soon after the first. Otherwise the counter does not advance, and its value is ignored.
             if (arrival - _arrival < Interval / 2)
                 return null;
 
             step = 1;
         }
 
-        // Late frames come between others. Where none goes on for so long, or there is no period yet to tell how late they are, the counter went back.
+        // A late frame arrives between others. If no frame has arrived for a long time, or the period is still unknown, the counter has restarted.
         if (step < 0 && Period > 0 && -step * Period < LargestError && arrival - _arrival < LargestError)
             return _time + (step * Period);
 
@@ -78,7 +80,7 @@ internal sealed class SenderClock
         return arrival;
     }
 
-    // The sender paused, or is another one. Time goes on, at the rate that was known until another one shows.
+    // The sender paused, or another sender took over. Time continues at the known rate until a new rate is measured.
     private double Restart(double arrival, uint? index)
     {
         double earliest = _time + Interval;
@@ -114,7 +116,7 @@ internal sealed class SenderClock
         if (_count > 2)
             _deviation += Math.Max(DeviationWeight, 1 / k) * (Math.Abs(error) - _deviation);
 
-        // Frames keep their order while the line still turns.
+        // Frames keep their order even while the slope of the line still changes.
         _time = Math.Max(_position, _time + Math.Max(1e-4, (_position - before) / 4));
     }
 }

@@ -3,26 +3,28 @@ using System.Numerics;
 namespace NeuronMocap.Motion;
 
 /// <summary>
-/// How far somebody has walked, and how fast, from the way of the hips over the ground. A point follows the hips as if on a rope of
-/// <see cref="Slack"/>: it stays where it is as long as they only sway, and is dragged behind them when they leave. Its way is the distance.
-/// So standing still for any time walks nothing, noise and the sway of each step add nothing, and a curve comes out shorter
-/// by less than one percent where its radius is seven times the slack or more. Allocates nothing. Not thread-safe.
+/// Measures how far and how fast an actor has walked, from the path of the hips over the ground. Does not allocate memory. Not thread-safe.
 /// </summary>
+/// <remarks>
+/// A point follows the hips as if pulled by a rope of length <see cref="Slack"/>. It stays while the hips only sway, and follows when they move
+/// away. The length of its path is the distance. Standing still does not count as walking, and neither do noise or the sway of each step. A curve
+/// is measured less than one percent too short if its radius is at least seven times the slack.
+/// </remarks>
 public sealed class WalkingDistance
 {
-    // The speed is the mean of about this time, with less weight for what is long ago.
+    // The speed is a mean over about this time, with less weight on earlier frames.
     private const double SpeedSeconds = 0.5;
 
     private Vector2 _follower;
     private double _time = double.NaN;
 
-    /// <summary>Makes a measurement that begins with the first frame.</summary>
-    /// <param name="slack">How far the hips may be away from where they were without having walked, in centimetres. The distance is short by one slack.</param>
+    /// <summary>Creates a measurement that begins with the first frame.</summary>
+    /// <param name="slack">How far the hips may move without walking, in centimetres. The measured distance is too short by this length.</param>
     /// <exception cref="ArgumentOutOfRangeException">The slack is not a positive number.</exception>
     public WalkingDistance(float slack = 10)
     {
         if (!(slack > 0) || float.IsInfinity(slack))
-            throw new ArgumentOutOfRangeException(nameof(slack), slack, "The slack must be a positive number of centimetres.");
+            throw new ArgumentOutOfRangeException(nameof(slack), slack, "The slack must be a positive number, in centimetres.");
 
         Slack = slack;
     }
@@ -30,15 +32,17 @@ public sealed class WalkingDistance
     /// <summary>Length of the rope, in centimetres.</summary>
     public float Slack { get; }
 
-    /// <summary>The way so far, in centimetres.</summary>
+    /// <summary>The distance so far, in centimetres.</summary>
     public double Distance { get; private set; }
 
-    /// <summary>Speed over the ground in about the last half second, in centimetres per second; 0 for who stands.</summary>
+    /// <summary>Speed over the ground in about the last half second, in centimetres per second; 0 when standing.</summary>
     public double Speed { get; private set; }
 
-    /// <summary>Takes a frame. One whose position or time is not a finite number, or which is no later than the one before, is left out.</summary>
-    /// <param name="hips">Where the hips are in the world, in centimetres, Y up.</param>
-    /// <param name="seconds">When, on any clock.</param>
+    /// <summary>
+    /// Updates the measurement with a frame. A frame is ignored if its position or time is not finite, or if it is not later than the previous one.
+    /// </summary>
+    /// <param name="hips">Position of the hips in the world, in centimetres, Y up.</param>
+    /// <param name="seconds">The time of the frame on any clock.</param>
     public void Update(Vector3 hips, double seconds)
     {
         var place = new Vector2(hips.X, hips.Z);
@@ -56,7 +60,7 @@ public sealed class WalkingDistance
         _time = seconds;
     }
 
-    /// <summary>Begins again: before another actor, or when one was put somewhere else.</summary>
+    /// <summary>Starts again. Call this before measuring another actor, or when an actor was placed elsewhere.</summary>
     public void Reset()
     {
         _time = double.NaN;

@@ -100,7 +100,7 @@ public sealed class BvhExportTests : BvhExportTest
         byte[][] packets = [.. Enumerable.Range(0, 120).Select(static frame => TestPackets.Motion(frame, count: frame % 2 == 0 ? 180 : 354))];
         BvhExport export = await ExportAsync(packets);
 
-        Assert.Contains("changed layout", Assert.IsType<NeuronException>(export.Failure).Message, StringComparison.Ordinal);
+        Assert.Contains("changed the layout", Assert.IsType<NeuronException>(export.Failure).Message, StringComparison.Ordinal);
         Assert.Equal(100, Folder.GetFiles().Length);
     }
 

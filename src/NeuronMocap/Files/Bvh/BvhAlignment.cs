@@ -1,6 +1,7 @@
 namespace NeuronMocap.Bvh;
 
-// Moves rows along the ground and turns them about the vertical, as a whole, so that the hips go on from where they were in the row before.
+// Moves all rows of a take along the ground and turns them about the vertical, as a whole. The hips then continue from where they were in the
+// previous row.
 internal sealed class BvhAlignment
 {
     private const int Vertical = 1;
@@ -10,8 +11,8 @@ internal sealed class BvhAlignment
     private readonly BvhJointValues _hips;
     private readonly BvhJointValues? _reference;
 
-    /// <summary>Looks for what can be moved.</summary>
-    /// <exception cref="NeuronException">A root lacks channels that it takes.</exception>
+    /// <summary>Finds the joints to move.</summary>
+    /// <exception cref="NeuronException">A root lacks a position channel or a rotation channel.</exception>
     public BvhAlignment(BvhHierarchy hierarchy)
     {
         BvhJointValues[] joints = hierarchy.GetJointValues();
@@ -24,11 +25,13 @@ internal sealed class BvhAlignment
         foreach (BvhJointValues root in _roots)
         {
             if (!root.TurnsFreely || !root.MovesFreely)
-                throw new NeuronException($"Takes cannot be aligned: {root.Joint.Name} lacks channels of its position or its rotation.");
+                throw new NeuronException($"Takes cannot be aligned: joint {root.Joint.Name} lacks position or rotation channels.");
         }
     }
 
-    /// <summary>Aligns the rows from one to another to the row before. One of NaN is no place: then the next one away from the seam counts.</summary>
+    /// <summary>
+    /// Aligns the rows from start to end with the row before them. A row with NaN has no position: the next row away from the seam replaces it.
+    /// </summary>
     public void Align(float[] values, int start, int end)
     {
         int before = start - 1;

@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Bvh;
 
-// Finds, for every value of a motion packet, the value of the row that it is.
+// Finds the row value that corresponds to each value of a motion packet.
 internal sealed class BvhBoneColumns
 {
     private const int ReferencePosition = 0;
@@ -45,18 +45,18 @@ internal sealed class BvhBoneColumns
 
     private static bool IsRotation(BvhChannel channel) => channel is >= BvhChannel.Xrotation and <= BvhChannel.Zrotation;
 
-    // In the packet always X, Y, Z, whatever the order of the file.
+    // A packet always holds X, Y, Z, whatever the order in the file.
     private string? ReadPositions(BvhJoint joint, int index)
     {
         int count = joint.Channels.Count(IsPosition);
         if (count != (index < 0 ? 0 : 3))
-            return $"Joint {joint.Name} has {count} position channels; a packet has 3 for the hips, and 3 or none for all the others.";
+            return $"Joint {joint.Name} has {count} position channels; a packet has 3 for the hips, and either 3 or none for all other bones.";
 
         for (int axis = 0; axis < count; axis++)
         {
             int place = PlaceOf(joint, BvhChannel.Xposition + axis);
             if (place < 0)
-                return $"Joint {joint.Name} has one of the position channels twice.";
+                return $"Joint {joint.Name} has the same position channel twice.";
 
             Indices[index + axis] = joint.FirstChannel + place;
         }
@@ -72,7 +72,7 @@ internal sealed class BvhBoneColumns
         if (joint == _joints[(int)Bone.Hips])
             RotationOrder = order;
         if (order != RotationOrder)
-            return $"The rotation order of joint {joint.Name} is {order}, that of the hips {RotationOrder}; a packet has one for all.";
+            return $"The rotation order of joint {joint.Name} is {order}, but that of the hips is {RotationOrder}; a packet has one order for all joints.";
 
         for (int i = 0; i < 3; i++)
             Indices[index + i] = joint.FirstChannel + places[i];

@@ -3,18 +3,18 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Bvh;
 
-/// <summary>The hierarchy of Neuron's 59 bones, as Axis Neuron's files have it (manual, Appendix B).</summary>
+/// <summary>Creates the hierarchy of the 59 Neuron bones, as in files of Axis Neuron (manual, Appendix B).</summary>
 public static class BvhBoneHierarchy
 {
-    /// <summary>Makes the hierarchy whose rows are motion packets: values in the same number and order.</summary>
-    /// <param name="format">Names of the bones, and order of the rotation channels.</param>
+    /// <summary>Creates a hierarchy whose rows match motion packets: the values have the same number and order.</summary>
+    /// <param name="format">The names of the bones and the order of the rotation channels.</param>
     /// <param name="layout">
-    /// Which channels there are: six for every bone with displacement, else six for the hips and three for the others. With a reference, a root of
-    /// that name with six channels, at the origin, carries the hips.
+    /// The channels. With displacement, every bone has six; otherwise the hips have six and the other bones three. With a reference, the hips are a
+    /// child of a root of that name, which has six channels and is at the origin.
     /// </param>
     /// <param name="body">The OFFSETs and End Sites; null for the default body of the format's variant.</param>
     /// <returns>The hierarchy.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such rotation order.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not valid.</exception>
     public static BvhHierarchy Create(SkeletonFormat format, ChannelLayout layout, SkeletonBody? body = null)
     {
         var builder = new BvhHierarchyBuilder();

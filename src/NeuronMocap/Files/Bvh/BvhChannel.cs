@@ -1,9 +1,9 @@
 namespace NeuronMocap.Bvh;
 
-/// <summary>What a value of a BVH row moves or turns; the names are those of the file.</summary>
+/// <summary>Specifies what a value of a BVH row moves or turns. The names are those of the file.</summary>
 public enum BvhChannel
 {
-    /// <summary>A name that the format does not know: its value keeps its place in the row and has no meaning.</summary>
+    /// <summary>A channel name that the format does not define. Its value keeps its place in the row and has no meaning.</summary>
     Unknown = 0,
 
     /// <summary>Position along X, in the file's unit of length.</summary>

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Bvh;
 
-// What the names of channels mean.
+// Defines the meaning of channel names.
 internal static class BvhChannels
 {
     public static readonly BvhChannel[] Positions = [BvhChannel.Xposition, BvhChannel.Yposition, BvhChannel.Zposition];
@@ -9,12 +9,12 @@ internal static class BvhChannels
 
     public static bool IsRotation(this BvhChannel channel) => channel is >= BvhChannel.Xrotation and <= BvhChannel.Zrotation;
 
-    /// <summary>0 for X, 1 for Y, 2 for Z.</summary>
+    /// <summary>The axis: 0 for X, 1 for Y, 2 for Z.</summary>
     public static int Axis(this BvhChannel channel) =>
         channel.IsPosition() ? channel - BvhChannel.Xposition : channel - BvhChannel.Xrotation;
 
-    /// <summary>The rotation channels of an order, as they stand in a row.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such order.</exception>
+    /// <summary>The rotation channels of an order, in the order of a row.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The order is not valid.</exception>
     public static BvhChannel[] Rotations(RotationOrder order) => order switch
     {
         RotationOrder.XZY => [BvhChannel.Xrotation, BvhChannel.Zrotation, BvhChannel.Yrotation],

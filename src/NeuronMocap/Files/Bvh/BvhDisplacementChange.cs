@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace NeuronMocap.Bvh;
 
-// Displacement on and off.
+// Adds and removes displacement.
 internal static class BvhDisplacementChange
 {
     public static BvhDocument Add(BvhDocument document)
@@ -58,7 +58,7 @@ internal static class BvhDisplacementChange
         return offset;
     }
 
-    // One of the values, not the mean of two: where they are all the same it is theirs to the last bit.
+    // Takes one of the values, not the mean of two. Equal values then stay the same, bit for bit.
     private static double Median(BvhPoint[] positions, Func<BvhPoint, double> coordinate)
     {
         double[] values = [.. positions.Select(coordinate)];
@@ -66,7 +66,7 @@ internal static class BvhDisplacementChange
         return values[values.Length / 2];
     }
 
-    // Copies what both hierarchies have, joint by joint; the rest is the caller's.
+    // Copies the channels that both hierarchies have, joint by joint. The caller fills in the rest.
     private static float[] Fill(BvhDocument document, BvhHierarchy hierarchy, FillRest fillRest)
     {
         BvhJointValues[] sources = document.Hierarchy.GetJointValues();
@@ -87,7 +87,7 @@ internal static class BvhDisplacementChange
         return values;
     }
 
-    // Channels are only added in front or taken away: those that stay keep their order.
+    // Channels are only added in front or removed. The remaining channels keep their order.
     private static List<(int From, int To)> Columns(BvhJoint source, BvhJoint target)
     {
         var columns = new List<(int From, int To)>();

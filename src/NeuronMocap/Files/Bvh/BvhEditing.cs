@@ -3,17 +3,20 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// What is done to takes: each operation makes a new document and leaves the old one as it is. Poses are computed in double precision; what does not
-/// have to change keeps its bits. Times stay fractions. All but <see cref="WithVariant"/> work with any hierarchy.
+/// Edits takes. Each operation creates a new document and leaves the original unchanged.
 /// </summary>
+/// <remarks>
+/// Poses are computed in double precision. Values that do not have to change keep their bits. Times stay exact fractions. All operations except
+/// <see cref="WithVariant"/> work with any hierarchy.
+/// </remarks>
 public static class BvhEditing
 {
-    /// <summary>A part of a take, by frame numbers.</summary>
+    /// <summary>Gets a part of a take, by frame numbers.</summary>
     /// <param name="document">The take.</param>
     /// <param name="start">The first frame of the part, from 0.</param>
     /// <param name="count">Number of frames.</param>
     /// <returns>The part.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The part reaches beyond the take.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The part extends beyond the take.</exception>
     public static BvhDocument Trim(this BvhDocument document, int start, int count)
     {
         ArgumentNullException.ThrowIfNull(document);
@@ -29,12 +32,14 @@ public static class BvhEditing
         return document.With(document.Hierarchy, values);
     }
 
-    /// <summary>A part of a take, by time: the frames from the one nearest to the start to the one before the one nearest to the end.</summary>
+    /// <summary>
+    /// Gets a part of a take, by time. The part starts at the frame nearest to the start and ends before the frame nearest to the end.
+    /// </summary>
     /// <param name="document">The take.</param>
-    /// <param name="start">Time of the first frame since that of the take.</param>
-    /// <param name="duration">How long the part lasts.</param>
+    /// <param name="start">The time of the part's first frame, from the start of the take.</param>
+    /// <param name="duration">The duration of the part.</param>
     /// <returns>The part.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The part reaches beyond the take.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The part extends beyond the take.</exception>
     public static BvhDocument Trim(this BvhDocument document, TimeSpan start, TimeSpan duration)
     {
         ArgumentNullException.ThrowIfNull(document);
@@ -42,92 +47,118 @@ public static class BvhEditing
         return document.Trim(first, FrameAt(document, start + duration, nameof(duration)) - first);
     }
 
-    /// <summary>Puts takes of one hierarchy one after the other.</summary>
+    /// <summary>Joins takes that have the same hierarchy, one after the other.</summary>
     /// <param name="takes">
-    /// The takes, in order; at least one. Names, parents and channels of the joints have to be the same, and so have offsets that a position channel does
-    /// not replace, and the frame time: see <see cref="WithRotationOrder"/>, <see cref="WithDisplacement"/>, <see cref="Resample(BvhDocument, BvhFrameTime)"/>.
+    /// The takes, in order; at least one. Names, parents and channels of the joints must be the same. The frame times must also be the same, and
+    /// all offsets that position channels do not replace. See <see cref="WithRotationOrder"/>, <see cref="WithDisplacement"/>,
+    /// <see cref="Resample(BvhDocument, BvhFrameTime)"/>.
     /// </param>
     /// <param name="isAligned">
-    /// Whether each take begins where the one before ends: moved along the ground and turned about the vertical as a whole, so that the hips stand at the same
-    /// place and face the same way. Heights stay. Frames are not blended. Without, the values stay as they are.
+    /// Whether each take begins where the previous one ends. If true, each take is moved along the ground and turned about the vertical, as a
+    /// whole. The hips then stand at the same place and face the same way. Heights do not change, and frames are not blended. If false, the values
+    /// do not change.
     /// </param>
-    /// <returns>The whole, with the hierarchy of the first.</returns>
-    /// <exception cref="ArgumentException">There is no take.</exception>
-    /// <exception cref="NeuronException">The takes do not fit together; the message says where they differ.</exception>
+    /// <returns>The joined take, with the hierarchy of the first one.</returns>
+    /// <exception cref="ArgumentException">The list is empty or contains null.</exception>
+    /// <exception cref="NeuronException">The takes do not match; the message names the difference.</exception>
     public static BvhDocument Join(IReadOnlyList<BvhDocument> takes, bool isAligned = false) => BvhJoining.Join(takes, isAligned);
 
     /// <summary>
-    /// The same motion at another rate: rotations are interpolated along the shortest way between quaternions, positions along straight lines. Frames at
-    /// times at which the take has one keep its bits, so that 120 Hz made 60 Hz is every second row. The first and the last frame are kept; where the length of
-    /// the take is no whole number of frames, the last one comes later by less than a frame.
+    /// Converts a take to another frame rate. Rotations are interpolated along the shortest path between quaternions, positions along straight
+    /// lines.
     /// </summary>
+    /// <remarks>
+    /// Frames whose times exist in the original keep their bits; converting 120 Hz to 60 Hz therefore keeps every second row. The first and the
+    /// last frame are kept. If the length of the take is not a whole number of frames, the last frame moves later by less than one frame.
+    /// </remarks>
     /// <param name="document">The take.</param>
     /// <param name="frameTime">Time from one frame to the next, above 0.</param>
-    /// <returns>The take at that rate. The angles are those nearest to the neighbours' in the take.</returns>
-    /// <exception cref="ArgumentException">The time is none, or there would be more frames than a document can have.</exception>
+    /// <returns>The take at that rate. Its angles are those nearest to the neighbouring angles of the original.</returns>
+    /// <exception cref="ArgumentException">The frame time is 0, or the result would have more frames than a document can hold.</exception>
     public static BvhDocument Resample(this BvhDocument document, BvhFrameTime frameTime) => BvhResampling.Resample(document, frameTime);
 
-    /// <summary>The same motion at another rate; otherwise as with a <see cref="BvhFrameTime"/>.</summary>
+    /// <summary>Converts a take to another frame rate, given in frames per second.</summary>
     /// <param name="document">The take.</param>
     /// <param name="frameRate">Frames per second.</param>
     /// <returns>The take at that rate.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The rate is none: <see cref="BvhFrameTime.FromFrameRate"/>.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rate is out of range, see <see cref="BvhFrameTime.FromFrameRate"/>.</exception>
     public static BvhDocument Resample(this BvhDocument document, double frameRate) => Resample(document, BvhFrameTime.FromFrameRate(frameRate));
 
     /// <summary>
-    /// The take as a mirror shows it: what left did, right does, and the other way round. Everything is reflected in the plane X = 0, which is the
-    /// subject's middle in Axis Neuron's axes. Mirrored twice it is the take again, bit for bit. Which joint is whose partner follows from names: LeftArm and RightArm,
-    /// lArm and rArm, Arm.L and Arm.R, Arm_l and Arm_r, LHip and RHip; a joint without a partner is its own. A joint gets offset, channels and values of its partner.
+    /// Mirrors a take: left and right change places. Everything is reflected in the plane X = 0, which is the middle of the body in the axes of
+    /// Axis Neuron.
     /// </summary>
+    /// <remarks>
+    /// <para>Mirroring twice gives the original, bit for bit. A joint receives the offset, channels and values of its partner.</para>
+    /// <para>
+    /// Partners are found by name: LeftArm and RightArm, lArm and rArm, Arm.L and Arm.R, Arm_l and Arm_r, LHip and RHip. A joint without a partner
+    /// is its own partner.
+    /// </para>
+    /// </remarks>
     /// <param name="document">The take.</param>
-    /// <returns>The mirrored take, its joints in the same order.</returns>
-    /// <exception cref="NeuronException">The joints of the two sides do not correspond; the message says which.</exception>
+    /// <returns>The mirrored take, with its joints in the same order.</returns>
+    /// <exception cref="NeuronException">The joints of the two sides do not match; the message names them.</exception>
     public static BvhDocument Mirror(this BvhDocument document) => BvhMirroring.Mirror(document);
 
     /// <summary>
-    /// The take with another order of rotation, the same for every joint that has one channel for each axis; others stay as they are. The pose is the
-    /// same. Of the triples that describe a rotation, the one nearest to that of the frame before is chosen, so that curves do not jump; angles may then
-    /// leave -180 to 180 degrees. Joints that have the order already keep their values.
+    /// Converts a take to another rotation order. The poses do not change.
     /// </summary>
+    /// <remarks>
+    /// The order applies to every joint that has one rotation channel for each axis; other joints do not change. Several angle triples describe the
+    /// same rotation. The one nearest to the previous frame is chosen, which keeps the curves continuous. Angles may therefore leave the range -180
+    /// to 180 degrees. Joints that already have the order keep their values.
+    /// </remarks>
     /// <param name="document">The take.</param>
-    /// <param name="order">The order of the channels, which is that of their application.</param>
+    /// <param name="order">The order of the channels, in which the rotations are applied.</param>
     /// <returns>The take in that order.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such order.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The order is not valid.</exception>
     public static BvhDocument WithRotationOrder(this BvhDocument document, RotationOrder order) => BvhRotationOrderChange.WithOrder(document, order);
 
     /// <summary>
-    /// The take with the same poses and without jumps between triples of angles that describe the same rotation: in each frame the one nearest to that
-    /// of the frame before. Programs call it an Euler filter. Streams and recordings of Neuron do jump.
+    /// Removes jumps between angle triples that describe the same rotation. The poses do not change.
     /// </summary>
+    /// <remarks>
+    /// In each frame, the triple nearest to the previous frame is chosen. Other programs call this an Euler filter. Streams and recordings of
+    /// Neuron contain such jumps.
+    /// </remarks>
     /// <param name="document">The take.</param>
     /// <returns>The take with continuous curves.</returns>
     public static BvhDocument FilterEulerAngles(this BvhDocument document) => BvhRotationOrderChange.Filter(document);
 
-    /// <summary>The take with position channels for every joint: those that had none get three, in front of the others, that hold the OFFSET.</summary>
+    /// <summary>
+    /// Adds position channels to every joint. Joints without them receive three, before their other channels, filled with the OFFSET.
+    /// </summary>
     /// <param name="document">The take.</param>
     /// <returns>The take with displacement.</returns>
     public static BvhDocument WithDisplacement(this BvhDocument document) => BvhDisplacementChange.Add(document);
 
     /// <summary>
-    /// The take without position channels but those of the roots and, where the root is a node named Reference, of what hangs from it. An OFFSET becomes
-    /// the middle one of the positions that the joint had in the take (the median of each coordinate), so that nothing is lost where they did not change.
+    /// Removes all position channels except those of the roots. If a root is named Reference, its children keep theirs too.
     /// </summary>
+    /// <remarks>
+    /// The new OFFSET of a joint is the median of each coordinate of its positions in the take. Positions that never change are therefore kept
+    /// exactly.
+    /// </remarks>
     /// <param name="document">The take.</param>
-    /// <param name="loss">How far the positions that were dropped were from the new OFFSETs.</param>
+    /// <param name="loss">The largest distance between a removed position and its new OFFSET.</param>
     /// <returns>The take without displacement.</returns>
     public static BvhDocument WithoutDisplacement(this BvhDocument document, out PositionChannelLoss loss) => BvhDisplacementChange.Remove(document, out loss);
 
     /// <summary>
-    /// A take of Neuron's 59 bones with the names and parents of the other variant. Every joint stays where it is in the world, and turned as it was. The
-    /// shoulders hang from another bone, which moves by itself: a take without displacement gets it where that bone turns, because no fixed OFFSET could follow.
+    /// Converts a take of the 59 Neuron bones to the names and parents of the other variant. Every joint keeps its position and rotation in the
+    /// world.
     /// </summary>
+    /// <remarks>
+    /// The shoulders are attached to another bone, which moves independently. If that bone turns, a take without displacement receives
+    /// displacement, because a fixed OFFSET cannot follow the bone.
+    /// </remarks>
     /// <param name="document">The take.</param>
-    /// <param name="variant">The naming of spine and neck.</param>
-    /// <returns>The take in that variant; the same document where it is in it already.</returns>
-    /// <exception cref="NeuronException">The skeleton is not Neuron's; the message says what is different.</exception>
+    /// <param name="variant">The names of spine and neck.</param>
+    /// <returns>The take in that variant; the same document if it already has that variant.</returns>
+    /// <exception cref="NeuronException">The skeleton is not the Neuron skeleton; the message names the difference.</exception>
     public static BvhDocument WithVariant(this BvhDocument document, SkeletonVariant variant) => BvhVariantChange.Change(document, variant);
 
-    // Of the same rate and layout of the text.
+    // Keeps the frame time and the text layout.
     internal static BvhDocument With(this BvhDocument document, BvhHierarchy hierarchy, float[] values) =>
         new(hierarchy, document.FrameTime, values) { TextFormat = document.TextFormat };
 
@@ -140,7 +171,7 @@ public static class BvhEditing
         return values;
     }
 
-    // For a hierarchy of the same joints, with as many channels each.
+    // For a hierarchy whose joints are the same and have the same number of channels.
     internal static float[] CopyValues(this BvhDocument document, BvhHierarchy hierarchy)
     {
         float[] values = new float[document.FrameCount * document.ChannelCount];

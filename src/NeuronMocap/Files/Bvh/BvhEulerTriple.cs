@@ -1,22 +1,25 @@
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// Three angles in degrees, in the order of their application. Every rotation has two such triples, and each of those may have whole turns added: of
-/// all of them, the one is chosen that is nearest to another triple, the neighbour's in time. Programs that interpolate the curves of a file
-/// one by one, as Blender and MotionBuilder do, would spin a joint where the triples jump.
+/// Three angles in degrees, in the order in which they are applied.
 /// </summary>
+/// <remarks>
+/// Every rotation has two such triples, and whole turns can be added to each angle. Of all these triples, the one nearest to a neighbouring frame
+/// is chosen. Some programs, such as Blender and MotionBuilder, interpolate the curves of a file independently. In such a program, a jump between
+/// triples would spin the joint.
+/// </remarks>
 internal readonly record struct BvhEulerTriple(double First, double Second, double Third)
 {
-    // The cosine of the second angle below which the first and the third turn about the same line. Their parts are the neighbour's to choose then; that
-    // costs less than this in radians.
+    // Below this cosine of the second angle, the first and the third angle turn about the same line. The neighbouring frame then decides how to
+    // divide the turn between them. The error is smaller than this value in radians.
     private const double GimbalLockCosine = 1e-7;
 
     private const double DegreesPerRadian = 180 / Math.PI;
 
-    /// <summary>The triple of a rotation that is nearest to another.</summary>
+    /// <summary>Finds the triple of a rotation that is nearest to another triple.</summary>
     /// <param name="rotation">The rotation.</param>
     /// <param name="axes">The axes of the three angles, all different: 0 for X, 1 for Y, 2 for Z.</param>
-    /// <param name="near">The triple to be near to.</param>
+    /// <param name="near">The other triple.</param>
     public static BvhEulerTriple Of(BvhRotation rotation, (int First, int Second, int Third) axes, BvhEulerTriple near)
     {
         (int i, int j, int k) = axes;
@@ -35,7 +38,7 @@ internal readonly record struct BvhEulerTriple(double First, double Second, doub
         return new BvhEulerTriple(first, second, third).Nearest(near);
     }
 
-    /// <summary>Of the triples that describe the same rotation, with all axes different, the nearest to another.</summary>
+    /// <summary>Finds the triple of the same rotation that is nearest to another triple. All three axes must be different.</summary>
     public BvhEulerTriple Nearest(BvhEulerTriple near)
     {
         BvhEulerTriple one = Unwrap(near);
@@ -43,7 +46,7 @@ internal readonly record struct BvhEulerTriple(double First, double Second, doub
         return other.Distance(near) < one.Distance(near) ? other : one;
     }
 
-    /// <summary>This, or another one where this is no rotation: one row of NaN shall not spoil those after it.</summary>
+    /// <summary>Returns this triple, or the other one if this is not finite. One row of NaN must not affect the rows after it.</summary>
     public BvhEulerTriple Or(BvhEulerTriple other) => double.IsFinite(First + Second + Third) ? this : other;
 
     private static double Square(double value) => value * value;

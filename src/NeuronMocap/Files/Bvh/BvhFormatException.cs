@@ -1,32 +1,32 @@
 namespace NeuronMocap.Bvh;
 
-/// <summary>A file is not BVH, or so damaged that no reading of it is right.</summary>
+/// <summary>The exception that is thrown when a file is not BVH, or is too damaged to be read correctly.</summary>
 public sealed class BvhFormatException : NeuronException
 {
-    /// <summary>Makes an exception without a message.</summary>
+    /// <summary>Creates an exception without a message.</summary>
     public BvhFormatException()
     {
     }
 
-    /// <summary>Makes an exception.</summary>
-    /// <param name="message">What is wrong.</param>
+    /// <summary>Creates an exception with a message.</summary>
+    /// <param name="message">The message that describes the error.</param>
     public BvhFormatException(string message)
         : base(message)
     {
     }
 
-    /// <summary>Makes an exception that another one caused.</summary>
-    /// <param name="message">What is wrong.</param>
-    /// <param name="innerException">The cause.</param>
+    /// <summary>Creates an exception with a message and an inner exception.</summary>
+    /// <param name="message">The message that describes the error.</param>
+    /// <param name="innerException">The exception that caused this one.</param>
     public BvhFormatException(string message, Exception innerException)
         : base(message, innerException)
     {
     }
 
-    /// <summary>Makes an exception; the place becomes part of its message.</summary>
-    /// <param name="message">What is wrong.</param>
+    /// <summary>Creates an exception with a message and a position, which is added to the message.</summary>
+    /// <param name="message">The message that describes the error.</param>
     /// <param name="line">Line of the file, from 1.</param>
-    /// <param name="column">Byte of that line, from 1.</param>
+    /// <param name="column">Byte within that line, from 1.</param>
     public BvhFormatException(string message, int line, int column)
         : base($"line {line}, column {column}: {message}")
     {
@@ -34,9 +34,9 @@ public sealed class BvhFormatException : NeuronException
         Column = column;
     }
 
-    /// <summary>Line of the file, from 1; 0 when there is none to name.</summary>
+    /// <summary>Line of the file, from 1; 0 when unknown.</summary>
     public int Line { get; }
 
-    /// <summary>Byte of that line, from 1; 0 when there is none to name.</summary>
+    /// <summary>Byte within that line, from 1; 0 when unknown.</summary>
     public int Column { get; }
 }

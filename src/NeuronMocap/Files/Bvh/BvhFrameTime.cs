@@ -3,8 +3,8 @@ using System.Text;
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// Time from one frame to the next: a fraction of seconds in lowest terms, so that frame times add up without drift. The default value is no
-/// time, 0 s. Immutable; thread-safe.
+/// Represents the time from one frame to the next as a fraction of seconds in lowest terms. Frame times therefore add up without drift. The default
+/// value is 0 s, which is not a valid frame time. Immutable; thread-safe.
 /// </summary>
 public readonly record struct BvhFrameTime
 {
@@ -14,10 +14,10 @@ public readonly record struct BvhFrameTime
 
     private readonly long _denominatorLessOne;
 
-    /// <summary>Makes a time; 1 and 120 is that of Axis Neuron at 120 Hz.</summary>
+    /// <summary>Creates a frame time. For example, 1 and 120 give the frame time of Axis Neuron at 120 Hz.</summary>
     /// <param name="numerator">Seconds, above 0.</param>
-    /// <param name="denominator">What they are divided by, above 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException">One of them is not above 0.</exception>
+    /// <param name="denominator">The divisor, above 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">One of the values is not above 0.</exception>
     public BvhFrameTime(long numerator, long denominator)
     {
         if (numerator <= 0)
@@ -30,28 +30,33 @@ public readonly record struct BvhFrameTime
         _denominatorLessOne = (denominator / divisor) - 1;
     }
 
-    /// <summary>1/120 s, the rate of a suit with fewer than 18 sensors (manual section 1.3): assumed where a file does not say.</summary>
+    /// <summary>
+    /// 1/120 s, the frame time of a suit with fewer than 18 sensors (manual section 1.3). Used when a file has no usable frame time.
+    /// </summary>
     public static BvhFrameTime Default => new(1, 120);
 
-    /// <summary>Seconds, to be divided by <see cref="Denominator"/>; 0 in the default value only.</summary>
+    /// <summary>The seconds, to be divided by <see cref="Denominator"/>. Only the default value has 0.</summary>
     public long Numerator { get; }
 
-    /// <summary>What <see cref="Numerator"/> is divided by, at least 1.</summary>
+    /// <summary>The divisor of <see cref="Numerator"/>, at least 1.</summary>
     public long Denominator => _denominatorLessOne + 1;
 
     /// <summary>The time in seconds, as the nearest double.</summary>
     public double Seconds => (double)Numerator / Denominator;
 
-    /// <summary>Frames per second, as the nearest double; infinite in the default value.</summary>
+    /// <summary>Frames per second, as the nearest double; infinite for the default value.</summary>
     public double FrameRate => (double)Denominator / Numerator;
 
     /// <summary>
-    /// The time of a rate: 120 gives 1/120 s, 59.94 gives 50/2997 s and 60 / 1.001 gives 1001/60000 s. It is the simplest fraction within a
-    /// tenth of a billionth of the rate, which is far more than a double's error and less than what parts two rates that are meant.
+    /// Creates the frame time of a rate: 120 gives 1/120 s, 59.94 gives 50/2997 s and 60 / 1.001 gives 1001/60000 s.
     /// </summary>
+    /// <remarks>
+    /// The result is the simplest fraction within a relative distance of 1e-10 from the rate. This tolerance is much larger than the rounding error
+    /// of a double, and smaller than the difference between two common rates.
+    /// </remarks>
     /// <param name="frameRate">Frames per second: 1/3600 to a million.</param>
     /// <returns>The time.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The rate is not one of those, or not a number.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rate is out of range or not a number.</exception>
     public static BvhFrameTime FromFrameRate(double frameRate)
     {
         if (frameRate is not (>= SlowestRate and <= FastestRate))
@@ -63,22 +68,25 @@ public readonly record struct BvhFrameTime
     }
 
     /// <summary>
-    /// Reads the text after "Frame Time:" of a file and finds the time that was rounded: 0.008 is 1/120, 0.017 is 1/60, 0.033 is 1/30, 0.010 is
-    /// 1/100 and 0.033367 is 1001/30000 s. A file says 1/125 with one more digit, 0.0080. Where no usual rate fits the digits that are
-    /// there, the text is taken by its word.
+    /// Reads the text after "Frame Time:" of a file and finds the time that was rounded.
     /// </summary>
-    /// <param name="text">A decimal number, without space around it.</param>
-    /// <param name="time">The time.</param>
-    /// <returns>False when it is not a number, or not one from 1 µs to 1 h.</returns>
+    /// <remarks>
+    /// 0.008 stands for 1/120 s, 0.017 for 1/60 s, 0.033 for 1/30 s, 0.010 for 1/100 s and 0.033367 for 1001/30000 s. A file writes 1/125 s with
+    /// one more digit, 0.0080. If no usual rate matches the digits, the text is taken literally.
+    /// </remarks>
+    /// <param name="text">A decimal number without surrounding white space.</param>
+    /// <param name="time">The frame time.</param>
+    /// <returns>True if the text is a number from 1 µs to 1 h.</returns>
     public static bool TryParse(string? text, out BvhFrameTime time) =>
         BvhFrameTimeText.TryParse(Encoding.UTF8.GetBytes(text ?? ""), out _, out time);
 
     /// <summary>
-    /// The time as a file has it: with six decimals, or as many more, up to fifteen, as <see cref="TryParse"/> needs to read the same time.
+    /// Formats the time as in a file: with six decimals, or with as many as <see cref="TryParse"/> needs to read the same time, up to fifteen.
     /// </summary>
     public override string ToString() => BvhFrameTimeText.Create(this);
 
-    // The fraction of the smallest denominator between two positive numbers, both included, by their continued fractions. Any numbers: times or rates.
+    // The fraction with the smallest denominator in a range of positive numbers, bounds included, by continued fractions. Works for times and for
+    // rates.
     internal static (long Numerator, long Denominator) SimplestFraction(decimal lowest, decimal highest)
     {
         decimal whole = decimal.Floor(lowest);

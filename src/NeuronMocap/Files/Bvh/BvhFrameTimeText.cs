@@ -5,40 +5,45 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// The time behind a rounded text. Axis Neuron writes three decimals: 0.008 stands for 1/120 s, and a player that takes it for 1/125
-/// runs four per cent fast. So the time is the period of the usual rate that, rounded to as many digits, gives the text of the file; of
-/// several, the nearest. Without any, those of television, 1001/30000 s and the like; then the text is taken by its word.
-/// <para>
-/// 125 and 250 Hz are left out of the usual rates on purpose: to three decimals they cannot be told from 120 and 240, which are the more
-/// common by far. A file that means 125 says so with a fourth digit, 0.0080. The same holds for 100 against 96 the other way round:
-/// 0.010 is exactly 100, and stays it.
-/// </para>
+/// Converts between a frame time and its rounded text.
 /// </summary>
+/// <remarks>
+/// <para>
+/// Axis Neuron writes three decimals: 0.008 stands for 1/120 s. A player that reads it as 1/125 s runs four per cent fast. The result is therefore
+/// the period of the usual rate that gives the text of the file when rounded to as many digits. If several rates match, the nearest one is used. If
+/// none matches, the television rates are tried, such as 1001/30000 s. If none of those matches either, the text is taken literally.
+/// </para>
+/// <para>
+/// 125 and 250 Hz are deliberately not among the usual rates. With three decimals, their periods cannot be distinguished from those of 120 and 240
+/// Hz, which are far more common. A file at 125 Hz has a fourth digit, 0.0080. The opposite holds for 100 and 96 Hz: 0.010 is exactly 100 Hz.
+/// </para>
+/// </remarks>
 internal static class BvhFrameTimeText
 {
     private const double ShortestTime = 1e-6;
     private const double LongestTime = 3600;
 
-    // Writers that keep the period as a float print all of its digits, of which the last ones are noise.
+    // Some writers keep the period as a float and print all of its digits. The last digits are noise.
     private const double SinglePrecision = 1e-7;
 
-    // With so many decimals the simplest fraction that they allow is meant: no other one of a likely rate is near. It has at most 15 in a long.
+    // A text with this many decimals stands for the simplest fraction within its rounding: no other likely rate is that near. A long holds at most
+    // 15 decimals.
     private const int ManyDecimals = 9;
     private const int MaxDecimals = 15;
     private const int MinDecimalsWritten = 6;
     private const int LongestText = 128;
 
-    // Also what a measured rate is taken for that is near to one of them.
+    // Measured rates near one of these rates are also taken as that rate.
     internal static ReadOnlySpan<short> UsualRates =>
         [24, 25, 30, 48, 50, 60, 72, 75, 80, 90, 96, 100, 120, 144, 150, 180, 200, 240, 300, 360];
 
     internal static ReadOnlySpan<short> TelevisionRates => [24, 30, 48, 60, 120, 240];
 
-    /// <summary>Reads a word of a file.</summary>
+    /// <summary>Parses a word of a file.</summary>
     /// <param name="word">The word.</param>
-    /// <param name="declared">Its value, in seconds.</param>
-    /// <param name="time">What it means.</param>
-    /// <returns>False when it is not a number, or not one of the times that are usable, 1 µs to 1 h.</returns>
+    /// <param name="declared">The written value, in seconds.</param>
+    /// <param name="time">The frame time that the value stands for.</param>
+    /// <returns>True if the word is a number in the usable range, 1 µs to 1 h.</returns>
     public static bool TryParse(ReadOnlySpan<byte> word, out double declared, out BvhFrameTime time)
     {
         time = default;
@@ -54,7 +59,7 @@ internal static class BvhFrameTimeText
         return true;
     }
 
-    /// <summary>Writes a time with as many decimals as it takes to be read again as the same, at least six and at most fifteen.</summary>
+    /// <summary>Formats a time with as many decimals as are needed to read the same time again, at least six and at most fifteen.</summary>
     public static string Create(BvhFrameTime time)
     {
         decimal seconds = time.Numerator / (decimal)time.Denominator;

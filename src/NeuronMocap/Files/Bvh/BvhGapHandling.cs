@@ -1,11 +1,15 @@
 namespace NeuronMocap.Bvh;
 
-/// <summary>What becomes of frames that the frame index of a stream tells to be missing. A row of BVH has no time of its own, only a place.</summary>
+/// <summary>
+/// Specifies how frames that are missing from a stream are written. The frame indices reveal missing frames; a BVH row has a position but no time.
+/// </summary>
 public enum BvhGapHandling
 {
-    /// <summary>The row before stands in for each of them, so that the take lasts as long as the motion did and stays in step with sound and video.</summary>
+    /// <summary>
+    /// Repeats the previous row for each missing frame. The take then lasts as long as the motion and stays in step with sound and video.
+    /// </summary>
     Repeat,
 
-    /// <summary>Nothing: the file holds what was received, and what follows a gap comes too early by its length.</summary>
+    /// <summary>Writes only the received frames. Rows after a gap come too early by the length of the gap.</summary>
     Skip,
 }

@@ -1,8 +1,8 @@
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// The joints of a BVH file and the values that each of them has in a row. Made by <see cref="BvhHierarchyBuilder"/>, or read from a file.
-/// Immutable; thread-safe.
+/// Represents the joints of a BVH file and the values that each joint has in a row. It is created by <see cref="BvhHierarchyBuilder"/> or read from
+/// a file. Immutable; thread-safe.
 /// </summary>
 public sealed class BvhHierarchy
 {
@@ -12,7 +12,7 @@ public sealed class BvhHierarchy
         ChannelCount = channelCount;
     }
 
-    /// <summary>The joints, parents before their children, depth first as in the file; at least one.</summary>
+    /// <summary>The joints in the order of the file, depth first, parents before their children. There is at least one.</summary>
     public IReadOnlyList<BvhJoint> Joints { get; }
 
     /// <summary>Number of values in a row.</summary>

@@ -3,8 +3,8 @@ using System.Numerics;
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// Makes a <see cref="BvhHierarchy"/>, joint by joint in the order of a file: depth first, each joint after its parent and after all that
-/// hangs from the siblings before it. For one thread.
+/// Creates a <see cref="BvhHierarchy"/>, joint by joint in the order of a file: depth first, each joint after its parent and after all descendants
+/// of its earlier siblings. Not thread-safe.
 /// </summary>
 public sealed class BvhHierarchyBuilder
 {
@@ -14,25 +14,27 @@ public sealed class BvhHierarchyBuilder
     private bool _isBuilt;
 
     /// <summary>Adds a joint.</summary>
-    /// <param name="name">Its name; without line ends, braces, and white space around it.</param>
-    /// <param name="parent">What it hangs from: the joint added last, or one that that one hangs from; null for a root.</param>
-    /// <param name="offset">Position relative to the parent in the rest pose; Axis Neuron: centimetres.</param>
-    /// <param name="channels">Its values in the order of the row; none, one, or as many as wanted.</param>
-    /// <param name="endSite">Where the bone ends, relative to the joint; null for none.</param>
-    /// <returns>The joint, to be named as a parent.</returns>
+    /// <param name="name">The name. It must not contain line ends or braces, and must not begin or end with white space.</param>
+    /// <param name="parent">The parent: the joint added last or one of its ancestors; null for a root.</param>
+    /// <param name="offset">The position relative to the parent in the rest pose; Axis Neuron: centimetres.</param>
+    /// <param name="channels">The channels in the order of the row; any number, including none.</param>
+    /// <param name="endSite">The end of the bone, relative to the joint; null for none.</param>
+    /// <returns>The joint, which can be the parent of others.</returns>
     /// <exception cref="ArgumentException">
-    /// The name cannot stand in a file, the parent is another builder's, what hangs from it is complete, or a channel is none that the format has.
+    /// The name is not valid, the parent belongs to another builder or is already complete, or the format does not define a channel.
     /// </exception>
-    /// <exception cref="InvalidOperationException">There would be too many joints or channels, or joints nested too deep; or the hierarchy is built.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// A limit for joints, channels or nesting depth is exceeded, or the hierarchy is already built.
+    /// </exception>
     public BvhJoint Add(string name, BvhJoint? parent, Vector3 offset, ReadOnlySpan<BvhChannel> channels, Vector3? endSite = null)
     {
         ArgumentNullException.ThrowIfNull(name);
         if (_isBuilt)
-            throw new InvalidOperationException("The hierarchy is built already.");
+            throw new InvalidOperationException("The hierarchy is already built.");
         if (_joints.Count == BvhDocument.MaxJoints)
-            throw new InvalidOperationException($"There are {BvhDocument.MaxJoints} joints already.");
+            throw new InvalidOperationException($"The hierarchy must not have more than {BvhDocument.MaxJoints} joints.");
         if (name.AsSpan().IndexOfAny("{}\r\n") >= 0 || name.Trim().Length != name.Length || name.Length == 0)
-            throw new ArgumentException("The name must not be empty, and must not have braces, line ends, or white space around it.", nameof(name));
+            throw new ArgumentException("The name must not be empty, contain braces or line ends, or begin or end with white space.", nameof(name));
 
         foreach (BvhChannel channel in channels)
         {
@@ -45,7 +47,7 @@ public sealed class BvhHierarchyBuilder
 
         CloseUpTo(parent);
         if (_open.Count == BvhDocument.MaxDepth)
-            throw new InvalidOperationException($"Joints are nested {BvhDocument.MaxDepth} deep already.");
+            throw new InvalidOperationException($"Joints must not be nested more than {BvhDocument.MaxDepth} deep.");
 
         var joint = new BvhJoint(name, _joints.Count, parent) { Offset = offset, HasOffset = true, EndSite = endSite, FirstChannel = _channelCount };
         foreach (BvhChannel channel in channels)
@@ -57,15 +59,15 @@ public sealed class BvhHierarchyBuilder
         return joint;
     }
 
-    /// <summary>Ends the building.</summary>
+    /// <summary>Completes the hierarchy.</summary>
     /// <returns>The hierarchy of all joints that were added.</returns>
-    /// <exception cref="InvalidOperationException">There is no joint, or the hierarchy is built already.</exception>
+    /// <exception cref="InvalidOperationException">No joint was added, or the hierarchy is already built.</exception>
     public BvhHierarchy Build()
     {
         if (_joints.Count == 0)
             throw new InvalidOperationException("The hierarchy needs at least one joint.");
         if (_isBuilt)
-            throw new InvalidOperationException("The hierarchy is built already.");
+            throw new InvalidOperationException("The hierarchy is already built.");
 
         _isBuilt = true;
         return new BvhHierarchy(_joints, _channelCount);

@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace NeuronMocap.Bvh;
 
-// A hierarchy while it is changed: its joints by their old indices, which parents are named by.
+// A hierarchy that is being changed. Joints and parents are identified by their old indices.
 internal sealed class BvhHierarchyDraft
 {
     private const int None = -1;
@@ -23,7 +23,7 @@ internal sealed class BvhHierarchyDraft
 
     public Joint this[int index] => _joints[index];
 
-    /// <summary>Makes the hierarchy, depth first; joints of one parent in their old order.</summary>
+    /// <summary>Creates the hierarchy, depth first. Siblings keep their order.</summary>
     /// <param name="places">The new index of each joint.</param>
     public BvhHierarchy Build(out int[] places)
     {

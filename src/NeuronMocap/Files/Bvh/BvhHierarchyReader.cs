@@ -6,7 +6,7 @@ using static NeuronMocap.Bvh.BvhWord;
 
 namespace NeuronMocap.Bvh;
 
-// Reads from HIERARCHY up to MOTION or the end: a word at a time and without recursion, so that no nesting can exhaust the stack.
+// Reads from HIERARCHY up to MOTION or the end. It reads word by word and without recursion; deep nesting therefore cannot exhaust the stack.
 internal ref struct BvhHierarchyReader
 {
     private readonly BvhRepairLog _repairs;
@@ -28,7 +28,7 @@ internal ref struct BvhHierarchyReader
         _format = format;
     }
 
-    /// <summary>Reads the joints. What comes after them is nothing, or text that begins with MOTION.</summary>
+    /// <summary>Reads the joints. The remaining text is empty or begins with MOTION.</summary>
     public static BvhHierarchy Read(ref BvhText text, BvhRepairLog repairs, BvhTextFormatBuilder format)
     {
         var reader = new BvhHierarchyReader(text, repairs, format);
@@ -54,7 +54,7 @@ internal ref struct BvhHierarchyReader
             CloseJoint();
     }
 
-    // The end counts as well. Without the word MOTION, what it would announce is the next best sign of it.
+    // The end of the text also counts. If the word MOTION is missing, the "Frame" lines that usually follow it are the next best sign.
     private static bool IsMotion(ReadOnlySpan<byte> word) =>
         word.IsEmpty || AreEqual(word, "MOTION"u8) || StartsWith(word, "Frame"u8);
 
@@ -77,7 +77,7 @@ internal ref struct BvhHierarchyReader
                 throw new BvhFormatException($"The file has no HIERARCHY; it begins with {quote}.", _place.Line, _place.Column);
         }
 
-        _repairs.Add(_place, $"The file begins with {quote}", $"what comes before HIERARCHY is ignored");
+        _repairs.Add(_place, $"The file begins with {quote}", $"the text before HIERARCHY is ignored");
     }
 
     private void ReadStatement()
@@ -127,10 +127,10 @@ internal ref struct BvhHierarchyReader
         if (isRoot)
             _repairs.Add(_place, $"A ROOT is inside {Describe(_open!)}", $"it is read as a JOINT");
         else
-            _repairs.Add(_place, $"A JOINT is outside of any other", $"it is read as a ROOT");
+            _repairs.Add(_place, $"A JOINT is outside any other joint", $"it is read as a ROOT");
     }
 
-    // Names may hold spaces, and may stand on the line after.
+    // Names may contain spaces, and may stand on the next line.
     private string ReadName()
     {
         string name = ReadRest();
@@ -146,7 +146,7 @@ internal ref struct BvhHierarchyReader
         _text.SkipToBrace();
         LeaveEndSite();
         if (_open!.EndSite is not null)
-            _repairs.Add(_place, $"Another End Site of {Describe(_open)}", $"it replaces the one before");
+            _repairs.Add(_place, $"Another End Site of {Describe(_open)}", $"it replaces the previous one");
 
         _inEndSite = true;
         _open.EndSite = Vector3.Zero;
@@ -201,7 +201,7 @@ internal ref struct BvhHierarchyReader
         }
 
         if (_open!.HasOffset)
-            _repairs.Add(_place, $"Another OFFSET of {Describe(_open)}", $"it replaces the one before");
+            _repairs.Add(_place, $"Another OFFSET of {Describe(_open)}", $"it replaces the previous one");
 
         _open.Offset = offset;
         _open.HasOffset = true;
@@ -225,7 +225,7 @@ internal ref struct BvhHierarchyReader
         return value;
     }
 
-    // The names decide: each stands for a column. The number only says how many words without a known meaning are names, too.
+    // Each name is one column. The number only tells how many of the unknown words are also names.
     private void ReadChannels()
     {
         ReadOnlySpan<byte> word = _text.PeekWord();
@@ -237,7 +237,7 @@ internal ref struct BvhHierarchyReader
         if (!isFirst && !IsStatement(_text.PeekWord()))
         {
             string owner = _inEndSite ? "End Site" : "second CHANNELS";
-            throw Refuse($"The {owner} of {Describe(_open)} has channels; whose values they are cannot be known.");
+            throw Refuse($"The {owner} of {Describe(_open)} has channels; their values cannot be assigned to a joint.");
         }
 
         if (isFirst)
@@ -255,7 +255,7 @@ internal ref struct BvhHierarchyReader
             return;
 
         string announced = hasCount ? Quote(count.ToString(CultureInfo.InvariantCulture)) : "no number";
-        _repairs.Add(_place, $"CHANNELS of {Describe(_open)} announces {announced} and names {read}", $"the names are used");
+        _repairs.Add(_place, $"CHANNELS of {Describe(_open)} declares {announced} but names {read}", $"the names are used");
     }
 
     private bool TryReadChannel(bool isKnownOnly, out BvhChannel channel)

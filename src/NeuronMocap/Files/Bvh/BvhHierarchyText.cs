@@ -6,35 +6,38 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// The text that a BVH file begins with. Numbers have as many decimals as the layout says, three in Axis Neuron's, and more where these would change
-/// them: <see cref="BvhDocument.Parse"/> reads the very same values.
+/// Creates the text that begins a BVH file, from HIERARCHY to the last brace.
 /// </summary>
+/// <remarks>
+/// Numbers have as many decimals as the layout specifies, three in that of Axis Neuron. A number has more decimals if it would otherwise change:
+/// <see cref="BvhDocument.Parse"/> reads exactly the same values.
+/// </remarks>
 public static class BvhHierarchyText
 {
-    /// <summary>Writes the hierarchy of the default body, that of the manual's Appendix B: <see cref="DefaultOffsets"/>.</summary>
-    /// <param name="format">Names of the bones, and order of the rotation channels.</param>
-    /// <param name="layout">Which channels there are: see <see cref="BvhBoneHierarchy.Create(SkeletonFormat, ChannelLayout, SkeletonBody)"/>.</param>
-    /// <returns>The text from HIERARCHY to the last brace, with CR LF at the end of each line; ASCII.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such rotation order.</exception>
+    /// <summary>Creates the text of the default body, that of the manual's Appendix B: <see cref="DefaultOffsets"/>.</summary>
+    /// <param name="format">The names of the bones and the order of the rotation channels.</param>
+    /// <param name="layout">The channels: see <see cref="BvhBoneHierarchy.Create(SkeletonFormat, ChannelLayout, SkeletonBody)"/>.</param>
+    /// <returns>The text from HIERARCHY to the last brace; ASCII, with CR LF at the end of each line.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not valid.</exception>
     public static string Create(SkeletonFormat format, ChannelLayout layout) => Create(BvhBoneHierarchy.Create(format, layout));
 
-    /// <summary>Writes the hierarchy of a body.</summary>
-    /// <param name="offsets">The bones' places relative to their parents, 59 in <see cref="Bone"/> order; centimetres.</param>
+    /// <summary>Creates the text of a body.</summary>
+    /// <param name="offsets">The positions of the 59 bones relative to their parents, in <see cref="Bone"/> order; centimetres.</param>
     /// <param name="endSites">
-    /// Where the bones end that have no children, relative to them, 59 in <see cref="Bone"/> order; those of other bones have no meaning. Empty:
-    /// the default body's, <see cref="DefaultOffsets.TryGetEndSite"/>.
+    /// The ends of the bones that have no children, relative to the bones. There are 59 values in <see cref="Bone"/> order; those of other bones
+    /// have no meaning. If empty, those of the default body: <see cref="DefaultOffsets.TryGetEndSite"/>.
     /// </param>
-    /// <param name="format">Names of the bones, and order of the rotation channels.</param>
-    /// <param name="layout">Which channels there are; see the other overload.</param>
-    /// <returns>The text from HIERARCHY to the last brace, with CR LF at the end of each line; ASCII.</returns>
-    /// <exception cref="ArgumentException">There are fewer than 59 offsets, or End Sites but fewer than 59.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such rotation order.</exception>
+    /// <param name="format">The names of the bones and the order of the rotation channels.</param>
+    /// <param name="layout">The channels; see the other overload.</param>
+    /// <returns>The text from HIERARCHY to the last brace; ASCII, with CR LF at the end of each line.</returns>
+    /// <exception cref="ArgumentException">There are fewer than 59 offsets, or there are End Sites but fewer than 59.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not valid.</exception>
     public static string Create(ReadOnlySpan<Vector3> offsets, ReadOnlySpan<Vector3> endSites, SkeletonFormat format, ChannelLayout layout) =>
         Create(BvhBoneHierarchy.Create(format, layout, new SkeletonBody(offsets, endSites, format.Variant)));
 
-    /// <summary>Writes any hierarchy.</summary>
+    /// <summary>Creates the text of any hierarchy.</summary>
     /// <param name="hierarchy">The joints.</param>
-    /// <param name="format">How the text is laid out; null for <see cref="BvhTextFormat.AxisNeuron"/>.</param>
+    /// <param name="format">The text layout; null for <see cref="BvhTextFormat.AxisNeuron"/>.</param>
     /// <returns>The text from HIERARCHY to the last brace and its line end.</returns>
     public static string Create(BvhHierarchy hierarchy, BvhTextFormat? format = null)
     {
@@ -47,7 +50,7 @@ public static class BvhHierarchyText
         private readonly StringBuilder _text = new();
         private readonly Stack<BvhJoint> _open = new();
 
-        // Without recursion: a file may nest deeply. The joints are in the order of the file.
+        // Without recursion, because a file may nest deeply. The joints are in the order of the file.
         public string Write(IReadOnlyList<BvhJoint> joints)
         {
             Line("HIERARCHY");

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Bvh;
 
-// One take after the other.
+// Joins takes, one after the other.
 internal static class BvhJoining
 {
     public static BvhDocument Join(IReadOnlyList<BvhDocument> takes, bool isAligned)
@@ -56,6 +56,6 @@ internal static class BvhJoining
             return $"{next.Name} has the channels {string.Join(' ', next.Channels)} instead of {string.Join(' ', first.Channels)}.";
 
         bool isReplaced = new BvhJointValues(next).MovesFreely;
-        return isReplaced || next.Offset == first.Offset ? null : $"the OFFSET of {next.Name} is {next.Offset} instead of {first.Offset}: another body.";
+        return isReplaced || next.Offset == first.Offset ? null : $"the OFFSET of {next.Name} is {next.Offset} instead of {first.Offset}. The takes have different bodies.";
     }
 }

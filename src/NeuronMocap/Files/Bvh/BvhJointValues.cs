@@ -1,6 +1,6 @@
 namespace NeuronMocap.Bvh;
 
-// The values of one joint within a row, as what they mean. A position that has no channel is the OFFSET's.
+// Reads and writes the values of one joint within a row. If a position channel is missing, the OFFSET supplies the coordinate.
 internal sealed class BvhJointValues
 {
     private readonly BvhPoint _offset;
@@ -33,7 +33,7 @@ internal sealed class BvhJointValues
 
     public bool MovesFreely => _positions.All(static column => column >= 0);
 
-    /// <summary>The axes of the rotation channels, where there are three.</summary>
+    /// <summary>The axes of the rotation channels, if there are three.</summary>
     public (int First, int Second, int Third) Axes => (_rotations[0].Axis, _rotations[1].Axis, _rotations[2].Axis);
 
     public BvhRotation GetRotation(ReadOnlySpan<float> row)
@@ -45,7 +45,7 @@ internal sealed class BvhJointValues
         return rotation;
     }
 
-    /// <summary>The three angles of a joint that turns freely.</summary>
+    /// <summary>Gets the three angles. Requires <see cref="TurnsFreely"/>.</summary>
     public BvhEulerTriple GetAngles(ReadOnlySpan<float> row) =>
         new(row[_rotations[0].Column], row[_rotations[1].Column], row[_rotations[2].Column]);
 
@@ -54,11 +54,11 @@ internal sealed class BvhJointValues
         _positions[1] < 0 ? _offset.Y : row[_positions[1]],
         _positions[2] < 0 ? _offset.Z : row[_positions[2]]);
 
-    /// <summary>Writes the rotation of a joint that turns freely, by the angles that are nearest to others.</summary>
+    /// <summary>Writes a rotation as the angles that are nearest to another triple. Requires <see cref="TurnsFreely"/>.</summary>
     public void SetRotation(Span<float> row, BvhRotation rotation, BvhEulerTriple near) =>
         SetAngles(row, BvhEulerTriple.Of(rotation, Axes, near));
 
-    /// <summary>Writes the three angles of a joint that turns freely.</summary>
+    /// <summary>Writes the three angles. Requires <see cref="TurnsFreely"/>.</summary>
     public void SetAngles(Span<float> row, BvhEulerTriple angles)
     {
         row[_rotations[0].Column] = (float)angles.First;
@@ -66,7 +66,7 @@ internal sealed class BvhJointValues
         row[_rotations[2].Column] = (float)angles.Third;
     }
 
-    /// <summary>Writes a position into the channels that there are.</summary>
+    /// <summary>Writes a position into the position channels that the joint has.</summary>
     public void SetPosition(Span<float> row, BvhPoint position)
     {
         if (_positions[0] >= 0)

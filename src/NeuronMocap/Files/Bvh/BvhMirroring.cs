@@ -2,8 +2,8 @@ using System.Numerics;
 
 namespace NeuronMocap.Bvh;
 
-// A reflection in X turns a rotation about X into itself, and one about Y or Z into its opposite. It does so with each of the angles in a row, in
-// whatever order they are applied: no rotation has to be taken apart.
+// A reflection in X leaves a rotation about X unchanged and inverts a rotation about Y or Z. The same applies to each angle of a row, in any
+// rotation order. Rotations therefore do not have to be decomposed.
 internal static class BvhMirroring
 {
     public static BvhDocument Mirror(BvhDocument document)
@@ -46,6 +46,6 @@ internal static class BvhMirroring
 
     private static Vector3 Mirror(Vector3 offset) => offset with { X = Opposite(offset.X) };
 
-    // Zero stays the zero that it is, for the eye; NaN too.
+    // Zero keeps its sign, because a file with -0 is harder to read. NaN remains NaN.
     private static float Opposite(float value) => value == 0 ? value : -value;
 }

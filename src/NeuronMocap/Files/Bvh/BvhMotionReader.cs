@@ -4,14 +4,19 @@ using static NeuronMocap.Bvh.BvhWord;
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// Reads from MOTION to the end, row by row. Rows are counted, whatever the file announces.
-/// <para>
-/// Several MOTION blocks are one take, in the order of the file: they share the hierarchy, and leaving one out would lose what it holds.
-/// The first usable frame time counts. A line with too few values is joined with those below it if together they make whole rows; else it
-/// is left out, since a pose with invented values is worse than a missing one. What is not decided yet lies in <see cref="BvhPendingRows"/>,
-/// which bounds it: a line of very many values is parted as it comes.
-/// </para>
+/// Reads from MOTION to the end, row by row. The rows that exist count, not the declared number.
 /// </summary>
+/// <remarks>
+/// <para>
+/// Several MOTION blocks are one take, in the order of the file. They share the hierarchy, and skipping one would lose its motion. The first usable
+/// frame time counts.
+/// </para>
+/// <para>
+/// A line with too few values is joined with the lines below it if together they form whole rows. Otherwise it is skipped, because a pose with
+/// invented values is worse than a missing one. <see cref="BvhPendingRows"/> holds undecided values and limits their number: a line with very many
+/// values is split as it is read.
+/// </para>
+/// </remarks>
 internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, BvhTextFormatBuilder format)
 {
     private readonly BvhPendingRows _rows = new(channelCount, repairs);
@@ -27,15 +32,15 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
     private double _announced;
     private string _announcedText = "";
 
-    /// <summary>Seconds as the file has it; 0 when it has none.</summary>
+    /// <summary>Seconds as written in the file; 0 when the file has no usable frame time.</summary>
     public double DeclaredFrameTime { get; private set; }
 
     public BvhFrameTime FrameTime { get; private set; } = BvhFrameTime.Default;
 
-    /// <summary>What the first usable number of frames announces; null while there is none.</summary>
+    /// <summary>The first usable declared number of frames; null until one is read.</summary>
     public long? AnnouncedFrames { get; private set; }
 
-    /// <summary>Reads MOTION and what is announced.</summary>
+    /// <summary>Reads MOTION and the declarations up to the first row.</summary>
     public void Begin(ref BvhText text)
     {
         if (!text.SkipSpace())
@@ -55,8 +60,8 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
     }
 
     /// <summary>Reads the next row.</summary>
-    /// <param name="text">Where to go on.</param>
-    /// <param name="row">As many values as there are channels; whatever it is where there is no further row.</param>
+    /// <param name="text">The text, from its current position.</param>
+    /// <param name="row">Receives as many values as there are channels; undefined when there is no further row.</param>
     /// <returns>False at the end.</returns>
     public bool TryReadRow(ref BvhText text, Span<float> row)
     {
@@ -72,7 +77,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         return false;
     }
 
-    // Reads all that is announced; false at the end, which is also where a second hierarchy begins.
+    // Reads all declarations. Returns false at the end, or where a second hierarchy begins.
     private bool MoveToRow(ref BvhText text)
     {
         while (text.SkipSpace())
@@ -133,9 +138,9 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
     {
         _rows.LeaveOut();
         if (_frames == default)
-            repairs.Add(_block, $"The number of frames is missing", $"{_blockRows} are there");
+            repairs.Add(_block, $"The number of frames is missing", $"rows found: {_blockRows}");
         else if (_announced != _blockRows)
-            repairs.Add(_frames, $"{_announcedText} frames are announced and {_blockRows} rows are there", $"the rows count");
+            repairs.Add(_frames, $"{_announcedText} frames are declared, but there are {_blockRows} rows", $"the rows count");
     }
 
     private void ReadFrames(ref BvhText text, BvhTextPosition place)
@@ -152,7 +157,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         }
         else
         {
-            repairs.Add(place, $"The number of frames is given again", $"it is ignored");
+            repairs.Add(place, $"The number of frames is declared again", $"it is ignored");
         }
 
         text.Advance(word.Length);
@@ -231,7 +236,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         return false;
     }
 
-    // Goes on in a line whose rows are handed out before its end is known.
+    // Continues a line whose rows are returned before the end of the line is known.
     private bool TryReadLongLine(ref BvhText text, Span<float> row)
     {
         bool isAtEnd = text.IsAtLineEnd();
@@ -251,7 +256,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         return false;
     }
 
-    // Word by word, to see how the file is laid out.
+    // Reads word by word to learn the text layout.
     private int ReadFirstRow(ref BvhText text, Span<float> row, ref BvhTextPosition notFinite)
     {
         format.BeginRow();

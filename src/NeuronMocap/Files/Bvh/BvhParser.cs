@@ -1,6 +1,6 @@
 namespace NeuronMocap.Bvh;
 
-// The one reader of BVH text, behind BvhReader and BvhDocument: the hierarchy, then row by row.
+// The only parser of BVH text, used by BvhReader and BvhDocument. It reads the hierarchy, then row by row.
 internal sealed class BvhParser(BvhReadOptions? options)
 {
     private readonly BvhTextFormatBuilder _format = new();

@@ -1,12 +1,13 @@
 namespace NeuronMocap.Bvh;
 
-// Values of lines that are not one row each: until it is known what they are, and until the rows that they make are taken.
+// Holds the values of lines that are not exactly one row, until their meaning is known and their rows are taken.
 internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
 {
-    // Rows on one line. Of more than these the line's end is not awaited, so that memory stays bounded.
+    // If a line has more rows than this, the reader does not wait for its end. Memory therefore stays bounded.
     private const int MaxRows = 8;
 
-    // First whole rows to be taken, from _taken to _whole; then values of lines that may still become a row; from _line on those of this line.
+    // Whole rows come first, from _taken to _whole. Values of lines that may still become a row follow. The values of the current line start at
+    // _line.
     private float[] _values = [];
     private int _taken;
     private int _whole;
@@ -50,7 +51,7 @@ internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
         _end += values.Length;
     }
 
-    /// <summary>Decides what the line is, together with those before it.</summary>
+    /// <summary>Decides what the line is, together with the lines before it.</summary>
     public void EndLine(int lastLine)
     {
         bool isJoined = _line > 0;
@@ -77,7 +78,7 @@ internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
         }
     }
 
-    /// <summary>Takes the line for whole rows before it has ended; those that follow in it are not added here.</summary>
+    /// <summary>Treats the line as whole rows before it has ended. The caller does not add the further rows of the line here.</summary>
     public void EndLongLine()
     {
         LeaveOutOlder();
@@ -85,14 +86,14 @@ internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
         _whole = _end;
     }
 
-    /// <summary>Forgets this line, which is not one of values, and with it those before.</summary>
+    /// <summary>Discards this line, which does not hold values, and the open lines before it.</summary>
     public void LeaveOutLine()
     {
         _end = _line;
         LeaveOut();
     }
 
-    /// <summary>Forgets the lines that have not become a row.</summary>
+    /// <summary>Discards the lines that have not become a row.</summary>
     public void LeaveOut()
     {
         if (IsAnyOpen)

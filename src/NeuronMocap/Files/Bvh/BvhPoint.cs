@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace NeuronMocap.Bvh;
 
-// A place in double precision, in the file's unit of length.
+// A position in double precision, in the file's unit of length.
 internal readonly record struct BvhPoint(double X, double Y, double Z)
 {
     public double Length => Math.Sqrt((X * X) + (Y * Y) + (Z * Z));

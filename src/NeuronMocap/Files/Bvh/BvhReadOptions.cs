@@ -1,17 +1,18 @@
 namespace NeuronMocap.Bvh;
 
-/// <summary>How a BVH file is read. Copied when used; later changes have no effect.</summary>
+/// <summary>Options for reading a BVH file. The values are copied when used; later changes have no effect.</summary>
 public sealed class BvhReadOptions
 {
     /// <summary>
-    /// Whether the first thing that is wrong is a <see cref="BvhFormatException"/> with its place: whatever would be a <see cref="BvhRepair"/> else.
-    /// What is usual though not uniform is not wrong: the case of keywords, white space, line ends, a byte order mark, no MOTION at all.
+    /// Whether to throw a <see cref="BvhFormatException"/> with the position of the first defect, instead of repairing it
+    /// (<see cref="BvhRepair"/>). Common variations are not defects: the case of keywords, white space, line ends, a byte order mark, or a missing
+    /// MOTION section.
     /// </summary>
     public bool Strict { get; set; }
 
     /// <summary>
-    /// Told how many bytes of a stream or file have been read, on the reading thread, after every piece of at most about 128 KiB; null for nobody. An
-    /// exception of it ends the reading and reaches the caller.
+    /// Receives the number of bytes read from a stream or file; may be null. It is called on the reading thread, after every piece of at most about
+    /// 128 KiB. An exception from it ends the reading and reaches the caller.
     /// </summary>
     public IProgress<long>? Progress { get; set; }
 }

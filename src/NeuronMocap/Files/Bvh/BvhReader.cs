@@ -1,10 +1,17 @@
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// Reads a BVH file of any length as it comes: the hierarchy at once, then one row after the other into your memory. Holds 128 KiB of the text, and
-/// neither the rows nor a string for a number; a row costs no allocation. Reads exactly what <see cref="BvhDocument"/> reads, from a file, a
-/// pipe or a connection, in pieces of any size. For one thread at a time; blocks while the stream has nothing.
+/// Reads a BVH file of any length as it arrives: first the hierarchy, then one row at a time into the caller's memory.
 /// </summary>
+/// <remarks>
+/// <para>
+/// The result is exactly that of <see cref="BvhDocument"/>. The text can come from a file, a pipe or a connection, in pieces of any size.
+/// </para>
+/// <para>
+/// The reader holds 128 KiB of the text and no rows. Numbers are parsed without strings, and reading a row does not allocate memory. Calls block
+/// while the stream has no data. Not thread-safe.
+/// </para>
+/// </remarks>
 public sealed class BvhReader : IDisposable
 {
     private readonly Stream _stream;
@@ -14,11 +21,15 @@ public sealed class BvhReader : IDisposable
     private bool _isBroken;
     private bool _isDisposed;
 
-    /// <summary>Reads the hierarchy of a stream, and what is announced up to the first row.</summary>
-    /// <param name="stream">Where the text comes from. Read from where it stands; it need not seek.</param>
-    /// <param name="options">How to read it; null for the defaults.</param>
-    /// <param name="leaveOpen">Whether the stream stays open when the reader is disposed; where this constructor throws, it does.</param>
-    /// <exception cref="BvhFormatException">The text is not BVH or exceeds a limit; with <see cref="BvhReadOptions.Strict"/>, anything is wrong.</exception>
+    /// <summary>Reads the hierarchy of a stream, and the declarations up to the first row.</summary>
+    /// <param name="stream">The stream to read, from its current position. It does not have to be seekable.</param>
+    /// <param name="options">The options; null for the defaults.</param>
+    /// <param name="leaveOpen">
+    /// Whether the stream stays open when the reader is disposed. If this constructor throws, the stream always stays open.
+    /// </param>
+    /// <exception cref="BvhFormatException">
+    /// The text is not BVH or exceeds a limit. With <see cref="BvhReadOptions.Strict"/>: the text has a defect.
+    /// </exception>
     /// <exception cref="IOException">The stream fails.</exception>
     public BvhReader(Stream stream, BvhReadOptions? options = null, bool leaveOpen = false)
     {
@@ -45,45 +56,49 @@ public sealed class BvhReader : IDisposable
     public BvhHierarchy Hierarchy => _parser.Hierarchy;
 
     /// <summary>
-    /// Time from one frame to the next, see <see cref="BvhDocument.FrameTime"/>. 1/120 s until a usable one was read, which in an orderly file is so
-    /// from the start.
+    /// Time from one frame to the next, see <see cref="BvhDocument.FrameTime"/>. It is 1/120 s until a usable frame time is read; a well-formed
+    /// file has one before the first row.
     /// </summary>
     public BvhFrameTime FrameTime => _parser.FrameTime;
 
-    /// <summary>Seconds from one frame to the next as the file has it, often rounded; 0 as long as none was read that is usable.</summary>
+    /// <summary>Seconds from one frame to the next as written in the file, often rounded; 0 until a usable frame time is read.</summary>
     public double DeclaredFrameTime => _parser.DeclaredFrameTime;
 
     /// <summary>
-    /// Number of frames that the file announces before the first row, or as soon as it does; null when it does not, or with nothing that is a
-    /// number from 0. Files announce more or fewer than they have: for a measure of progress, not for memory.
+    /// Number of frames that the file declares; null until a valid number is read. Files may hold more or fewer frames than they declare. Use this
+    /// number to show progress, not to allocate memory.
     /// </summary>
     public long? DeclaredFrameCount => _parser.AnnouncedFrames;
 
     /// <summary>Number of rows read so far.</summary>
     public long FrameCount { get; private set; }
 
-    /// <summary>How the text is laid out, as far as it was read; what shows in rows, from the first row on.</summary>
+    /// <summary>The text layout, as far as the file was read. Properties of rows are known after the first row.</summary>
     public BvhTextFormat TextFormat => _parser.GetTextFormat(_source.Cursor.LineEnd);
 
-    /// <summary>What was wrong so far and how it was read all the same; the first hundred. Grows while rows are read.</summary>
+    /// <summary>The first hundred defects found so far, and how each was read. The list grows while rows are read.</summary>
     public IReadOnlyList<BvhRepair> Repairs => _parser.Repairs.Listed;
 
-    /// <summary>Number of repairs so far, those included that <see cref="Repairs"/> does not list.</summary>
+    /// <summary>Number of repairs so far, including those that <see cref="Repairs"/> does not list.</summary>
     public int RepairCount => _parser.Repairs.Count;
 
-    /// <summary>Bytes taken from the stream so far, up to 128 KiB more than have been looked at.</summary>
+    /// <summary>Number of bytes taken from the stream so far, up to 128 KiB more than were parsed.</summary>
     public long BytesRead => _source.BytesRead;
 
-    /// <summary>Bytes that the stream had to offer at the start; null when it does not know.</summary>
+    /// <summary>Number of bytes available in the stream at the start; null when unknown.</summary>
     public long? Length { get; }
 
-    /// <summary>Reads the hierarchy of a file, and what is announced up to the first row. Others may write to the file meanwhile.</summary>
-    /// <param name="path">Where it is.</param>
-    /// <param name="options">How to read it; null for the defaults.</param>
-    /// <returns>The reader, which holds the file open.</returns>
-    /// <exception cref="BvhFormatException">The text is not BVH or exceeds a limit; with <see cref="BvhReadOptions.Strict"/>, anything is wrong.</exception>
-    /// <exception cref="IOException">The file is not there or cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">This user may not read it.</exception>
+    /// <summary>
+    /// Opens a file, and reads the hierarchy and the declarations up to the first row. Other programs may write to the file at the same time.
+    /// </summary>
+    /// <param name="path">The path of the file.</param>
+    /// <param name="options">The options; null for the defaults.</param>
+    /// <returns>The reader, which keeps the file open.</returns>
+    /// <exception cref="BvhFormatException">
+    /// The text is not BVH or exceeds a limit. With <see cref="BvhReadOptions.Strict"/>: the text has a defect.
+    /// </exception>
+    /// <exception cref="IOException">The file does not exist or cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the file.</exception>
     public static BvhReader Open(string path, BvhReadOptions? options = null)
     {
         FileStream stream = OpenFile(path);
@@ -99,14 +114,12 @@ public sealed class BvhReader : IDisposable
     }
 
     /// <summary>Reads the next row.</summary>
-    /// <param name="values">
-    /// Room for the hierarchy's <see cref="BvhHierarchy.ChannelCount"/> values; what it holds where there is no further row is not defined.
-    /// </param>
-    /// <returns>False at the end.</returns>
-    /// <exception cref="ArgumentException">There is too little room.</exception>
-    /// <exception cref="BvhFormatException">With <see cref="BvhReadOptions.Strict"/>: something is wrong.</exception>
+    /// <param name="values">Receives <see cref="BvhHierarchy.ChannelCount"/> values. At the end, the content is undefined.</param>
+    /// <returns>True if a row was read; false at the end.</returns>
+    /// <exception cref="ArgumentException">The memory is too small.</exception>
+    /// <exception cref="BvhFormatException">With <see cref="BvhReadOptions.Strict"/>: the text has a defect.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
-    /// <exception cref="InvalidOperationException">An exception ended the reading before.</exception>
+    /// <exception cref="InvalidOperationException">An earlier exception ended the reading.</exception>
     /// <exception cref="ObjectDisposedException">The reader is disposed.</exception>
     public bool TryReadFrame(Span<float> values)
     {
@@ -125,7 +138,7 @@ public sealed class BvhReader : IDisposable
         return isRead;
     }
 
-    /// <summary>Closes the stream, unless it is to stay open.</summary>
+    /// <summary>Closes the stream, unless the reader was created with leaveOpen.</summary>
     public void Dispose()
     {
         _isDisposed = true;
@@ -134,7 +147,7 @@ public sealed class BvhReader : IDisposable
             _stream.Dispose();
     }
 
-    // Not buffered a second time.
+    // Without a second buffer.
     internal static FileStream OpenFile(string path) =>
         new(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 1, FileOptions.SequentialScan);
 }

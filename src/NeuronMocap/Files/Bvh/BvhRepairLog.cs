@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Bvh;
 
-// A file can be wrong on every line; what is told about it stays short. A strict one takes the first fault for a refusal.
+// Collects repairs. A file can be wrong on every line; the list therefore has a limit. A strict log throws at the first defect.
 internal sealed class BvhRepairLog(bool isStrict)
 {
     private readonly List<BvhRepair> _listed = [];
@@ -11,15 +11,15 @@ internal sealed class BvhRepairLog(bool isStrict)
 
     public int Count { get; private set; }
 
-    /// <summary>Rows and lines that were left out.</summary>
+    /// <summary>Number of rows and lines that were skipped.</summary>
     public int LeftOutCount { get; private set; }
 
     private bool IsFull => _listed.Count == BvhDocument.MaxListedRepairs;
 
-    /// <summary>Tells of a repair.</summary>
-    /// <param name="place">Where.</param>
-    /// <param name="fault">What is wrong: a sentence without its full stop.</param>
-    /// <param name="remedy">What was made of it, as its second half.</param>
+    /// <summary>Adds a repair.</summary>
+    /// <param name="place">The position of the defect.</param>
+    /// <param name="fault">The defect: a sentence without its full stop.</param>
+    /// <param name="remedy">The interpretation: the second half of the sentence.</param>
     public void Add(
         BvhTextPosition place,
         [InterpolatedStringHandlerArgument("")] Description fault,
@@ -33,7 +33,7 @@ internal sealed class BvhRepairLog(bool isStrict)
             _listed.Add(new BvhRepair(place.Line, place.Column, $"{fault.ToString()}; {remedy.ToString()}."));
     }
 
-    /// <summary>Tells of a row or line that is left out; otherwise as <see cref="Add"/>.</summary>
+    /// <summary>Adds the repair of a row or line that is skipped.</summary>
     public void AddLeftOut(
         BvhTextPosition place,
         [InterpolatedStringHandlerArgument("")] Description fault,
@@ -43,8 +43,8 @@ internal sealed class BvhRepairLog(bool isStrict)
         Add(place, fault, remedy);
     }
 
-    // Puts a description together only where there is room for one more: a file of nothing but faults would else cost hundreds of bytes
-    // for each of its own.
+    // Builds a description only while the list has room. Otherwise, a file that consists of defects would cost hundreds of bytes for each of its
+    // own.
     [InterpolatedStringHandler]
     public readonly ref struct Description
     {

@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace NeuronMocap.Bvh;
 
-// Another rate.
+// Converts takes to another frame rate.
 internal static class BvhResampling
 {
     public static BvhDocument Resample(BvhDocument document, BvhFrameTime frameTime)
@@ -13,7 +13,7 @@ internal static class BvhResampling
         if (frameTime == document.FrameTime || document.FrameCount < 2)
             return new BvhDocument(document.Hierarchy, frameTime, document.CopyValues()) { TextFormat = document.TextFormat };
 
-        // Frame n of the new take is frame n * step / unit of the old one. Whole numbers of any size: rates are fractions of 64 bits.
+        // Frame n of the new take is frame n * step / unit of the old one. Rates are 64-bit fractions, so their products need integers of any size.
         BigInteger step = (BigInteger)frameTime.Numerator * document.FrameTime.Denominator;
         BigInteger unit = (BigInteger)frameTime.Denominator * document.FrameTime.Numerator;
         BigInteger last = (document.FrameCount - 1) * unit;
@@ -34,7 +34,7 @@ internal static class BvhResampling
                 Interpolate(document, joints, before, (double)rest / (double)unit, row);
         }
 
-        // A text of the old file's that stands for the new rate, 0.008 for 120 Hz, would be taken by its word elsewhere.
+        // The old text may stand for the new rate, as 0.008 does for 120 Hz. Other programs would read it literally.
         return new BvhDocument(document.Hierarchy, frameTime, values) { TextFormat = document.TextFormat with { FrameTimeText = null } };
     }
 
@@ -55,7 +55,7 @@ internal static class BvhResampling
             }
         }
 
-        // One or two angles alone cannot show what lies between two rotations: those of such joints stay interpolated one by one.
+        // One or two angles alone do not define the path between two rotations. The angles of such joints stay interpolated independently.
         foreach (BvhJointValues joint in turning)
         {
             BvhRotation rotation = BvhRotation.Slerp(joint.GetRotation(from), joint.GetRotation(to), part);

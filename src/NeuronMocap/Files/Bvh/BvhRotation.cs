@@ -1,18 +1,19 @@
 namespace NeuronMocap.Bvh;
 
-// A rotation as a unit quaternion in double precision: twenty joints in a row, converted there and back in float, would move a fingertip visibly.
+// A rotation as a unit quaternion in double precision. With float, converting a chain of twenty joints there and back would move a fingertip
+// visibly.
 internal readonly record struct BvhRotation(double X, double Y, double Z, double W)
 {
     private const double RadiansPerHalfDegree = Math.PI / 360;
 
-    // Nearer than this the sine of the angle between them is no divisor any more, and a straight line no error.
+    // Above this cosine, the sine of the angle is too small as a divisor, and linear interpolation is exact enough.
     private const double Near = 1 - 1e-9;
 
     public static BvhRotation Identity => new(0, 0, 0, 1);
 
     public BvhRotation Inverse => new(-X, -Y, -Z, W);
 
-    /// <summary>How far it turns about the vertical, in degrees: its twist about Y, whatever else it does.</summary>
+    /// <summary>The rotation about the vertical in degrees: the twist about Y, regardless of the rest of the rotation.</summary>
     public double Heading => 2 * Math.Atan2(Y, W) * (180 / Math.PI);
 
     public static BvhRotation operator *(BvhRotation a, BvhRotation b) => new(
@@ -21,7 +22,7 @@ internal readonly record struct BvhRotation(double X, double Y, double Z, double
         (a.W * b.Z) + (a.X * b.Y) - (a.Y * b.X) + (a.Z * b.W),
         (a.W * b.W) - (a.X * b.X) - (a.Y * b.Y) - (a.Z * b.Z));
 
-    /// <summary>A rotation about one axis: 0 for X, 1 for Y, 2 for Z.</summary>
+    /// <summary>Creates a rotation about one axis: 0 for X, 1 for Y, 2 for Z.</summary>
     public static BvhRotation About(int axis, double degrees)
     {
         double sine = Math.Sin(degrees * RadiansPerHalfDegree);
@@ -29,7 +30,7 @@ internal readonly record struct BvhRotation(double X, double Y, double Z, double
         return new BvhRotation(axis == 0 ? sine : 0, axis == 1 ? sine : 0, axis == 2 ? sine : 0, cosine);
     }
 
-    /// <summary>The rotation at a part of the shorter way from one to another.</summary>
+    /// <summary>Interpolates along the shorter path from one rotation to another. A part of 0 gives the first, 1 the second.</summary>
     public static BvhRotation Slerp(BvhRotation from, BvhRotation to, double part)
     {
         double cosine = (from.X * to.X) + (from.Y * to.Y) + (from.Z * to.Z) + (from.W * to.W);
@@ -48,7 +49,7 @@ internal readonly record struct BvhRotation(double X, double Y, double Z, double
         return new BvhPoint(turned.X, turned.Y, turned.Z);
     }
 
-    /// <summary>An entry of the matrix on column vectors.</summary>
+    /// <summary>Gets an entry of the rotation matrix for column vectors.</summary>
     public double Entry(int row, int column) => ((row * 3) + column) switch
     {
         0 => 1 - (2 * ((Y * Y) + (Z * Z))),

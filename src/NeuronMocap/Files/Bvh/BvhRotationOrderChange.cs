@@ -1,6 +1,6 @@
 namespace NeuronMocap.Bvh;
 
-// Other angles for the same rotations.
+// Finds other angles for the same rotations.
 internal static class BvhRotationOrderChange
 {
     public static BvhDocument WithOrder(BvhDocument document, RotationOrder order)
@@ -38,7 +38,7 @@ internal static class BvhRotationOrderChange
         return document.With(document.Hierarchy, values);
     }
 
-    // The first frame has the smallest angles.
+    // The first frame receives the smallest angles.
     private static void Follow(BvhDocument document, BvhJointValues source, BvhJointValues target, float[] values)
     {
         BvhEulerTriple near = default;
@@ -50,7 +50,7 @@ internal static class BvhRotationOrderChange
         }
     }
 
-    // Angles that are near already stay, bit for bit.
+    // Triples that are already the nearest keep their bits.
     private static void Filter(BvhJointValues joint, float[] values, int channelCount, int frameCount)
     {
         BvhEulerTriple near = joint.GetAngles(values.AsSpan(0, channelCount)).Or(default);

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Bvh;
 
-// Rows of a document that is being read, one after the other in one array, with room for the one that comes next.
+// Holds the rows of a document that is being read, one after the other in one array, with room for the next row.
 internal sealed class BvhRowBuffer(int channelCount)
 {
     private const int SmallestGrowth = 256;
@@ -10,7 +10,7 @@ internal sealed class BvhRowBuffer(int channelCount)
     private float[] _last = [];
     private int _end;
 
-    /// <summary>Where the next row goes.</summary>
+    /// <summary>The memory for the next row.</summary>
     public Span<float> Next
     {
         get
@@ -18,7 +18,7 @@ internal sealed class BvhRowBuffer(int channelCount)
             if (_values.Length - _end >= channelCount)
                 return _values.AsSpan(_end, channelCount);
 
-            // Most often nothing follows a full array, which is then not made larger.
+            // Usually, a full array is complete and does not have to grow.
             if (_last.Length == 0 && channelCount > 0)
                 _last = new float[channelCount];
 
@@ -26,7 +26,7 @@ internal sealed class BvhRowBuffer(int channelCount)
         }
     }
 
-    /// <summary>Makes room for what is announced, when the text is long enough to hold that many: two bytes a value.</summary>
+    /// <summary>Allocates memory for the declared frames, limited by the length of the text: a value needs at least two bytes.</summary>
     public void Reserve(long? frames, long? bytes)
     {
         double announced = (double)(frames ?? 0) * channelCount;
@@ -36,7 +36,7 @@ internal sealed class BvhRowBuffer(int channelCount)
             _values = new float[(int)room / channelCount * channelCount];
     }
 
-    /// <summary>Keeps the row that is in <see cref="Next"/>.</summary>
+    /// <summary>Keeps the row in <see cref="Next"/>.</summary>
     public void Keep(BvhTextPosition place)
     {
         if (_values.Length - _end < channelCount)
@@ -58,7 +58,7 @@ internal sealed class BvhRowBuffer(int channelCount)
     {
         long needed = (long)_end + channelCount;
         if (needed > LargestArray)
-            throw new BvhFormatException("There are more values than an array holds; a reader can read them row by row.", place.Line, place.Column);
+            throw new BvhFormatException("The file has more values than an array can hold; read it row by row instead.", place.Line, place.Column);
 
         Array.Resize(ref _values, (int)Math.Min(LargestArray, Math.Max(needed, Math.Max(SmallestGrowth, 2L * _values.Length))));
     }

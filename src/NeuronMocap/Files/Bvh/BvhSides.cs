@@ -1,13 +1,13 @@
 namespace NeuronMocap.Bvh;
 
-// Which joint is the other side's, by names.
+// Finds the joint of the other side by name.
 internal static class BvhSides
 {
     private static readonly (string Left, string Right)[] Words = [("Left", "Right"), ("left", "right"), ("LEFT", "RIGHT")];
 
-    /// <summary>Finds the partner of every joint, from the roots on: the children of partners are partners.</summary>
-    /// <returns>An index for each joint, its own where it is in the middle.</returns>
-    /// <exception cref="NeuronException">The joints of the two sides do not correspond.</exception>
+    /// <summary>Finds the partner of every joint, starting at the roots. The children of partners are partners.</summary>
+    /// <returns>The index of each joint's partner. A joint in the middle is its own partner.</returns>
+    /// <exception cref="NeuronException">The joints of the two sides do not match.</exception>
     public static int[] FindPartners(BvhHierarchy hierarchy)
     {
         ILookup<BvhJoint?, BvhJoint> children = hierarchy.Joints.ToLookup(static joint => joint.Parent);
@@ -27,7 +27,7 @@ internal static class BvhSides
         return partners;
     }
 
-    /// <summary>The names that the joint of the other side may have.</summary>
+    /// <summary>Lists the possible names of the other side's joint.</summary>
     public static IEnumerable<string> OtherNames(string name)
     {
         foreach ((string left, string right) in Words)
@@ -52,11 +52,12 @@ internal static class BvhSides
         BvhJoint? partner = found.FirstOrDefault(other => other != joint && names.Contains(other.Name, StringComparer.Ordinal))
             ?? (joint.Parent == otherParent ? joint : found.FirstOrDefault(other => string.Equals(other.Name, joint.Name, StringComparison.Ordinal)));
         return partner
-            ?? throw new NeuronException($"The sides do not correspond: {joint.Name} is a child of {joint.Parent!.Name}, and {otherParent!.Name} has no child like it.");
+            ?? throw new NeuronException($"The sides do not match: {joint.Name} is a child of {joint.Parent!.Name}, but {otherParent!.Name} has no matching child.");
     }
 
-    // A letter that stands for a side: at the beginning or the end of the name or next to a sign, and set off from the letters beside it: lArm, LArm, Arm_L,
-    // Arm.l, "Bip01 L Thigh", ArmL. Whether it does, only the other side's name can tell: in lowerBack it does not.
+    // Returns whether a letter may stand for a side. Such a letter is at the beginning or the end of the name, or next to a sign. It is also set
+    // off from its neighbours: lArm, LArm, Arm_L, Arm.l, "Bip01 L Thigh", ArmL. Only the other side's name can confirm it: in lowerBack, the letter
+    // does not stand for a side.
     private static bool IsAlone(string name, int index)
     {
         bool begins = index == 0 || !char.IsLetterOrDigit(name[index - 1]);

@@ -5,10 +5,12 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// Neuron's 59 bones in a BVH file: which joint each of them is, and where its values stand. The joints may come in any order and among
-/// others; names and parents have to be those of one <see cref="SkeletonVariant"/>. The hips are a root, or hang from a root named Reference.
-/// Immutable; thread-safe.
+/// Finds the 59 Neuron bones in a BVH file: the joint of each bone and the position of its values in a row. Immutable; thread-safe.
 /// </summary>
+/// <remarks>
+/// The joints may have any order, and the file may have other joints. Names and parents must be those of one <see cref="SkeletonVariant"/>. The
+/// hips must be a root, or a child of a root named Reference.
+/// </remarks>
 public sealed class BvhSkeletonMap
 {
     internal const string ReferenceName = "Reference";
@@ -27,34 +29,34 @@ public sealed class BvhSkeletonMap
         _body = MakeBody(joints, format.Variant);
     }
 
-    /// <summary>The file; without rows where the map was made of a hierarchy.</summary>
+    /// <summary>The file. It has no rows if the map was created from a hierarchy.</summary>
     public BvhDocument Document { get; }
 
-    /// <summary>Naming of the bones, from the joints' names, and order of the rotation values, from their channels.</summary>
+    /// <summary>The names of the bones and the order of the rotation values.</summary>
     public SkeletonFormat Format { get; }
 
     /// <summary>
-    /// The motion packet that the file's values fill: 354 when every bone has position channels, 180 when only the hips have; six more
-    /// where the hips hang from a Reference node, whose values come first.
+    /// The layout of a motion packet with the file's values. It has 354 values when every bone has position channels, and 180 when only the hips
+    /// have them. A Reference node above the hips adds six values, which come first.
     /// </summary>
     public ChannelLayout Layout { get; }
 
-    /// <summary>The joint of a bone.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <summary>Gets the joint of a bone.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
     public BvhJoint this[Bone bone] => (uint)bone < BoneHierarchy.BoneCount
         ? _joints[(int)bone]
         : throw new ArgumentOutOfRangeException(nameof(bone), bone, "There are 59 bones, 0 to 58.");
 
-    /// <summary>The body that the file's hierarchy describes: its OFFSETs and End Sites. A leaf without End Site ends at its joint.</summary>
-    /// <returns>A body of the file's own <see cref="SkeletonVariant"/>; centimetres, as the file's own unit is taken to be.</returns>
+    /// <summary>Gets the body that the hierarchy describes: its OFFSETs and End Sites. A leaf without an End Site ends at its joint.</summary>
+    /// <returns>A body of the file's <see cref="SkeletonVariant"/>. The file's unit is assumed to be centimetres.</returns>
     public SkeletonBody GetBody() => _body;
 
     /// <summary>Finds the bones in a file.</summary>
     /// <param name="document">The file.</param>
-    /// <param name="map">The bones, when all are there.</param>
-    /// <param name="reason">When not: the first thing that is missing or different, in English.</param>
-    /// <returns>False when the file's skeleton is not Neuron's.</returns>
+    /// <param name="map">The bones, if all were found.</param>
+    /// <param name="reason">Otherwise: the first bone that is missing or different, in English.</param>
+    /// <returns>True if the file has the Neuron skeleton.</returns>
     public static bool TryCreate(
         BvhDocument document,
         [NotNullWhen(true)] out BvhSkeletonMap? map,
@@ -76,26 +78,26 @@ public sealed class BvhSkeletonMap
         return true;
     }
 
-    /// <summary>Finds the bones in a hierarchy, for rows that are read one by one: <see cref="BvhReader.Hierarchy"/>.</summary>
+    /// <summary>Finds the bones in a hierarchy, for reading row by row: <see cref="BvhReader.Hierarchy"/>.</summary>
     /// <param name="hierarchy">The joints.</param>
-    /// <param name="map">The bones, when all are there.</param>
-    /// <param name="reason">When not: the first thing that is missing or different, in English.</param>
-    /// <returns>False when the skeleton is not Neuron's.</returns>
+    /// <param name="map">The bones, if all were found.</param>
+    /// <param name="reason">Otherwise: the first bone that is missing or different, in English.</param>
+    /// <returns>True if the hierarchy has the Neuron skeleton.</returns>
     public static bool TryCreate(
         BvhHierarchy hierarchy,
         [NotNullWhen(true)] out BvhSkeletonMap? map,
         [NotNullWhen(false)] out string? reason) => TryCreate(new BvhDocument(hierarchy, BvhFrameTime.Default, []), out map, out reason);
 
-    /// <summary>Writes a row as the values of a motion packet of <see cref="Layout"/>, bit for bit those of the file.</summary>
+    /// <summary>Copies a frame as the values of a motion packet of <see cref="Layout"/>, bit for bit.</summary>
     /// <param name="frame">Number of the frame, from 0.</param>
-    /// <param name="destination">Room for <see cref="ChannelLayout.ValueCount"/> values.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
+    /// <param name="destination">Receives <see cref="ChannelLayout.ValueCount"/> values.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The frame does not exist.</exception>
     /// <exception cref="ArgumentException">The destination is too short.</exception>
     public void CopyValues(int frame, Span<float> destination) => CopyValues(Document.GetFrame(frame), destination);
 
-    /// <summary>Writes a row as the values of a motion packet of <see cref="Layout"/>, bit for bit.</summary>
-    /// <param name="row">The row, of all channels of the hierarchy.</param>
-    /// <param name="destination">Room for <see cref="ChannelLayout.ValueCount"/> values.</param>
+    /// <summary>Copies a row as the values of a motion packet of <see cref="Layout"/>, bit for bit.</summary>
+    /// <param name="row">The row, with all channels of the hierarchy.</param>
+    /// <param name="destination">Receives <see cref="ChannelLayout.ValueCount"/> values.</param>
     /// <exception cref="ArgumentException">The row or the destination is too short.</exception>
     public void CopyValues(ReadOnlySpan<float> row, Span<float> destination)
     {
@@ -108,18 +110,20 @@ public sealed class BvhSkeletonMap
     }
 
     /// <summary>
-    /// Writes the transforms of all bones relative to their parents, of the hips to the Reference node where there is one
-    /// (<see cref="GetReference(int)"/>). A position is that of the row where it has one, else the joint's <see cref="BvhJoint.Offset"/>.
+    /// Copies the transforms of all bones relative to their parents. Those of the hips are relative to the Reference node, if the file has one
+    /// (<see cref="GetReference(int)"/>). A joint without position channels has the position <see cref="BvhJoint.Offset"/>.
     /// </summary>
     /// <param name="frame">Number of the frame, from 0.</param>
-    /// <param name="destination">Room for 59, in <see cref="Bone"/> order; centimetres, as the file's own unit is taken to be.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
+    /// <param name="destination">Receives 59 transforms in <see cref="Bone"/> order. The file's unit is assumed to be centimetres.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The frame does not exist.</exception>
     /// <exception cref="ArgumentException">The destination is too short.</exception>
     public void CopyLocalTransforms(int frame, Span<BoneTransform> destination) => CopyLocalTransforms(Document.GetFrame(frame), destination);
 
-    /// <summary>Writes the transforms of all bones in a row; otherwise as by the number of a frame.</summary>
-    /// <param name="row">The row, of all channels of the hierarchy.</param>
-    /// <param name="destination">Room for 59, in <see cref="Bone"/> order; centimetres, as the file's own unit is taken to be.</param>
+    /// <summary>
+    /// Copies the transforms of all bones in a row, as <see cref="CopyLocalTransforms(int, Span{BoneTransform})"/> does for a frame.
+    /// </summary>
+    /// <param name="row">The row, with all channels of the hierarchy.</param>
+    /// <param name="destination">Receives 59 transforms in <see cref="Bone"/> order. The file's unit is assumed to be centimetres.</param>
     /// <exception cref="ArgumentException">The row or the destination is too short.</exception>
     public void CopyLocalTransforms(ReadOnlySpan<float> row, Span<BoneTransform> destination)
     {
@@ -128,15 +132,15 @@ public sealed class BvhSkeletonMap
         PoseDecoder.Decode(values, Layout, Format.RotationOrder, _body, destination);
     }
 
-    /// <summary>The transform that the hips are relative to.</summary>
+    /// <summary>Gets the transform that the hips are relative to.</summary>
     /// <param name="frame">Number of the frame, from 0.</param>
-    /// <returns>That of the Reference node, or none where the file has no such node; centimetres.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
+    /// <returns>The transform of the Reference node, or the identity if the file does not have one; centimetres.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The frame does not exist.</exception>
     public BoneTransform GetReference(int frame) => GetReference(Document.GetFrame(frame));
 
-    /// <summary>The transform that the hips are relative to.</summary>
-    /// <param name="row">The row, of all channels of the hierarchy.</param>
-    /// <returns>That of the Reference node, or none where the file has no such node; centimetres.</returns>
+    /// <summary>Gets the transform that the hips are relative to.</summary>
+    /// <param name="row">The row, with all channels of the hierarchy.</param>
+    /// <returns>The transform of the Reference node, or the identity if the file does not have one; centimetres.</returns>
     /// <exception cref="ArgumentException">The row is too short.</exception>
     public BoneTransform GetReference(ReadOnlySpan<float> row)
     {

@@ -2,25 +2,28 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Bvh;
 
-/// <summary>What a <see cref="BvhTakeWriter"/> has to know and the frames do not say. Copied when used; later changes have no effect.</summary>
+/// <summary>
+/// Options of a <see cref="BvhTakeWriter"/>: values that frames do not contain. The values are copied when used; later changes have no effect.
+/// </summary>
 public sealed class BvhTakeOptions
 {
     /// <summary>
-    /// The actor's body, for the OFFSETs and End Sites. Where the frames have displacement their own positions are the OFFSETs, and only the End Sites are
-    /// taken from here. Null, the default: the default body, <see cref="SkeletonBody.GetDefault"/>. One of the other variant than the frames' is not used.
+    /// The body of the actor, which supplies the OFFSETs and End Sites. If the frames have displacement, their positions are the OFFSETs and only
+    /// the End Sites come from this body. Null, the default, selects the default body, <see cref="SkeletonBody.GetDefault"/>. A body whose variant
+    /// differs from that of the frames is not used.
     /// </summary>
     public SkeletonBody? Body { get; set; }
 
     /// <summary>
-    /// Time from one frame to the next; null, the default, to measure it by the frames' times of receipt. Where that is near a usual rate, as 95.9 Hz is to 96,
-    /// the usual rate is meant. It is known at the end only, so the stream has to be able to seek.
+    /// Time from one frame to the next. Null, the default, measures it from the receive times of the frames. A measured rate near a usual rate
+    /// becomes that rate: 95.9 Hz becomes 96 Hz. The measurement is complete only at the end, so the stream must be seekable.
     /// </summary>
     public BvhFrameTime? FrameTime { get; set; }
 
-    /// <summary>What becomes of missing frames; they are repeated unless set.</summary>
+    /// <summary>Specifies how missing frames are written. The default repeats the previous row.</summary>
     public BvhGapHandling GapHandling { get; set; }
 
-    /// <summary>How the text is laid out; as in Axis Neuron's files unless set.</summary>
+    /// <summary>The text layout. The default is that of Axis Neuron.</summary>
     public BvhTextFormat TextFormat { get; set; } = BvhTextFormat.AxisNeuron;
 
     internal BvhTakeOptions Copy() => (BvhTakeOptions)MemberwiseClone();

@@ -4,17 +4,20 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// Makes a BVH file of the frames of one avatar, as they come. Hierarchy, rotation order and displacement are those of the first frame; a row holds
-/// a frame's values bit for bit. A frame that the hierarchy does not fit needs another file: <see cref="Accepts"/>. Frames of several
-/// avatars or senders have to be told apart by the caller. A frame allocates nothing. For one thread.
+/// Writes the frames of one avatar to a BVH file as they arrive. Not thread-safe.
 /// </summary>
+/// <remarks>
+/// The first frame determines the hierarchy, the rotation order and the displacement. A row holds the values of a frame bit for bit. A frame that
+/// does not fit the hierarchy needs another file: see <see cref="Accepts"/>. The caller must separate the frames of different avatars and senders.
+/// Writing a frame does not allocate memory.
+/// </remarks>
 public sealed class BvhTakeWriter : IDisposable
 {
     private readonly Stream _stream;
     private readonly BvhTakeOptions _options;
     private readonly FrameSequence _sequence;
 
-    // Numbers of the rows that stand in for others, as far as the stream may not have taken them.
+    // Numbers of the repeated rows that the stream may not have accepted yet.
     private readonly Queue<int> _recentRepeats = [];
     private int _repeated;
     private BvhWriter? _writer;
@@ -24,20 +27,20 @@ public sealed class BvhTakeWriter : IDisposable
     private int _origin;
     private bool _isDisposed;
 
-    /// <summary>Opens a file. Nothing is written before the first frame.</summary>
-    /// <param name="path">Where; a file that is there already is replaced.</param>
-    /// <param name="options">What the frames do not say; null for the defaults.</param>
+    /// <summary>Creates a file. Writing begins with the first frame.</summary>
+    /// <param name="path">The path of the file. An existing file is replaced.</param>
+    /// <param name="options">The options; null for the defaults.</param>
     /// <exception cref="IOException">The file cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to write the file.</exception>
     public BvhTakeWriter(string path, BvhTakeOptions? options = null)
         : this(WritableFile.Create(path), options)
     {
     }
 
-    /// <summary>Writes to a stream, from its position on. Nothing is written before the first frame.</summary>
-    /// <param name="stream">Where; it is closed at the end.</param>
-    /// <param name="options">What the frames do not say; null for the defaults.</param>
-    /// <exception cref="ArgumentException">The stream cannot seek, and the options do not say the frame time.</exception>
+    /// <summary>Writes to a stream, from its current position. Writing begins with the first frame.</summary>
+    /// <param name="stream">The stream to write. It is closed at the end.</param>
+    /// <param name="options">The options; null for the defaults.</param>
+    /// <exception cref="ArgumentException">The stream is not seekable, and the options do not contain the frame time.</exception>
     public BvhTakeWriter(Stream stream, BvhTakeOptions? options = null)
     {
         ArgumentNullException.ThrowIfNull(stream);
@@ -45,37 +48,42 @@ public sealed class BvhTakeWriter : IDisposable
         _options = options?.Copy() ?? new BvhTakeOptions();
         _sequence = new FrameSequence(_options.GapHandling);
         if (!stream.CanSeek && _options.FrameTime is null)
-            throw new ArgumentException("A stream that cannot seek needs FrameTime: a measured frame time is known at the end only.", nameof(stream));
+            throw new ArgumentException("FrameTime is required for a stream that is not seekable, because a measured frame time is known only at the end.", nameof(stream));
     }
 
-    /// <summary>Number of rows that were written, repeated ones included; once the stream has failed, of those that it holds.</summary>
+    /// <summary>Number of rows written, including repeated rows. If the stream has failed, the number of rows that it holds.</summary>
     public int FrameCount => _writer?.FrameCount ?? 0;
 
-    /// <summary>Number of rows that stand in for frames that were lost.</summary>
+    /// <summary>Number of rows that repeat the previous row in place of lost frames.</summary>
     public int RepeatedFrames => _repeated - _recentRepeats.Count(row => row > FrameCount);
 
-    /// <summary>Number of frames that were left out because later ones had come before them, as datagrams may.</summary>
+    /// <summary>Number of frames that were skipped because a later frame had arrived before them, as is possible with UDP.</summary>
     public int LateFrames { get; private set; }
 
-    /// <summary>Time from one frame to the next, as far as it is known by now.</summary>
+    /// <summary>Time from one frame to the next, as far as it is known.</summary>
     public BvhFrameTime FrameTime => _options.FrameTime ?? _sequence.Measure();
 
-    /// <summary>Whether a frame can become a row of this file: it holds the 59 bones, in the layout, rotation order and variant of those before it.</summary>
-    /// <param name="frame">A frame.</param>
+    /// <summary>
+    /// Whether a frame can become a row of this file. It must hold the 59 bones, in the layout, rotation order and variant of the previous frames.
+    /// </summary>
+    /// <param name="frame">The frame.</param>
     public bool Accepts(MotionFrame frame)
     {
         ArgumentNullException.ThrowIfNull(frame);
         return frame.HasSkeleton && (_writer is null || (frame.Layout == _layout && frame.Format == _format));
     }
 
-    /// <summary>Writes a frame as a row; one that comes late not at all, and one after a gap as <see cref="BvhTakeOptions.GapHandling"/> says.</summary>
-    /// <param name="frame">A frame; only read, during the call.</param>
+    /// <summary>
+    /// Writes a frame as a row. A frame that arrives after a later one is skipped. A gap is handled as <see cref="BvhTakeOptions.GapHandling"/>
+    /// specifies.
+    /// </summary>
+    /// <param name="frame">The frame. It is read only during the call.</param>
     /// <exception cref="InvalidOperationException"><see cref="Accepts"/> is false.</exception>
-    /// <exception cref="IOException">The stream cannot be written.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
     public void Write(MotionFrame frame)
     {
         if (!Accepts(frame))
-            throw new InvalidOperationException("The frame has another layout than the file.");
+            throw new InvalidOperationException("The layout of the frame differs from that of the file.");
 
         _writer ??= Begin(frame);
         if (frame.Origin != _origin)
@@ -96,8 +104,10 @@ public sealed class BvhTakeWriter : IDisposable
         _writer.WriteFrame(_row);
     }
 
-    /// <summary>Hands all rows to the system, with their number and the frame time: <see cref="BvhWriter.Flush"/>.</summary>
-    /// <exception cref="IOException">The stream cannot be written.</exception>
+    /// <summary>
+    /// Passes all rows to the operating system, and updates the number of rows and the frame time: see <see cref="BvhWriter.Flush"/>.
+    /// </summary>
+    /// <exception cref="IOException">The stream fails.</exception>
     public void Flush()
     {
         if (_writer is null)
@@ -107,8 +117,8 @@ public sealed class BvhTakeWriter : IDisposable
         _writer.Flush();
     }
 
-    /// <summary>Completes the file and closes the stream. Again: nothing.</summary>
-    /// <exception cref="IOException">The stream cannot be written; it is closed all the same.</exception>
+    /// <summary>Completes the file and closes the stream. Further calls have no effect.</summary>
+    /// <exception cref="IOException">The stream fails. It is closed nevertheless.</exception>
     public void Dispose()
     {
         if (_isDisposed)

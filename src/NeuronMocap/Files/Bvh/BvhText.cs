@@ -3,12 +3,12 @@ using static NeuronMocap.Bvh.BvhWord;
 
 namespace NeuronMocap.Bvh;
 
-// Walks the bytes of a file word by word and knows the place of each. A line ends with CRLF, LF or CR; words are parted by whatever ASCII calls
-// white space. The text lies in memory as a whole, or comes from a stream in pieces of any size, of which a window is kept: then the words
-// that are handed out are gone with the next one. No strings are made, save for what is shown to people.
+// Reads the bytes of a file word by word, with the position of each word. A line ends with CRLF, LF or CR; ASCII white space separates words. The
+// text is completely in memory, or comes from a stream in pieces of any size. For a stream, only a window of the text is kept, and a returned word
+// is valid until the next one is read. Strings are created only for messages.
 internal ref struct BvhText
 {
-    /// <summary>Bytes of a word that are looked at as one; what a longer one has beyond is a word of its own.</summary>
+    /// <summary>Maximum length of a word in bytes. The rest of a longer word becomes a word of its own.</summary>
     public const int LongestWord = 1 << 16;
 
     private readonly BvhTextSource? _source;
@@ -23,7 +23,7 @@ internal ref struct BvhText
         _cursor = Cursor.Start;
     }
 
-    /// <summary>Goes on where the source's cursor is; <see cref="Save"/> puts it where this has come to.</summary>
+    /// <summary>Continues at the source's cursor. <see cref="Save"/> stores the new position in it.</summary>
     public BvhText(BvhTextSource source)
     {
         _source = source;
@@ -32,26 +32,26 @@ internal ref struct BvhText
         _position = (int)(_cursor.Offset - _cursor.WindowStart);
     }
 
-    /// <summary>The next byte's.</summary>
+    /// <summary>The position of the next byte.</summary>
     public readonly BvhTextPosition Place => new(_cursor.Line, (int)Math.Min(int.MaxValue, Offset - _cursor.LineStart + 1));
 
-    /// <summary>How the first line ended; null while it has not.</summary>
+    /// <summary>The end of the first line; null until it is read.</summary>
     public readonly string? LineEnd => _cursor.LineEnd;
 
-    /// <summary>The last byte of the space that was skipped, where there was any.</summary>
+    /// <summary>The last byte of the skipped white space, if there was any.</summary>
     public byte LastBlank { get; private set; }
 
-    /// <summary>Whether only blanks stand before the next word on its line. Known once the space before it is skipped.</summary>
+    /// <summary>Whether only blanks stand before the next word on its line. Valid after the white space before the word is skipped.</summary>
     public readonly bool IsFirstOnLine => Offset == _firstOnLine;
 
-    /// <summary>Bytes that are not read yet; null when the stream does not know its end.</summary>
+    /// <summary>Number of bytes that are not read yet; null when the length of the stream is unknown.</summary>
     public readonly long? Remaining => _window.Length - _position + (_source is null ? 0 : _source.Remaining);
 
     private readonly long Offset => _cursor.WindowStart + _position;
 
     public readonly void Save() => _source!.Cursor = _cursor with { Offset = Offset };
 
-    /// <summary>At the start of a file: whether there is a byte order mark, which is no text.</summary>
+    /// <summary>Skips a byte order mark at the start of a file, if there is one.</summary>
     public bool TrySkipByteOrderMark()
     {
         if (!IsNext([0xEF, 0xBB, 0xBF]))
@@ -62,8 +62,8 @@ internal ref struct BvhText
         return true;
     }
 
-    /// <summary>Goes to the next word, on this line or another.</summary>
-    /// <returns>False at the end.</returns>
+    /// <summary>Skips white space up to the next word, on this line or a later one.</summary>
+    /// <returns>True if a word follows; false at the end.</returns>
     public bool SkipSpace()
     {
         long start = Offset;
@@ -88,7 +88,7 @@ internal ref struct BvhText
         return false;
     }
 
-    /// <summary>The next word, without going past it, so that the place is still the word's; empty at the end. A brace is a word.</summary>
+    /// <summary>Gets the next word without moving past it; empty at the end. The position remains that of the word. A brace is a word.</summary>
     public ReadOnlySpan<byte> PeekWord()
     {
         if (!SkipSpace())
@@ -113,8 +113,8 @@ internal ref struct BvhText
         return true;
     }
 
-    /// <summary>What is left of this line up to a brace, without the space around it; the brace or the line end comes next.</summary>
-    /// <returns>False when it is longer than the longest word; then nothing is read.</returns>
+    /// <summary>Reads the rest of the line up to a brace, without surrounding white space. The brace or the line end comes next.</summary>
+    /// <returns>False if the text is longer than the longest word. In this case, nothing is read.</returns>
     public bool TryReadToBrace(out ReadOnlySpan<byte> text)
     {
         ReadBlanks();
@@ -131,8 +131,8 @@ internal ref struct BvhText
 
     public void SkipLine() => Skip(IsLineEnd);
 
-    /// <summary>Goes past the space on this line.</summary>
-    /// <returns>The first bytes of it.</returns>
+    /// <summary>Skips the white space on this line.</summary>
+    /// <returns>The first bytes of the white space.</returns>
     public ReadOnlySpan<byte> ReadBlanks()
     {
         ReadOnlySpan<byte> blanks = PeekUntil(static letter => !IsSpace(letter) || IsLineEnd(letter), BvhTextFormat.LongestBlanks);
@@ -143,24 +143,26 @@ internal ref struct BvhText
         return blanks;
     }
 
-    /// <summary>The next word of this line, without going past it; empty where the line has no more. Braces are letters like others.</summary>
+    /// <summary>Gets the next word of this line without moving past it; empty at the end of the line. Braces do not end the word.</summary>
     public ReadOnlySpan<byte> PeekLineWord()
     {
         Skip(static letter => !IsSpace(letter) || IsLineEnd(letter));
         return PeekUntil(IsSpace, LongestWord);
     }
 
-    /// <summary>Goes past the space on this line; true when nothing more is on it.</summary>
+    /// <summary>Skips the white space on this line. Returns true if the line holds nothing more.</summary>
     public bool IsAtLineEnd()
     {
         Skip(static letter => !IsSpace(letter) || IsLineEnd(letter));
         return (_position == _window.Length && !Fill()) || IsLineEnd(_window[_position]);
     }
 
-    /// <summary>Goes past bytes that were peeked.</summary>
+    /// <summary>Moves past bytes that were peeked.</summary>
     public void Advance(int count) => _position += count;
 
-    /// <summary>Goes past a keyword and the space after it, if the next bytes are it, in any case; what follows may touch it.</summary>
+    /// <summary>
+    /// Reads a keyword, in any case, and the white space after it, if the keyword comes next. The following text may touch the keyword.
+    /// </summary>
     public bool TryRead(ReadOnlySpan<byte> keyword)
     {
         if (!IsNext(keyword))
@@ -171,10 +173,10 @@ internal ref struct BvhText
         return true;
     }
 
-    /// <summary>Reads numbers of this line until there is no more room, the line ends, or something else than a number comes next.</summary>
-    /// <param name="values">Where they go.</param>
-    /// <param name="notFinite">Set to the place of the first one that is not finite, unless it is set already.</param>
-    /// <returns>How many were read.</returns>
+    /// <summary>Reads numbers of this line until the span is full, the line ends, or something other than a number follows.</summary>
+    /// <param name="values">Receives the numbers.</param>
+    /// <param name="notFinite">Receives the position of the first number that is not finite, unless it is already set.</param>
+    /// <returns>The number of values read.</returns>
     public int ReadNumbers(Span<float> values, ref BvhTextPosition notFinite)
     {
         for (int count = 0; count < values.Length; count++)
@@ -211,7 +213,7 @@ internal ref struct BvhText
         return true;
     }
 
-    // Reads on only where the end is not there yet: a word whose end has come is not kept waiting for what follows it.
+    // Reads more of the stream only while the end of the word is missing. A complete word does not wait for the text that follows it.
     private ReadOnlySpan<byte> PeekUntil(Predicate<byte> isEnd, int most)
     {
         for (int length = 0; ; length++)
@@ -241,7 +243,7 @@ internal ref struct BvhText
             SkipLineFeed();
     }
 
-    // The second half of CR LF, which may come with a later piece.
+    // Skips the second half of CR LF, which may arrive with a later piece.
     private void SkipLineFeed()
     {
         _cursor.IsAfterReturn = false;
@@ -274,7 +276,7 @@ internal ref struct BvhText
         return true;
     }
 
-    /// <summary>Where a text is read, and what of it has to be known to go on.</summary>
+    /// <summary>The position in a text, with the state that reading needs to continue.</summary>
     public struct Cursor
     {
         public long WindowStart;

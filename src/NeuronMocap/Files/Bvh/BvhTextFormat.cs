@@ -1,34 +1,38 @@
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// How the text of a BVH file is laid out, so that a file that is read and written again looks the same. The default is what Axis Neuron writes.
-/// A file that is read gives what it does at the first place where each of these shows. Immutable; thread-safe.
+/// Describes the text layout of a BVH file. A file that is read and written again keeps its layout. Immutable; thread-safe.
 /// </summary>
+/// <remarks>
+/// The default is the layout of Axis Neuron. When a file is read, each property comes from its first occurrence.
+/// </remarks>
 public sealed record BvhTextFormat
 {
     internal const int LongestBlanks = 16;
 
-    /// <summary>Axis Neuron's: CR LF, four spaces, three decimals in offsets, six in rows, a space at the end of each row.</summary>
+    /// <summary>
+    /// The layout of Axis Neuron: CR LF, four spaces, three decimals in offsets, six in rows, and a space at the end of each row.
+    /// </summary>
     public static BvhTextFormat AxisNeuron { get; } = new();
 
-    /// <summary>What ends a line: CR LF, LF, or CR.</summary>
-    /// <exception cref="ArgumentException">It is something else.</exception>
+    /// <summary>The line end: CR LF, LF, or CR.</summary>
+    /// <exception cref="ArgumentException">The value is not a line end.</exception>
     public string LineEnd
     {
         get;
         init => field = value is "\r\n" or "\n" or "\r" ? value : throw new ArgumentException("The line end must be CR LF, LF or CR.", nameof(value));
     } = "\r\n";
 
-    /// <summary>What a line is indented by for each level: at most 16 spaces or tabs, or nothing.</summary>
-    /// <exception cref="ArgumentException">It is something else.</exception>
+    /// <summary>The indentation of each level: at most 16 spaces or tabs, or empty.</summary>
+    /// <exception cref="ArgumentException">The value is not a valid indentation.</exception>
     public string Indentation
     {
         get;
         init => field = IsBlank(value) ? value : throw new ArgumentException("The indentation must be at most 16 spaces or tabs.", nameof(value));
     } = "    ";
 
-    /// <summary>What stands between the values of a row: 1 to 16 spaces or tabs.</summary>
-    /// <exception cref="ArgumentException">It is something else.</exception>
+    /// <summary>The separator between the values of a row: 1 to 16 spaces or tabs.</summary>
+    /// <exception cref="ArgumentException">The value is not a valid separator.</exception>
     public string Separator
     {
         get;
@@ -36,9 +40,9 @@ public sealed record BvhTextFormat
     } = " ";
 
     /// <summary>
-    /// Least number of digits after the point in offsets, from 0. A writer has more where these would make it another binary32 value.
+    /// Minimum number of decimals in offsets, from 0. A writer uses more where fewer would give another binary32 value.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">The number is below 0.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative.</exception>
     public int OffsetDecimals
     {
         get;
@@ -46,27 +50,27 @@ public sealed record BvhTextFormat
     } = 3;
 
     /// <summary>
-    /// Least number of digits after the point in rows, from 0. A writer has more where these would make it another binary32 value.
+    /// Minimum number of decimals in rows, from 0. A writer uses more where fewer would give another binary32 value.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">The number is below 0.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative.</exception>
     public int ValueDecimals
     {
         get;
         init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "The number of decimals must not be negative.");
     } = 6;
 
-    /// <summary>Whether <see cref="Separator"/> also stands after the last value of a row.</summary>
+    /// <summary>Whether <see cref="Separator"/> also follows the last value of a row.</summary>
     public bool HasSeparatorAtRowEnd { get; init; } = true;
 
-    /// <summary>Whether a blank line comes after MOTION.</summary>
+    /// <summary>Whether a blank line follows MOTION.</summary>
     public bool HasBlankLineAfterMotion { get; init; } = true;
 
     /// <summary>Whether the file begins with a byte order mark.</summary>
     public bool HasByteOrderMark { get; init; }
 
     /// <summary>
-    /// The text of the frame time, such as 0.008. It is to be written only where <see cref="BvhFrameTime.TryParse"/> makes the time of it that is
-    /// to be written; elsewhere, and where this is null, <see cref="BvhFrameTime.ToString"/>.
+    /// The text of the frame time, such as 0.008. It is written only if <see cref="BvhFrameTime.TryParse"/> reads the file's frame time from it.
+    /// Otherwise, or if this is null, <see cref="BvhFrameTime.ToString"/> is written.
     /// </summary>
     public string? FrameTimeText { get; init; }
 

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace NeuronMocap.Bvh;
 
-// What is known so far of the layout of a file that is being read.
+// Collects the text layout of a file while it is read.
 internal sealed class BvhTextFormatBuilder
 {
     private int _offsetDecimals = int.MaxValue;

@@ -1,4 +1,4 @@
 namespace NeuronMocap.Bvh;
 
-// Line and byte of the line, both from 1; the default value is no place.
+// A line and a byte within the line, both from 1. The default value is not a position.
 internal readonly record struct BvhTextPosition(int Line, int Column);

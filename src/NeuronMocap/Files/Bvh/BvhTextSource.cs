@@ -2,10 +2,10 @@ using System.Buffers;
 
 namespace NeuronMocap.Bvh;
 
-// A stream with the piece of it that lies in memory, and where BvhText stands in it between two calls.
+// Holds a stream, the piece of it in memory, and the position of BvhText between two calls.
 internal sealed class BvhTextSource(Stream stream, IProgress<long>? progress)
 {
-    // Room for the longest word and as much again, so that little is moved.
+    // Room for the longest word twice, so that data is rarely moved.
     private const int BufferSize = 2 * BvhText.LongestWord;
 
     private byte[]? _buffer = ArrayPool<byte>.Shared.Rent(BufferSize);
@@ -17,13 +17,13 @@ internal sealed class BvhTextSource(Stream stream, IProgress<long>? progress)
 
     public bool IsEnded { get; private set; }
 
-    /// <summary>Bytes from where the stream stands to its end; null when it does not know.</summary>
+    /// <summary>Number of bytes from the current position to the end of the stream; null when unknown.</summary>
     public long? Remaining => stream.CanSeek ? Math.Max(0, stream.Length - stream.Position) : null;
 
     public ReadOnlySpan<byte> Window => _buffer.AsSpan(0, _end);
 
-    /// <summary>Reads what comes next, and forgets what lies before a position where there is no room.</summary>
-    /// <returns>How many bytes were forgotten.</returns>
+    /// <summary>Reads the next piece. If there is no room, the bytes before a position are discarded.</summary>
+    /// <returns>The number of discarded bytes.</returns>
     public int Fill(int position)
     {
         byte[] buffer = _buffer ?? throw new ObjectDisposedException(nameof(BvhReader));

@@ -2,10 +2,10 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Bvh;
 
-// From one naming of spine and neck to the other. The shoulders hang from Spine2 in the one and from the bone above it in the other.
+// Converts between the two namings of spine and neck. The shoulders are children of Spine2 in one, and of the bone above it in the other.
 internal static class BvhVariantChange
 {
-    // Below what a float tells apart at the length of an arm.
+    // Below the resolution of a float at the length of an arm.
     private const double SamePlace = 1e-5;
 
     private const Bone Above = Bone.Neck;
@@ -37,7 +37,7 @@ internal static class BvhVariantChange
     private static BvhSkeletonMap FindBones(BvhDocument document) =>
         BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out string? reason)
             ? map
-            : throw new NeuronException($"The file's skeleton is not one of the 59 bones. {reason}");
+            : throw new NeuronException($"The file does not have the skeleton of 59 bones. {reason}");
 
     private static void Rename(BvhHierarchyDraft draft, BvhSkeletonMap map, SkeletonVariant variant)
     {
@@ -45,7 +45,7 @@ internal static class BvhVariantChange
             draft[map[bone].Index].Name = BoneHierarchy.GetName(bone, variant);
     }
 
-    // Whether a shoulder that has hung from the one bone moves as seen from the other.
+    // Returns whether a shoulder that is fixed to one bone moves relative to the other.
     private static bool Turns(BvhSkeletonMap map)
     {
         var above = new BvhJointValues(map[Above]);
@@ -94,7 +94,7 @@ internal static class BvhVariantChange
         return values;
     }
 
-    // The shoulder as seen from the bone above, or as seen from where that one hangs.
+    // Expresses the shoulder relative to the bone above, or relative to that bone's parent.
     private static (BvhPoint Position, BvhRotation Rotation) Move(BvhJointValues shoulder, BvhJointValues above, ReadOnlySpan<float> row, bool isUp)
     {
         BvhPoint position = shoulder.GetPosition(row);

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace NeuronMocap.Bvh;
 
-// What bytes and words of a BVH file are.
+// Classifies and compares the bytes and words of a BVH file.
 internal static class BvhWord
 {
     private const int LongestQuote = 40;
@@ -18,7 +18,7 @@ internal static class BvhWord
     public static bool AreEqual(ReadOnlySpan<byte> word, ReadOnlySpan<byte> keyword) =>
         word.Length == keyword.Length && StartsWith(word, keyword);
 
-    /// <summary>Compares in any case of the ASCII letters.</summary>
+    /// <summary>Compares without regard to the case of ASCII letters.</summary>
     public static bool StartsWith(ReadOnlySpan<byte> word, ReadOnlySpan<byte> keyword)
     {
         if (word.Length < keyword.Length)
@@ -43,7 +43,7 @@ internal static class BvhWord
         return text;
     }
 
-    /// <summary>The digits after the point of a number, 0 for one with an exponent.</summary>
+    /// <summary>Counts the digits after the decimal point of a number. A number with an exponent has 0.</summary>
     public static int CountDecimals(ReadOnlySpan<byte> number)
     {
         int point = number.IndexOf((byte)'.');
@@ -57,11 +57,11 @@ internal static class BvhWord
         return point < 0 ? 0 : decimals.Length;
     }
 
-    /// <summary>The start of some text, for a message.</summary>
+    /// <summary>Quotes the start of a text, for a message.</summary>
     public static string Quote(ReadOnlySpan<byte> text) =>
         Quote(Encoding.UTF8.GetString(text[..Math.Min(text.Length, LongestQuote)]), isCut: text.Length > LongestQuote);
 
-    /// <summary>The start of some text, for a message.</summary>
+    /// <summary>Quotes the start of a text, for a message.</summary>
     public static string Quote(string text) => Quote(text.AsSpan(0, Math.Min(text.Length, LongestQuote)), isCut: text.Length > LongestQuote);
 
     private static string Quote(ReadOnlySpan<char> start, bool isCut)

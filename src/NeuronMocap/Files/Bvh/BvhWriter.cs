@@ -5,19 +5,29 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// Writes a BVH file row by row, in constant memory. Values have as many decimals as the <see cref="BvhTextFormat"/> says, or more where it takes
-/// these to be read back as the same binary32; NaN and infinities are written as <c>NaN</c>, <c>Infinity</c> and <c>-Infinity</c>. A row allocates nothing. For one
-/// thread.
-/// <para>
-/// The number of frames is not known before the end. Where the stream can seek, the fields of the number and of the frame time have a fixed width
-/// and are written again with every <see cref="Flush"/> and at the end, after the rows that they count: a file that is cut off at any moment opens, with all rows
-/// up to the last flush. When the stream takes no more, because the disk is full for example, the file is cut behind the last row that it took whole, and
-/// <see cref="FrameCount"/> is what it holds. Where the stream cannot seek, the file says <c>Frames: 0</c>, which <see cref="BvhDocument"/> reads as what is there, and other programs may not.
-/// </para>
+/// Writes a BVH file row by row, in constant memory. Not thread-safe.
 /// </summary>
+/// <remarks>
+/// <para>
+/// Values have as many decimals as the <see cref="BvhTextFormat"/> specifies, or more where the same binary32 value needs them. NaN and infinities
+/// are written as <c>NaN</c>, <c>Infinity</c> and <c>-Infinity</c>. Writing a row does not allocate memory.
+/// </para>
+/// <para>
+/// The number of frames is known only at the end. If the stream is seekable, the number and the frame time have fields of a fixed width. Each
+/// <see cref="Flush"/> updates these fields after it writes the rows, and so does the end. A file that is cut off at any moment can therefore be
+/// opened, with all rows up to the last flush.
+/// </para>
+/// <para>
+/// If the stream fails, for example on a full disk, the file is truncated after the last complete row. <see cref="FrameCount"/> then is the number
+/// of rows in the file.
+/// </para>
+/// <para>
+/// If the stream is not seekable, the file contains <c>Frames: 0</c>. <see cref="BvhDocument"/> reads the rows that exist; other programs may not.
+/// </para>
+/// </remarks>
 public sealed class BvhWriter : IDisposable
 {
-    // Wide enough for any number of frames, and for any frame time of fifteen decimals.
+    // Wide enough for any number of frames, and for any frame time with fifteen decimals.
     private const int FrameCountWidth = 10;
     private const int FrameTimeWidth = 20;
 
@@ -37,38 +47,39 @@ public sealed class BvhWriter : IDisposable
     private int _length;
     private int _writtenFrameCount;
 
-    // In the buffer, behind the last whole row or the header; and the same of what the stream has taken, with the number of rows up to there.
+    // _rowsEnd is the end of the last whole row, or of the header, in the buffer. _takenEnd is the same in the stream, and _takenFrames is the
+    // number of rows up to there.
     private int _rowsEnd = -1;
     private long _takenEnd;
     private int _takenFrames;
-    // Bytes behind that place that the stream has taken: the beginning of a row.
+    // Bytes after _takenEnd that the stream has accepted: the beginning of a row.
     private long _carried;
     private Exception? _failure;
     private BvhFrameTime _frameTime;
     private bool _isTimeStale;
     private bool _isDisposed;
 
-    /// <summary>Opens a file and writes its hierarchy.</summary>
-    /// <param name="path">Where; a file that is there already is replaced.</param>
+    /// <summary>Creates a file and writes its hierarchy.</summary>
+    /// <param name="path">The path of the file. An existing file is replaced.</param>
     /// <param name="hierarchy">The joints.</param>
     /// <param name="frameTime">Time from one frame to the next, above 0.</param>
-    /// <param name="format">How the text is laid out; null for <see cref="BvhTextFormat.AxisNeuron"/>.</param>
-    /// <exception cref="ArgumentException">The time is none.</exception>
+    /// <param name="format">The text layout; null for <see cref="BvhTextFormat.AxisNeuron"/>.</param>
+    /// <exception cref="ArgumentException">The frame time is 0.</exception>
     /// <exception cref="IOException">The file cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to write the file.</exception>
     public BvhWriter(string path, BvhHierarchy hierarchy, BvhFrameTime frameTime, BvhTextFormat? format = null)
         : this(Create(path, hierarchy, frameTime), hierarchy, frameTime, format)
     {
     }
 
     /// <summary>Writes a hierarchy to a stream.</summary>
-    /// <param name="stream">Where, from its position on.</param>
+    /// <param name="stream">The stream to write, from its current position.</param>
     /// <param name="hierarchy">The joints.</param>
     /// <param name="frameTime">Time from one frame to the next, above 0.</param>
-    /// <param name="format">How the text is laid out; null for <see cref="BvhTextFormat.AxisNeuron"/>.</param>
-    /// <param name="leaveOpen">Whether the stream stays open at the end.</param>
-    /// <exception cref="ArgumentException">The time is none, or the stream cannot be written.</exception>
-    /// <exception cref="IOException">The stream cannot be written.</exception>
+    /// <param name="format">The text layout; null for <see cref="BvhTextFormat.AxisNeuron"/>.</param>
+    /// <param name="leaveOpen">Whether the stream stays open when the writer is disposed.</param>
+    /// <exception cref="ArgumentException">The frame time is 0, or the stream is not writable.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
     public BvhWriter(Stream stream, BvhHierarchy hierarchy, BvhFrameTime frameTime, BvhTextFormat? format = null, bool leaveOpen = false)
         : this(stream, hierarchy, frameTime, format, leaveOpen, frameCount: null)
     {
@@ -79,7 +90,7 @@ public sealed class BvhWriter : IDisposable
     {
         ArgumentNullException.ThrowIfNull(stream);
         if (!stream.CanWrite)
-            throw new ArgumentException("The stream cannot be written.", nameof(stream));
+            throw new ArgumentException("The stream is not writable.", nameof(stream));
 
         Check(hierarchy, frameTime);
 
@@ -110,15 +121,17 @@ public sealed class BvhWriter : IDisposable
     /// <summary>The joints.</summary>
     public BvhHierarchy Hierarchy { get; }
 
-    /// <summary>Number of rows that were written; once the stream has failed, of those that it holds.</summary>
+    /// <summary>Number of rows written. If the stream has failed, the number of rows that it holds.</summary>
     public int FrameCount { get; private set; }
 
-    // Of them those that the stream has taken.
+    // Number of rows that the stream has accepted.
     internal int TakenFrames => _takenFrames;
 
-    /// <summary>Time from one frame to the next. Where the stream can seek it can be changed until the end: live, it is known only then.</summary>
-    /// <exception cref="ArgumentException">The time is none.</exception>
-    /// <exception cref="InvalidOperationException">The stream cannot seek, or the writer is at its end.</exception>
+    /// <summary>
+    /// Time from one frame to the next. On a seekable stream, it can be changed until the end, because a live frame time is known only then.
+    /// </summary>
+    /// <exception cref="ArgumentException">The value is 0.</exception>
+    /// <exception cref="InvalidOperationException">The stream is not seekable, or the writer is disposed.</exception>
     public BvhFrameTime FrameTime
     {
         get => _frameTime;
@@ -129,7 +142,7 @@ public sealed class BvhWriter : IDisposable
             if (value == _frameTime)
                 return;
             if (_timePlace < 0 || _isDisposed)
-                throw new InvalidOperationException("The frame time is written already and cannot change.");
+                throw new InvalidOperationException("The frame time is already written and cannot change.");
 
             _frameTime = value;
             _isTimeStale = true;
@@ -141,9 +154,9 @@ public sealed class BvhWriter : IDisposable
 
     /// <summary>Writes a row.</summary>
     /// <param name="values">As many values as the hierarchy has channels, in its order.</param>
-    /// <exception cref="ArgumentException">There are more or fewer values.</exception>
-    /// <exception cref="ObjectDisposedException">The writer is at its end.</exception>
-    /// <exception cref="IOException">The stream cannot be written.</exception>
+    /// <exception cref="ArgumentException">The number of values is wrong.</exception>
+    /// <exception cref="ObjectDisposedException">The writer is disposed.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
     public void WriteFrame(ReadOnlySpan<float> values)
     {
         ObjectDisposedException.ThrowIf(_isDisposed, this);
@@ -166,18 +179,22 @@ public sealed class BvhWriter : IDisposable
     }
 
     /// <summary>
-    /// Hands all rows to the system and, where the stream can seek, says how many there are: from then on they are there even when the process is killed.
+    /// Passes all rows to the operating system and, on a seekable stream, updates the number of frames. These rows remain even if the process is
+    /// killed.
     /// </summary>
-    /// <exception cref="ObjectDisposedException">The writer is at its end.</exception>
-    /// <exception cref="IOException">The stream cannot be written.</exception>
+    /// <exception cref="ObjectDisposedException">The writer is disposed.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
     public void Flush()
     {
         ObjectDisposedException.ThrowIf(_isDisposed, this);
         Complete();
     }
 
-    /// <summary>Writes what is left, corrects the number of frames, and closes the stream. Again, or after the stream has failed: only closes it.</summary>
-    /// <exception cref="IOException">The stream cannot be written; it is closed all the same.</exception>
+    /// <summary>
+    /// Writes the remaining rows, updates the number of frames, and closes the stream. After a failure of the stream, this truncates the file after
+    /// the last complete row and closes the stream. Further calls have no effect.
+    /// </summary>
+    /// <exception cref="IOException">The stream fails. It is closed nevertheless.</exception>
     public void Dispose()
     {
         if (_isDisposed)
@@ -198,7 +215,7 @@ public sealed class BvhWriter : IDisposable
         }
     }
 
-    // What is wrong shows before the file is emptied that it would replace.
+    // Arguments are checked before the existing file is emptied.
     private static FileStream Create(string path, BvhHierarchy hierarchy, BvhFrameTime frameTime)
     {
         Check(hierarchy, frameTime);
@@ -212,8 +229,8 @@ public sealed class BvhWriter : IDisposable
             throw new ArgumentException("The frame time must be more than 0 s.", nameof(frameTime));
     }
 
-    // A reader of any file takes the columns in the order of the CHANNELS lines, which may differ from that of the joints: written they stand in
-    // the order of the joints. Null where it is the same.
+    // Readers assign columns in the order of the CHANNELS lines, which may differ from the order of the joints. Rows are written in the order of
+    // the joints. Returns null if both orders are the same.
     private static int[]? FindColumns(BvhHierarchy hierarchy)
     {
         int[] columns = [.. hierarchy.Joints.SelectMany(static joint => Enumerable.Range(joint.FirstChannel, joint.Channels.Count))];
@@ -222,7 +239,7 @@ public sealed class BvhWriter : IDisposable
 
     private static string Decimal(int number) => number.ToString(System.Globalization.CultureInfo.InvariantCulture);
 
-    // Spaces after a number are what no reader minds: those in front of it would shift the words of one that splits at each space.
+    // Readers ignore spaces after a number. Spaces before it would confuse a reader that splits at each space.
     private static string Padded(string text, int width) => text.PadRight(width);
 
     private void Complete()
@@ -301,8 +318,8 @@ public sealed class BvhWriter : IDisposable
         _length = 0;
     }
 
-    // Ends the file behind the last whole row: a full disk still lets it become shorter, and bytes be replaced. The failure itself is what the caller
-    // hears of.
+    // Truncates the file after the last whole row. A full disk still allows shortening the file and replacing bytes. The caller receives the
+    // original failure.
     private void Repair()
     {
         if (!_stream.CanSeek)

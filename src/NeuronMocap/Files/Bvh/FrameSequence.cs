@@ -3,38 +3,38 @@ using NeuronMocap.Frames;
 
 namespace NeuronMocap.Bvh;
 
-// How many rows a frame makes, by its index, and how long a row lasts, by the times of receipt.
+// Determines how many rows to write for a frame, from its index, and the duration of a row, from the receive times.
 internal sealed class FrameSequence(BvhGapHandling gaps)
 {
-    // No suit is faster. An index that jumps without time having passed is no loss, and a stream that means harm cannot blow up the file.
+    // No suit is faster. An index jump without elapsed time is therefore not a loss, and a malicious stream cannot inflate the file.
     private const int MaxRowsPerSecond = 1000;
 
     // A longer silence between two frames without an index is a pause of the server.
     private static readonly long LongestInterval = Stopwatch.Frequency;
 
-    // The first frames of a connection, and of a server that starts, often come in one piece, and say nothing about the time between them.
+    // The first frames of a connection or of a starting server often arrive together. Their receive times say nothing about the frame time.
     private static readonly long Settling = Stopwatch.Frequency / 4;
     private static readonly long LongEnough = Stopwatch.Frequency;
 
     private readonly IndexTracker _tracker = new();
 
-    // The smallest so far. The tracker's is known after 16 frames, and rows that were written cannot be taken back.
+    // The smallest step so far. The tracker knows its step only after 16 frames, and written rows cannot be taken back.
     private uint _step = uint.MaxValue;
     private long _timestamp;
     private long _elapsed;
     private long _intervals;
     private bool _hasBegun;
 
-    // Of the connection that stands; and the sums of all, each without its first frames.
+    // The time of the current connection, and the sums over all connections, each without its first frames.
     private long _run;
     private long _settledElapsed;
     private long _settledIntervals;
 
-    /// <summary>What comes next counts anew, and its time has no relation to what came before.</summary>
+    /// <summary>Starts a new sequence. The next frame has no relation in time to the frames before it.</summary>
     public void Restart() => _hasBegun = false;
 
-    /// <summary>Takes the next frame.</summary>
-    /// <returns>The number of rows: none for a frame that comes late, one, or more where others were lost before it.</returns>
+    /// <summary>Processes the next frame.</summary>
+    /// <returns>The number of rows: 0 for a frame that is out of order, 1, or more if frames before it were lost.</returns>
     public int Next(uint? index, long timestamp)
     {
         if (!_hasBegun)
@@ -54,7 +54,9 @@ internal sealed class FrameSequence(BvhGapHandling gaps)
         };
     }
 
-    /// <summary>The time of a row: the usual one that is near what was measured, else the measured one.</summary>
+    /// <summary>
+    /// Computes the time of a row: the nearest usual frame time if it is close to the measured time, otherwise the measured time.
+    /// </summary>
     public BvhFrameTime Measure()
     {
         if (_intervals == 0 || _elapsed <= 0)
@@ -64,7 +66,7 @@ internal sealed class FrameSequence(BvhGapHandling gaps)
         double elapsed = (double)ticks / Stopwatch.Frequency;
         double rate = intervals / elapsed;
 
-        // Clocks of suits are off by less than a hundredth; the first and the last frame each come by up to 30 ms early or late.
+        // Clocks of suits are off by less than one per cent. The first and the last frame may each be up to 30 ms early or late.
         double tolerance = 0.015 + (0.06 / elapsed);
         double? nearest = null;
         foreach (short usual in BvhFrameTimeText.UsualRates)
@@ -80,7 +82,7 @@ internal sealed class FrameSequence(BvhGapHandling gaps)
         return BvhFrameTime.FromFrameRate(nearest ?? Math.Min(Math.Max(Math.Round(rate, 2), 0.01), 1e6));
     }
 
-    // Of frequency reducing every index is a multiple: the smallest step is from one frame to the next.
+    // When the frame rate is reduced, every index is a multiple of the step. The smallest step is therefore the step of consecutive frames.
     private int Advance(uint step, long timestamp)
     {
         _step = Math.Min(_step, step);
@@ -89,7 +91,7 @@ internal sealed class FrameSequence(BvhGapHandling gaps)
         return isLoss ? Continue(timestamp, (int)missing, isGap: false) : Begin(timestamp);
     }
 
-    // What came before has no relation in time to what comes now.
+    // The frames before have no relation in time to the frames that follow.
     private int Begin(long timestamp)
     {
         _run = 0;

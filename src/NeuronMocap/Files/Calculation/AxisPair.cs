@@ -2,10 +2,10 @@ using System.Numerics;
 
 namespace NeuronMocap.Calculation;
 
-// Rotations from two directions: one that is kept and one that is only approached.
+// Creates rotations from two directions. One is met exactly, the other as closely as possible.
 internal static class AxisPair
 {
-    /// <summary>The rotation that turns X into a direction, and Y as near to another one as it gets.</summary>
+    /// <summary>Creates the rotation that turns X into a direction, and Y as close as possible to another one.</summary>
     public static Quaternion FromX(Vector3 x, Vector3 nearY)
     {
         x = Unit(x, Vector3.UnitX);
@@ -13,7 +13,7 @@ internal static class AxisPair
         return FromAxes(x, y, Vector3.Cross(x, y));
     }
 
-    /// <summary>The rotation that turns Y into a direction, and X as near to another one as it gets.</summary>
+    /// <summary>Creates the rotation that turns Y into a direction, and X as close as possible to another one.</summary>
     public static Quaternion FromY(Vector3 y, Vector3 nearX)
     {
         y = Unit(y, Vector3.UnitY);
@@ -21,7 +21,7 @@ internal static class AxisPair
         return FromAxes(x, y, Vector3.Cross(x, y));
     }
 
-    /// <summary>The shortest turn from one direction to another; none where one of them has no length.</summary>
+    /// <summary>Finds the shortest rotation from one direction to another. If one of them has no length, this is the identity.</summary>
     public static Quaternion Between(Vector3 from, Vector3 to)
     {
         float product = from.Length() * to.Length();
@@ -38,7 +38,7 @@ internal static class AxisPair
         if (rest.LengthSquared() > 1e-6f * near.LengthSquared())
             return Vector3.Normalize(rest);
 
-        // The two are one direction: any upright one will do.
+        // Both directions are the same. Any perpendicular direction is valid.
         Vector3 other = MathF.Abs(axis.X) < 0.8f ? Vector3.UnitX : Vector3.UnitZ;
         return Vector3.Normalize(other - (Vector3.Dot(other, axis) * axis));
     }

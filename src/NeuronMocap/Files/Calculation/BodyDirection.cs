@@ -1,6 +1,6 @@
 namespace NeuronMocap.Calculation;
 
-/// <summary>Where an axis of the world points, for an actor who faces forward.</summary>
+/// <summary>Specifies where an axis of the world points, for an actor who faces forward.</summary>
 public enum BodyDirection
 {
     /// <summary>To the actor's left: X of BVH.</summary>
@@ -15,9 +15,9 @@ public enum BodyDirection
     /// <summary>Into the ground.</summary>
     Down,
 
-    /// <summary>Where the actor faces: Z of BVH.</summary>
+    /// <summary>The direction that the actor faces: Z of BVH.</summary>
     Forward,
 
-    /// <summary>Away from where the actor faces.</summary>
+    /// <summary>Opposite to the direction that the actor faces.</summary>
     Backward,
 }

@@ -4,8 +4,8 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// The body behind a take, and how the sensors sit on it: three passes over its frames. Centres and sensors are recorded; joints, lengths and the
-/// bones' own rotations are not. See docs/guide/calculation.md.
+/// Measures the body of a take, and how the sensors are mounted on it, in three passes over the frames. Centres and sensor rotations are recorded;
+/// joints, lengths and rotations of the bones are not. See docs/guide/calculation.md.
 /// </summary>
 internal sealed class BodyMeasurement
 {
@@ -33,10 +33,10 @@ internal sealed class BodyMeasurement
         Mountings.AsSpan().Fill(Quaternion.Identity);
     }
 
-    /// <summary>From each bone's joint to its centre, in the bone's axes; by bone.</summary>
+    /// <summary>The vectors from each bone's joint to its centre, in the axes of the bone; by bone.</summary>
     public Vector3[] Halves { get; } = new Vector3[Bones];
 
-    /// <summary>Each bone's axes in those of its sensor; by bone.</summary>
+    /// <summary>The axes of each bone in those of its sensor; by bone.</summary>
     public Quaternion[] Mountings { get; } = new Quaternion[Bones];
 
     public SkeletonVariant Variant => _trunk.Variant;
@@ -59,7 +59,8 @@ internal sealed class BodyMeasurement
     }
 
     /// <summary>
-    /// What stands in for the sensor of a bone: its own; for the spine, which bends evenly between hips and chest, what lies between the two.
+    /// Gets the rotation that represents the sensor of a bone. Most bones have their own sensor. The spine bends evenly between hips and chest, so
+    /// its bones have a rotation between those two.
     /// </summary>
     public Quaternion GetSensor(in SensorFrame frame, Bone bone)
     {
@@ -78,7 +79,7 @@ internal sealed class BodyMeasurement
         return share == 1 ? chest : Quaternion.Slerp(frame.GetRotation(Bone.Hips) * _trunk.Hips, chest, share);
     }
 
-    /// <summary>Places of the bones relative to their parents at rest, save for the hips' own; by bone.</summary>
+    /// <summary>Creates the positions of the bones relative to their parents in the rest pose, except for the hips; by bone.</summary>
     public Vector3[] CreateOffsets()
     {
         var offsets = new Vector3[Bones];
@@ -97,7 +98,7 @@ internal sealed class BodyMeasurement
         return offsets;
     }
 
-    /// <summary>Where the bones without children end; by bone.</summary>
+    /// <summary>Creates the ends of the bones without children; by bone.</summary>
     public Vector3[] CreateEndSites()
     {
         var ends = new Vector3[Bones];
@@ -110,8 +111,8 @@ internal sealed class BodyMeasurement
         return ends;
     }
 
-    // Nothing is recorded of fingers without gloves: they get the default hand's, as large as the actor's. There a hand is recorded to its fingertips,
-    // while one of a body with fingers ends where the middle finger begins.
+    // Without gloves, fingers are not recorded. They receive the proportions of the default hand, scaled to the actor. Without fingers, a recorded
+    // hand reaches to its fingertips; with fingers, the hand ends where the middle finger begins.
     private Vector3 ScaleFinger(Bone bone, Vector3 offset)
     {
         const float DefaultPalm = 3.4f;
@@ -157,7 +158,7 @@ internal sealed class BodyMeasurement
 
         for (int i = 0; i < SpineBones.Length; i++)
         {
-            // On the average the spine, the neck and the head are not turned to a side.
+            // On average, the spine, the neck and the head are not turned to a side.
             int bone = (int)SpineBones[i];
             Vector3 half = _spine[i].Mean;
             Mountings[bone] = AxisPair.FromY(half, _spineAxes[i].Sum);

@@ -3,13 +3,14 @@ using System.Numerics;
 
 namespace NeuronMocap.Calculation;
 
-/// <summary>Finds lengths that nobody has: values of an export that mean something else, or a sensor that failed.</summary>
+/// <summary>Finds implausible bone lengths. They show that the values of an export have another meaning, or that a sensor failed.</summary>
 internal static class BodyPlausibility
 {
     private const float Shortest = 5; // cm
-    private const float LargestDifference = 10; // cm; of real takes 2
+    private const float LargestDifference = 10; // cm; 2 in real takes
 
-    // The bone that ends where the other one begins: the length of the first is the place of the second. Nobody's are longer.
+    // Each bone here begins where the named bone ends. Its offset is therefore the length of the named bone. Real bones are not longer than these
+    // limits.
     private static readonly (string Name, Bone Left, Bone Right, float Longest)[] Bones =
     [
         ("upper leg", Bone.LeftLeg, Bone.RightLeg, 70),

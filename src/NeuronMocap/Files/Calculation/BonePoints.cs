@@ -3,18 +3,21 @@ using System.Numerics;
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// Tells which point of a bone an export has. Most have the centres; some have the ends, and their thighs all begin at the hips, without a hip's width:
-/// from the hips to the end of the thigh, and from there to the end of the shank, it is always equally far. Between centres both ways change as soon as a leg
-/// moves, by a centimetre even in takes of half a second, and the first is a good deal shorter than the second.
+/// Determines which point of a bone an export contains: most exports contain the centres, some the ends.
 /// </summary>
+/// <remarks>
+/// If an export contains ends, all thighs begin at the hips, without a hip width. The distances from the hips to the end of the thigh, and from
+/// there to the end of the shank, are then constant. Between centres, both distances change as soon as a leg moves, by a centimetre even in takes
+/// of half a second. The first distance is then much shorter than the second.
+/// </remarks>
 internal static class BonePoints
 {
     private const float LargestChange = 0.5f; // cm
-    private const float MinShare = 0.85f; // of the second way; between centres of real takes 0.6 to 0.7
+    private const float MinShare = 0.85f; // of the second distance; 0.6 to 0.7 between centres of real takes
 
     private static readonly (Bone Upper, Bone Lower)[] Legs = [(Bone.RightUpLeg, Bone.RightLeg), (Bone.LeftUpLeg, Bone.LeftLeg)];
 
-    /// <summary>Whether a take has the ends of the bones.</summary>
+    /// <summary>Whether a take contains the ends of the bones.</summary>
     public static bool AreEnds(CalculationDocument take, CalculationAxes axes, int step)
     {
         foreach ((Bone upper, Bone lower) in Legs)

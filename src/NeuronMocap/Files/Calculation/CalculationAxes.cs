@@ -4,12 +4,16 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// The axes of the world that calculation data are given in, a setting of the server, and the way from them to those of BVH: right-handed, Y up, X to
-/// the actor's left, Z forward. Sensors' own axes change their names in the same way, so that a rotation of nothing stays one. Immutable; thread-safe.
+/// Represents the world axes of calculation data, which are a setting of the server, and converts between them and the axes of BVH. Immutable;
+/// thread-safe.
 /// </summary>
+/// <remarks>
+/// The axes of BVH are right-handed: Y up, X to the actor's left, Z forward. The axes of sensors are converted in the same way. The identity
+/// rotation therefore stays the identity.
+/// </remarks>
 public sealed class CalculationAxes
 {
-    /// <summary>Centimetres, as BVH has them, in a metre, as calculation data have it.</summary>
+    /// <summary>Number of centimetres, the unit of BVH, in a metre, the unit of calculation data.</summary>
     public const float CentimetresPerMetre = 100;
 
     private const int ValuesPerBone = 16;
@@ -20,11 +24,11 @@ public sealed class CalculationAxes
     private readonly Vector3 _z;
     private readonly float _handedness;
 
-    /// <summary>Makes axes.</summary>
-    /// <param name="x">Where x points.</param>
-    /// <param name="y">Where y points.</param>
-    /// <param name="z">Where z points.</param>
-    /// <exception cref="ArgumentException">Two of them lie on one line.</exception>
+    /// <summary>Creates axes.</summary>
+    /// <param name="x">The direction of x.</param>
+    /// <param name="y">The direction of y.</param>
+    /// <param name="z">The direction of z.</param>
+    /// <exception cref="ArgumentException">Two of the axes are parallel.</exception>
     public CalculationAxes(BodyDirection x, BodyDirection y, BodyDirection z)
     {
         (X, Y, Z) = (x, y, z);
@@ -35,68 +39,72 @@ public sealed class CalculationAxes
     }
 
     /// <summary>
-    /// Those of exported files: z into the ground, right-handed. x and y lie in the ground, and actors face anywhere: that x is to the left of somebody who
-    /// faces as BVH's forward is a choice, which turns a take about the vertical at most. The evidence is in docs/guide/calculation.md.
+    /// The axes of exported files: right-handed, with z into the ground.
     /// </summary>
+    /// <remarks>
+    /// x and y lie in the ground plane, and actors may face any direction. By convention, x points to the left of an actor who faces forward in
+    /// BVH. This choice only turns a take about the vertical. The evidence is in docs/guide/calculation.md.
+    /// </remarks>
     public static CalculationAxes Export { get; } = new(BodyDirection.Left, BodyDirection.Forward, BodyDirection.Down);
 
-    /// <summary>Those of BVH.</summary>
+    /// <summary>The axes of BVH.</summary>
     public static CalculationAxes Bvh { get; } = new(BodyDirection.Left, BodyDirection.Up, BodyDirection.Forward);
 
-    /// <summary>Where x points.</summary>
+    /// <summary>The direction of x.</summary>
     public BodyDirection X { get; }
 
-    /// <summary>Where y points.</summary>
+    /// <summary>The direction of y.</summary>
     public BodyDirection Y { get; }
 
-    /// <summary>Where z points.</summary>
+    /// <summary>The direction of z.</summary>
     public BodyDirection Z { get; }
 
-    /// <summary>Whether the axes are right-handed, as those of BVH.</summary>
+    /// <summary>Whether the axes are right-handed, like those of BVH.</summary>
     public bool IsRightHanded => _handedness > 0;
 
-    /// <summary>Turns a direction, a velocity or an acceleration into the axes of BVH.</summary>
-    /// <param name="vector">In these axes; any unit.</param>
-    /// <returns>In BVH's axes; the same unit.</returns>
+    /// <summary>Converts a direction, a velocity or an acceleration to the axes of BVH.</summary>
+    /// <param name="vector">The vector in these axes; any unit.</param>
+    /// <returns>The vector in the axes of BVH; the same unit.</returns>
     public Vector3 ToBvh(Vector3 vector) => (vector.X * _x) + (vector.Y * _y) + (vector.Z * _z);
 
-    /// <summary>Turns a direction, a velocity or an acceleration from the axes of BVH.</summary>
-    /// <param name="vector">In BVH's axes; any unit.</param>
-    /// <returns>In these axes; the same unit.</returns>
+    /// <summary>Converts a direction, a velocity or an acceleration from the axes of BVH.</summary>
+    /// <param name="vector">The vector in the axes of BVH; any unit.</param>
+    /// <returns>The vector in these axes; the same unit.</returns>
     public Vector3 FromBvh(Vector3 vector) => new(Vector3.Dot(vector, _x), Vector3.Dot(vector, _y), Vector3.Dot(vector, _z));
 
-    /// <summary>Turns a rotation into the axes of BVH.</summary>
-    /// <param name="rotation">In these axes.</param>
-    /// <returns>The same rotation in BVH's axes.</returns>
+    /// <summary>Converts a rotation to the axes of BVH.</summary>
+    /// <param name="rotation">The rotation in these axes.</param>
+    /// <returns>The same rotation in the axes of BVH.</returns>
     public Quaternion ToBvh(Quaternion rotation) =>
         new(_handedness * ToBvh(new Vector3(rotation.X, rotation.Y, rotation.Z)), rotation.W);
 
-    /// <summary>Turns a rotation from the axes of BVH.</summary>
-    /// <param name="rotation">In BVH's axes.</param>
+    /// <summary>Converts a rotation from the axes of BVH.</summary>
+    /// <param name="rotation">The rotation in the axes of BVH.</param>
     /// <returns>The same rotation in these axes.</returns>
     public Quaternion FromBvh(Quaternion rotation) =>
         new(_handedness * FromBvh(new Vector3(rotation.X, rotation.Y, rotation.Z)), rotation.W);
 
-    /// <summary>Turns an angular velocity, which follows the handedness of its axes, into those of BVH.</summary>
-    /// <param name="velocity">In these axes; any unit.</param>
-    /// <returns>In BVH's axes; the same unit.</returns>
+    /// <summary>Converts an angular velocity to the axes of BVH. Its sign depends on the handedness of the axes.</summary>
+    /// <param name="velocity">The angular velocity in these axes; any unit.</param>
+    /// <returns>The angular velocity in the axes of BVH; the same unit.</returns>
     public Vector3 ToBvhAngularVelocity(Vector3 velocity) => _handedness * ToBvh(velocity);
 
-    /// <summary>Turns an angular velocity from the axes of BVH.</summary>
-    /// <param name="velocity">In BVH's axes; any unit.</param>
-    /// <returns>In these axes; the same unit.</returns>
+    /// <summary>Converts an angular velocity from the axes of BVH.</summary>
+    /// <param name="velocity">The angular velocity in the axes of BVH; any unit.</param>
+    /// <returns>The angular velocity in these axes; the same unit.</returns>
     public Vector3 FromBvhAngularVelocity(Vector3 velocity) => _handedness * FromBvh(velocity);
 
     /// <summary>
-    /// Turns the values of a frame from the axes of BVH, as the server's synthesizer makes them, into these. Units stay the same: metres.
+    /// Converts the values of a frame from the axes of BVH to these axes. The synthesizer of the server creates values in the axes of BVH. The unit
+    /// remains metres.
     /// </summary>
-    /// <param name="values">946 values or 338; changed in place.</param>
-    /// <exception cref="ArgumentException">There is another number of them.</exception>
+    /// <param name="values">946 or 338 values, which are changed in place.</param>
+    /// <exception cref="ArgumentException">The number of values is wrong.</exception>
     public void ConvertFromBvh(Span<float> values) => Convert(values, fromBvh: true);
 
-    /// <summary>Turns the values of a frame from these axes into those of BVH. Units stay the same: metres.</summary>
-    /// <param name="values">946 values or 338; changed in place.</param>
-    /// <exception cref="ArgumentException">There is another number of them.</exception>
+    /// <summary>Converts the values of a frame from these axes to those of BVH. The unit remains metres.</summary>
+    /// <param name="values">946 or 338 values, which are changed in place.</param>
+    /// <exception cref="ArgumentException">The number of values is wrong.</exception>
     public void ConvertToBvh(Span<float> values) => Convert(values, fromBvh: false);
 
     private static Vector3 Direct(BodyDirection direction) => direction switch
@@ -107,13 +115,13 @@ public sealed class CalculationAxes
         BodyDirection.Down => -Vector3.UnitY,
         BodyDirection.Forward => Vector3.UnitZ,
         BodyDirection.Backward => -Vector3.UnitZ,
-        _ => throw new ArgumentOutOfRangeException(nameof(direction), direction, "The direction is not one of the six."),
+        _ => throw new ArgumentOutOfRangeException(nameof(direction), direction, "The direction must be one of the six values of BodyDirection."),
     };
 
     private void Convert(Span<float> values, bool fromBvh)
     {
         if (values.Length is not (CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount))
-            throw new ArgumentException("A frame has 946 values or 338.", nameof(values));
+            throw new ArgumentException("A frame must have 946 or 338 values.", nameof(values));
 
         int boneCount = (values.Length - ContactCount) / ValuesPerBone;
         for (int index = 0; index < boneCount; index++)

@@ -4,14 +4,14 @@ using System.Text;
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// Reads a calculation export row by row, whatever its length, in constant memory. What is read, and what is repaired, is the same as with
-/// <see cref="CalculationDocument"/>. For one thread at a time.
+/// Reads a calculation export of any length row by row, in constant memory. Values and repairs are the same as with
+/// <see cref="CalculationDocument"/>. Not thread-safe.
 /// </summary>
 public sealed class CalculationFileReader : IDisposable
 {
     private const int LongestHeader = 1 << 20;
 
-    // What stands above the rows of an export may have a line of numbers, too, but a row that was cut has more.
+    // The header of an export may also have lines of numbers. A truncated row has more of them.
     private const int LongestHeaderNumbers = 16;
     private const int LongestQuote = 40;
 
@@ -25,12 +25,14 @@ public sealed class CalculationFileReader : IDisposable
     private bool _isFirst = true;
     private bool _isDisposed;
 
-    /// <summary>Opens a file, and reads it up to its first row.</summary>
-    /// <param name="stream">Where the text comes from. Read from where it stands; it need not seek.</param>
-    /// <param name="options">How to read it; null is the same as the defaults.</param>
-    /// <param name="leaveOpen">Whether the stream stays open when the reader is disposed; where this constructor throws, it does.</param>
-    /// <exception cref="CalculationFormatException">There is no row of 946 or 338 numbers.</exception>
-    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <summary>Reads a stream up to its first row.</summary>
+    /// <param name="stream">The stream to read, from its current position. It does not have to be seekable.</param>
+    /// <param name="options">The options; null for the defaults.</param>
+    /// <param name="leaveOpen">
+    /// Whether the stream stays open when the reader is disposed. If this constructor throws, the stream always stays open.
+    /// </param>
+    /// <exception cref="CalculationFormatException">The text has no row of 946 or 338 numbers.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
     public CalculationFileReader(Stream stream, CalculationReadOptions? options = null, bool leaveOpen = false)
     {
         ArgumentNullException.ThrowIfNull(stream);
@@ -50,50 +52,53 @@ public sealed class CalculationFileReader : IDisposable
         _rowEnd = Encoding.ASCII.GetBytes(TextFormat.RowEnd);
     }
 
-    /// <summary>Values in each row: 946 for 59 bones, or 338 for 21.</summary>
+    /// <summary>Number of values in each row: 946 for 59 bones, or 338 for 21.</summary>
     public int ValueCount { get; }
 
-    /// <summary>Frames per second: the options' rate, or <see cref="DeclaredFrameRate"/>, or 120.</summary>
+    /// <summary>Frames per second: the rate of the options, or <see cref="DeclaredFrameRate"/>, or 120.</summary>
     public double FrameRate => Options.FrameRate ?? DeclaredFrameRate ?? CalculationReadOptions.DefaultFrameRate;
 
-    /// <summary>Frames per second as the file's header says; null where it does not. Axis Neuron's exports do not, this library's do.</summary>
+    /// <summary>
+    /// Frames per second as declared in the header; null if not declared. Exports of this library declare the rate, those of Axis Neuron do not.
+    /// </summary>
     public double? DeclaredFrameRate { get; }
 
     /// <summary>
-    /// The direction that the actor faces at the start, in the file's axes: the line <c>Zd:</c> of the header. Null where there is none.
+    /// The direction that the actor faces at the start, in the axes of the file: the line <c>Zd:</c> of the header. Null if the header does not
+    /// have this line.
     /// </summary>
     public Vector3? InitialDirection { get; }
 
-    /// <summary>How the text looks; the end of the last row is known when that was read.</summary>
+    /// <summary>The text layout. The end of the last row is known after that row is read.</summary>
     public CalculationTextFormat TextFormat { get; private set; }
 
     /// <summary>Number of rows read so far.</summary>
     public long FrameCount { get; private set; }
 
-    /// <summary>Number of bytes of the lines read so far: how far the work has come, of <see cref="Length"/>.</summary>
+    /// <summary>Number of bytes in the lines read so far; compare with <see cref="Length"/> to show progress.</summary>
     public long BytesRead => _lines.BytesRead;
 
-    /// <summary>Bytes that the stream had to offer at the start; null when it does not know.</summary>
+    /// <summary>Number of bytes available in the stream at the start; null when unknown.</summary>
     public long? Length { get; }
 
-    /// <summary>What was wrong so far and how it was read all the same; the first hundred.</summary>
+    /// <summary>The first hundred defects found so far, and how each was read.</summary>
     public IReadOnlyList<CalculationRepair> Repairs => _repairs.Listed;
 
-    /// <summary>Number of repairs so far, those included that <see cref="Repairs"/> does not list.</summary>
+    /// <summary>Number of repairs so far, including those that <see cref="Repairs"/> does not list.</summary>
     public int RepairCount => _repairs.Count;
 
-    /// <summary>Number of lines so far that are no row and were left out.</summary>
+    /// <summary>Number of lines skipped so far because they are not rows.</summary>
     public int SkippedRowCount => _repairs.LeftOutCount;
 
     internal CalculationReadOptions Options { get; }
 
-    /// <summary>Opens a file, and reads it up to its first row.</summary>
-    /// <param name="path">Where it is.</param>
-    /// <param name="options">How to read it; null is the same as the defaults.</param>
-    /// <returns>A reader, to be disposed.</returns>
-    /// <exception cref="CalculationFormatException">There is no row of 946 or 338 numbers.</exception>
-    /// <exception cref="IOException">The file is not there or cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">This user may not read it.</exception>
+    /// <summary>Opens a file and reads it up to its first row.</summary>
+    /// <param name="path">The path of the file.</param>
+    /// <param name="options">The options; null for the defaults.</param>
+    /// <returns>The reader, which keeps the file open until it is disposed.</returns>
+    /// <exception cref="CalculationFormatException">The file has no row of 946 or 338 numbers.</exception>
+    /// <exception cref="IOException">The file does not exist or cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the file.</exception>
     public static CalculationFileReader Open(string path, CalculationReadOptions? options = null)
     {
         FileStream file = OpenFile(path);
@@ -110,12 +115,13 @@ public sealed class CalculationFileReader : IDisposable
 
     /// <summary>Reads the next row.</summary>
     /// <param name="values">
-    /// Receives <see cref="ValueCount"/> values, in the order of the calculation stream, each the binary32 nearest to its text; undefined at the end.
+    /// Receives <see cref="ValueCount"/> values, in the order of the calculation stream. Each is the binary32 number nearest to its text. At the
+    /// end, the content is undefined.
     /// </param>
-    /// <returns>False at the end of the file.</returns>
-    /// <exception cref="ArgumentException">There is less room.</exception>
-    /// <exception cref="CalculationFormatException">The options demand strict reading, and something is wrong.</exception>
-    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <returns>True if a row was read; false at the end.</returns>
+    /// <exception cref="ArgumentException">The memory is too small.</exception>
+    /// <exception cref="CalculationFormatException">With <see cref="CalculationReadOptions.Strict"/>: the text has a defect.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
     /// <exception cref="ObjectDisposedException">The reader is disposed.</exception>
     public bool TryReadFrame(Span<float> values)
     {
@@ -136,7 +142,7 @@ public sealed class CalculationFileReader : IDisposable
         return false;
     }
 
-    /// <summary>Closes the stream, unless it is to stay open.</summary>
+    /// <summary>Closes the stream, unless the reader was created with leaveOpen.</summary>
     public void Dispose()
     {
         _isDisposed = true;
@@ -144,7 +150,7 @@ public sealed class CalculationFileReader : IDisposable
             _stream.Dispose();
     }
 
-    // Not buffered a second time.
+    // Without a second buffer.
     internal static FileStream OpenFile(string path) =>
         new(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 1, FileOptions.SequentialScan);
 
@@ -158,7 +164,7 @@ public sealed class CalculationFileReader : IDisposable
         return $"'{new string(letters)}{(text.Length > LongestQuote ? "..." : "")}'";
     }
 
-    // Everything above the first whole row, save for rows that are not whole.
+    // Reads everything above the first whole row, except for incomplete rows.
     private byte[] ReadHeader()
     {
         using var header = new MemoryStream();
@@ -207,8 +213,8 @@ public sealed class CalculationFileReader : IDisposable
         return true;
     }
 
-    // A row may well be the last one and lack its end; then its last number has as many digits as each in the first row. The row of 338 ends with
-    // a flag, which has none.
+    // The last row of a file may be complete and only lack its line end. Its last number then has at least as many decimals as the number with the
+    // fewest in the first row. A row of 338 values ends with a flag, which has no decimals.
     private bool IsCutInNumber(in CalculationRow row) =>
         FrameCount > 0 && ValueCount == CalculationFrame.FullValueCount && row.Length == _lines.TextAndEnd.Length
         && CalculationRow.CountDecimals(row.LastWord) < _minDecimals;
@@ -245,7 +251,7 @@ public sealed class CalculationFileReader : IDisposable
             Decimals = Math.Min(CalculationRow.CountDecimals(line[start..end]), CalculationTextFormat.MaxDecimals),
         };
 
-        // What is longer than any program writes is no layout to keep.
+        // White space that is longer than any program writes is not kept as a layout.
         ReadOnlySpan<byte> separator = line.Slice(end, CountSpace(line[end..]));
         ReadOnlySpan<byte> rowEnd = _lines.TextAndEnd[row.Length..];
         if (separator.Length <= CalculationTextFormat.LongestSpace)

@@ -5,8 +5,7 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// Writes a calculation export row by row, whatever its length, in constant memory. What is written is read back as the same binary32 values. For
-/// one thread at a time.
+/// Writes a calculation export of any length row by row, in constant memory. Reading the file gives the same binary32 values. Not thread-safe.
 /// </summary>
 public sealed class CalculationFileWriter : IDisposable
 {
@@ -24,25 +23,25 @@ public sealed class CalculationFileWriter : IDisposable
     private bool _isEndOpen;
     private bool _isDisposed;
 
-    /// <summary>Begins a file: writes the format's header. Only when it is disposed of is the file whole.</summary>
-    /// <param name="path">Where; a file that is there already is replaced.</param>
-    /// <param name="valueCount">Values of each row: 946, or 338.</param>
-    /// <param name="format">How the text shall look; null is the same as <see cref="CalculationTextFormat.AxisNeuron"/>.</param>
-    /// <exception cref="ArgumentException">There is no such number of values.</exception>
+    /// <summary>Creates a file and writes the header of the format. The file is complete after the writer is disposed.</summary>
+    /// <param name="path">The path of the file. An existing file is replaced.</param>
+    /// <param name="valueCount">Number of values in each row: 946 or 338.</param>
+    /// <param name="format">The text layout; null for <see cref="CalculationTextFormat.AxisNeuron"/>.</param>
+    /// <exception cref="ArgumentException">The number of values is not valid.</exception>
     /// <exception cref="IOException">The file cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to write the file.</exception>
     public CalculationFileWriter(string path, int valueCount, CalculationTextFormat? format = null)
         : this(CreateFile(path, valueCount), valueCount, format)
     {
     }
 
-    /// <summary>Begins a file on a stream: writes the format's header.</summary>
-    /// <param name="stream">Where to, from the current place on.</param>
-    /// <param name="valueCount">Values of each row: 946, or 338.</param>
-    /// <param name="format">How the text shall look; null is the same as <see cref="CalculationTextFormat.AxisNeuron"/>.</param>
+    /// <summary>Writes the header of the format to a stream.</summary>
+    /// <param name="stream">The stream to write, from its current position.</param>
+    /// <param name="valueCount">Number of values in each row: 946 or 338.</param>
+    /// <param name="format">The text layout; null for <see cref="CalculationTextFormat.AxisNeuron"/>.</param>
     /// <param name="leaveOpen">Whether the stream stays open when the writer is disposed.</param>
-    /// <exception cref="ArgumentException">There is no such number of values.</exception>
-    /// <exception cref="IOException">The header cannot be written.</exception>
+    /// <exception cref="ArgumentException">The number of values is not valid.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
     public CalculationFileWriter(Stream stream, int valueCount, CalculationTextFormat? format = null, bool leaveOpen = false)
     {
         ArgumentNullException.ThrowIfNull(stream);
@@ -59,7 +58,7 @@ public sealed class CalculationFileWriter : IDisposable
         _stream.Write(format.Header.Span);
     }
 
-    /// <summary>Values in each row: 946 for 59 bones, or 338 for 21.</summary>
+    /// <summary>Number of values in each row: 946 for 59 bones, or 338 for 21.</summary>
     public int ValueCount { get; }
 
     /// <summary>Number of rows written so far.</summary>
@@ -67,9 +66,9 @@ public sealed class CalculationFileWriter : IDisposable
 
     /// <summary>Writes a row.</summary>
     /// <param name="values">Exactly <see cref="ValueCount"/> values, in the order of the calculation stream.</param>
-    /// <exception cref="ArgumentException">There is another number of them.</exception>
-    /// <exception cref="ObjectDisposedException">The file is closed.</exception>
-    /// <exception cref="IOException">The file cannot be written.</exception>
+    /// <exception cref="ArgumentException">The number of values is wrong.</exception>
+    /// <exception cref="ObjectDisposedException">The writer is disposed.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
     public void WriteFrame(ReadOnlySpan<float> values)
     {
         if (values.Length != ValueCount)
@@ -90,7 +89,7 @@ public sealed class CalculationFileWriter : IDisposable
             _length += TextDigits.Write(_buffer.AsSpan(_length), values[i], isContact ? 0 : _decimals);
         }
 
-        // Whether it is the last row shows only when no other one follows.
+        // The writer knows that a row is the last one only when no other row follows.
         _isEndOpen = _lastRowEnd is not null;
         if (!_isEndOpen)
             Write(_rowEnd);
@@ -98,16 +97,16 @@ public sealed class CalculationFileWriter : IDisposable
         FrameCount++;
     }
 
-    /// <summary>Hands what was written so far to the stream.</summary>
-    /// <exception cref="IOException">The file cannot be written.</exception>
+    /// <summary>Passes the rows written so far to the stream.</summary>
+    /// <exception cref="IOException">The stream fails.</exception>
     public void Flush()
     {
         _stream.Write(_buffer, 0, _length);
         _length = 0;
     }
 
-    /// <summary>Ends the last row and closes the file.</summary>
-    /// <exception cref="IOException">The file cannot be written.</exception>
+    /// <summary>Ends the last row and closes the stream.</summary>
+    /// <exception cref="IOException">The stream fails.</exception>
     public void Dispose()
     {
         if (_isDisposed)
@@ -127,7 +126,7 @@ public sealed class CalculationFileWriter : IDisposable
         }
     }
 
-    // What is wrong shows before the file is emptied that it would replace.
+    // Arguments are checked before the existing file is emptied.
     private static FileStream CreateFile(string path, int valueCount)
     {
         Check(valueCount);
@@ -137,7 +136,7 @@ public sealed class CalculationFileWriter : IDisposable
     private static void Check(int valueCount)
     {
         if (valueCount is not (CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount))
-            throw new ArgumentException("A row has 946 values or 338.", nameof(valueCount));
+            throw new ArgumentException("A row must have 946 or 338 values.", nameof(valueCount));
     }
 
     private void Write(ReadOnlySpan<byte> text)

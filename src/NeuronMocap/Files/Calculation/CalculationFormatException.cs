@@ -1,32 +1,32 @@
 namespace NeuronMocap.Calculation;
 
-/// <summary>A file is no calculation export, or was to be read strictly and is not as it should be.</summary>
+/// <summary>The exception that is thrown when a file is not a calculation export, or has a defect and is read strictly.</summary>
 public sealed class CalculationFormatException : NeuronException
 {
-    /// <summary>Makes an exception without a message.</summary>
+    /// <summary>Creates an exception without a message.</summary>
     public CalculationFormatException()
     {
     }
 
-    /// <summary>Makes an exception.</summary>
-    /// <param name="message">What is wrong.</param>
+    /// <summary>Creates an exception with a message.</summary>
+    /// <param name="message">The message that describes the error.</param>
     public CalculationFormatException(string message)
         : base(message)
     {
     }
 
-    /// <summary>Makes an exception that another one caused.</summary>
-    /// <param name="message">What is wrong.</param>
-    /// <param name="innerException">The cause.</param>
+    /// <summary>Creates an exception with a message and an inner exception.</summary>
+    /// <param name="message">The message that describes the error.</param>
+    /// <param name="innerException">The exception that caused this one.</param>
     public CalculationFormatException(string message, Exception innerException)
         : base(message, innerException)
     {
     }
 
-    /// <summary>Makes an exception; the place becomes part of its message.</summary>
-    /// <param name="message">What is wrong.</param>
+    /// <summary>Creates an exception with a message and a position, which is added to the message.</summary>
+    /// <param name="message">The message that describes the error.</param>
     /// <param name="line">Line of the file, from 1.</param>
-    /// <param name="column">Byte of that line, from 1.</param>
+    /// <param name="column">Byte within that line, from 1.</param>
     public CalculationFormatException(string message, int line, int column)
         : base($"line {line}, column {column}: {message}")
     {
@@ -34,9 +34,9 @@ public sealed class CalculationFormatException : NeuronException
         Column = column;
     }
 
-    /// <summary>Line of the file, from 1; 0 when there is none to name.</summary>
+    /// <summary>Line of the file, from 1; 0 when unknown.</summary>
     public int Line { get; }
 
-    /// <summary>Byte of that line, from 1; 0 when there is none to name.</summary>
+    /// <summary>Byte within that line, from 1; 0 when unknown.</summary>
     public int Column { get; }
 }

@@ -4,8 +4,8 @@ using System.Text;
 
 namespace NeuronMocap.Calculation;
 
-// The lines above the rows of an export. Axis Neuron writes "Zd:" with the direction that the actor faces at the start, "bones:" with their number, and
-// the names of the columns. The frame rate, which it leaves out, is a line of this library's own.
+// Reads and writes the lines above the rows of an export. Axis Neuron writes "Zd:" with the direction that the actor faces at the start, "bones:"
+// with their number, and the column names. It does not write the frame rate; this line is an addition of this library.
 internal static class CalculationHeaderText
 {
     private const string FrameRateName = "Frame Rate:";
@@ -33,7 +33,7 @@ internal static class CalculationHeaderText
         return direction;
     }
 
-    /// <summary>The header with a line that says the rate, instead of one that says another one.</summary>
+    /// <summary>Adds a line with the frame rate to a header, or replaces that line.</summary>
     public static byte[] WithFrameRate(ReadOnlySpan<byte> header, double rate)
     {
         var text = new StringBuilder();
@@ -44,7 +44,7 @@ internal static class CalculationHeaderText
                 text.Append(line).Append('\n');
         }
 
-        // What follows the last line end is no line.
+        // The text after the last line end is not a line.
         text.Length--;
         text.Append(FrameRateName).Append('\t').Append(rate.ToString("R", CultureInfo.InvariantCulture)).Append("\r\n");
         byte[] bytes = new byte[text.Length];
@@ -54,7 +54,7 @@ internal static class CalculationHeaderText
         return bytes;
     }
 
-    // A letter for each byte, whatever the encoding: names and numbers are ASCII, and the rest is only kept.
+    // One letter for each byte, whatever the encoding. Names and numbers are ASCII; all other bytes are only kept.
     private static string ToText(ReadOnlySpan<byte> header)
     {
         char[] letters = new char[header.Length];

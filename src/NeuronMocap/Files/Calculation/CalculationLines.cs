@@ -1,7 +1,7 @@
 namespace NeuronMocap.Calculation;
 
-// The lines of a file, one after the other in one buffer. A line ends with CR LF, LF or CR. One that is longer than any row can be, as of a
-// file without line ends, comes in pieces.
+// Reads the lines of a file, one after the other, in one buffer. A line ends with CR LF, LF or CR. A line longer than any row, as in a file without
+// line ends, is returned in pieces.
 internal sealed class CalculationLines(Stream stream, IProgress<long>? progress)
 {
     private const int LongestLine = 1 << 20;
@@ -14,16 +14,16 @@ internal sealed class CalculationLines(Stream stream, IProgress<long>? progress)
     private long _taken;
     private bool _isEnded;
 
-    /// <summary>Number of the line, from 1; 0 before the first one was read.</summary>
+    /// <summary>Number of the line, from 1; 0 before the first line is read.</summary>
     public int Number { get; private set; }
 
-    /// <summary>Bytes up to the end of the line.</summary>
+    /// <summary>Number of bytes up to the end of the line.</summary>
     public long BytesRead { get; private set; }
 
-    /// <summary>The line without its end. Valid until the next one is read.</summary>
+    /// <summary>The line without its line end. Valid until the next line is read.</summary>
     public ReadOnlySpan<byte> Text => _buffer.AsSpan(_start, _textLength);
 
-    /// <summary>The line with its end; the last one of a file may have none.</summary>
+    /// <summary>The line with its line end. The last line of a file may not have one.</summary>
     public ReadOnlySpan<byte> TextAndEnd => _buffer.AsSpan(_start, _lineLength);
 
     public bool HasEnd => _lineLength > _textLength;
@@ -64,7 +64,7 @@ internal sealed class CalculationLines(Stream stream, IProgress<long>? progress)
             return false;
         }
 
-        // A line feed may follow a return that is the last byte so far.
+        // If the return is the last byte so far, a line feed may follow.
         searched += found;
         bool isReturn = text[searched] == '\r';
         if (isReturn && searched + 1 == text.Length && !_isEnded)

@@ -1,28 +1,32 @@
 namespace NeuronMocap.Calculation;
 
-/// <summary>How a calculation export is read, and what such a file does not say itself. Copied when used; later changes have no effect.</summary>
+/// <summary>
+/// Options for reading a calculation export, including values that the file does not contain. The values are copied when used; later changes have
+/// no effect.
+/// </summary>
 public sealed class CalculationReadOptions
 {
-    /// <summary>Frames per second of a full set of sensors that records to a file.</summary>
+    /// <summary>The frame rate of a full set of sensors that records to a file.</summary>
     public const double DefaultFrameRate = 120;
 
     /// <summary>
-    /// Whether anything that would have to be repaired is refused with a <see cref="CalculationFormatException"/>. Default: false, which lists it
-    /// in <see cref="CalculationDocument.Repairs"/>.
+    /// Whether to throw a <see cref="CalculationFormatException"/> at the first defect, instead of repairing it. The default is false, which lists
+    /// repairs in <see cref="CalculationDocument.Repairs"/>.
     /// </summary>
     public bool Strict { get; set; }
 
     /// <summary>
-    /// Told how many bytes of a stream or file have been read, on the reading thread, after every piece of at most about 64 KiB; null for nobody. An
-    /// exception of it ends the reading and reaches the caller.
+    /// Receives the number of bytes read from a stream or file; may be null. It is called on the reading thread, after every piece of at most about
+    /// 64 KiB. An exception from it ends the reading and reaches the caller.
     /// </summary>
     public IProgress<long>? Progress { get; set; }
 
     /// <summary>
-    /// Frames per second, a positive number. Default: null, which takes the rate of the file's header, a line <c>Frame Rate:</c>
-    /// (<see cref="CalculationTextFormat.WithFrameRate"/>), or 120 where there is none. Exports of Axis Neuron have none; all known recordings have 120.
+    /// Frames per second, a positive number. The default is null, which uses the line <c>Frame Rate:</c> of the header
+    /// (<see cref="CalculationTextFormat.WithFrameRate"/>), or 120 without that line. Exports of Axis Neuron do not have the line; all known
+    /// recordings have 120.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">The number is not positive, or infinite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not positive or not finite.</exception>
     public double? FrameRate
     {
         get;
@@ -31,11 +35,13 @@ public sealed class CalculationReadOptions
             : throw new ArgumentOutOfRangeException(nameof(value), value, "The frame rate must be a positive number.");
     }
 
-    /// <summary>Name that the frames get; what does not fit into 32 bytes of UTF-8 is cut off. Default: Char00, as Axis Neuron calls its first avatar.</summary>
+    /// <summary>
+    /// Avatar name of the frames, truncated to 32 bytes of UTF-8. The default is Char00, the name that Axis Neuron gives its first avatar.
+    /// </summary>
     public string AvatarName { get; set; } = "Char00";
 
-    /// <summary>Number that the frames' avatar gets, from 0. Default: 0.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The number is below 0.</exception>
+    /// <summary>Avatar number of the frames, from 0. The default is 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative.</exception>
     public int AvatarIndex
     {
         get;

@@ -1,9 +1,9 @@
 namespace NeuronMocap.Calculation;
 
-/// <summary>Something that was wrong in a calculation export, and how it was read all the same.</summary>
+/// <summary>Describes a defect of a calculation export and how it was read.</summary>
 /// <param name="Line">Line of the file, from 1.</param>
-/// <param name="Column">Byte of that line, from 1.</param>
-/// <param name="Description">What was found and what was made of it, in English.</param>
+/// <param name="Column">Byte within that line, from 1.</param>
+/// <param name="Description">The defect and its interpretation, in English.</param>
 public readonly record struct CalculationRepair(int Line, int Column, string Description)
 {
     /// <inheritdoc/>

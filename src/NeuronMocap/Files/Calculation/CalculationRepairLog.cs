@@ -1,6 +1,6 @@
 namespace NeuronMocap.Calculation;
 
-// A file can be wrong on every line; what is told about it stays short. Where reading is strict, the first thing that is wrong ends it.
+// Collects repairs. A file can be wrong on every line; the list therefore has a limit. A strict log throws at the first defect.
 internal sealed class CalculationRepairLog(bool isStrict)
 {
     private readonly List<CalculationRepair> _listed = [];
@@ -9,12 +9,12 @@ internal sealed class CalculationRepairLog(bool isStrict)
 
     public int Count { get; private set; }
 
-    /// <summary>Rows and lines that were left out.</summary>
+    /// <summary>Number of rows and lines that were skipped.</summary>
     public int LeftOutCount { get; private set; }
 
     private bool IsFull => _listed.Count == CalculationDocument.MaxListedRepairs;
 
-    /// <summary>Tells of a repair: what was found, a sentence without its full stop, and what was made of it, as its second half.</summary>
+    /// <summary>Adds a repair: the defect, a sentence without its full stop, and its interpretation, the second half of the sentence.</summary>
     public void Add(int line, int column, string found, string made, bool isLeftOut = false)
     {
         if (isStrict)

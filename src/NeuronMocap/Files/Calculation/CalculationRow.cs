@@ -2,32 +2,32 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Calculation;
 
-// What one pass over a line found: how many words, which of them is no number, and how the text looks.
+// The result of one pass over a line: the number of words, the first word that is not a number, and the layout of the text.
 internal ref struct CalculationRow
 {
     private const int FirstContact = CalculationFrame.BodyValueCount - 2;
 
     private ReadOnlySpan<byte> _rest;
 
-    /// <summary>Number of words that are numbers, up to the first one that is none.</summary>
+    /// <summary>Number of numbers, up to the first word that is not a number.</summary>
     public int Count { get; private set; }
 
-    /// <summary>The first word that is no number; empty when all are.</summary>
+    /// <summary>The first word that is not a number; empty when all are numbers.</summary>
     public ReadOnlySpan<byte> WrongWord { get; private set; }
 
-    /// <summary>Column of the word that was read last, from 1.</summary>
+    /// <summary>Column of the last word read, from 1.</summary>
     public int Column { get; private set; }
 
     /// <summary>The last word that is a number.</summary>
     public ReadOnlySpan<byte> LastWord { get; private set; }
 
-    /// <summary>Column of the first value that is not finite; 0 when all are.</summary>
+    /// <summary>Column of the first value that is not finite; 0 when all are finite.</summary>
     public int NotFiniteColumn { get; private set; }
 
-    /// <summary>Bytes of the line up to the end of the last number.</summary>
+    /// <summary>Number of bytes of the line up to the end of the last number.</summary>
     public int Length { get; private set; }
 
-    /// <summary>Reads numbers into a row; those that it has no room for are counted only.</summary>
+    /// <summary>Reads numbers into a row. Numbers that do not fit are only counted.</summary>
     public static CalculationRow Read(ReadOnlySpan<byte> line, Span<float> values)
     {
         var row = new CalculationRow { _rest = line };
@@ -52,7 +52,7 @@ internal ref struct CalculationRow
         return row;
     }
 
-    /// <summary>Digits after the point of a number's text.</summary>
+    /// <summary>Counts the digits after the decimal point of a number.</summary>
     public static int CountDecimals(ReadOnlySpan<byte> word)
     {
         int point = word.IndexOf((byte)'.');
@@ -63,7 +63,7 @@ internal ref struct CalculationRow
         return count;
     }
 
-    /// <summary>Digits after the point that every number of a row has, its contact flags aside.</summary>
+    /// <summary>Finds the smallest number of decimals in a row, ignoring the contact flags.</summary>
     public static int FindLeastDecimals(ReadOnlySpan<byte> line)
     {
         var row = new CalculationRow { _rest = line };

@@ -4,21 +4,27 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// The skeleton behind a take of calculation data, which has bones' centres and sensors' rotations only. From how both move together it finds
-/// where the joints are, how long the bones, and how the sensors sit on them, and then poses of the 59 bones. Immutable; thread-safe.
-/// <para>
-/// A bone is turned as its sensor says, and then by the shortest way to where its centre was recorded; only the feet, which the server holds to the ground
-/// when both stand, move away from their place in the body. How near this comes to what was recorded stands in docs/guide/calculation.md. What fingers
-/// do is not known: they are carried along.
-/// </para>
+/// Reconstructs the skeleton of a take of calculation data, which contains only the centres of bones and the rotations of sensors. Immutable;
+/// thread-safe.
 /// </summary>
+/// <remarks>
+/// <para>
+/// The way centres and sensors move together shows where the joints are, how long the bones are, and how the sensors are mounted. Poses of the 59
+/// bones follow from these measurements.
+/// </para>
+/// <para>
+/// A bone has the rotation of its sensor. It is then turned along the shortest path to its recorded centre. Only the feet may move relative to the
+/// body, because the server holds them to the ground when both stand. docs/guide/calculation.md compares the result with recorded data. Finger
+/// motion is unknown: fingers follow the hand.
+/// </para>
+/// </remarks>
 public sealed class CalculationSkeleton
 {
-    // More frames of a take say the same again.
+    // More frames of a take do not add information.
     private const int MaxFrames = 2000;
 
-    private const string EndsOfBones = "This calculation export has the ends of the bones instead of their centres: its thighs begin at the hips, without a "
-        + "hip's width. No poses are made of it, for hips and sensors cannot be found. Its rows can be read and copied all the same.";
+    private const string EndsOfBones = "This calculation export contains the ends of the bones instead of their centres: its thighs begin at the hips, without a "
+        + "hip width. Poses cannot be computed, because the hip joints and the sensor mountings cannot be found. Its rows can still be read and copied.";
 
     private readonly BodyMeasurement _measurement;
     private readonly Vector3[] _offsets;
@@ -43,40 +49,40 @@ public sealed class CalculationSkeleton
         Warnings = BodyPlausibility.Find(_offsets);
     }
 
-    /// <summary>The actor's sizes.</summary>
+    /// <summary>The body of the actor.</summary>
     public SkeletonBody Body { get; }
 
     /// <summary>
-    /// Height of the ground in the take's world, whose origin is at the hips when recording began: that of the toes that stand, on the average.
-    /// Poses are above a ground at zero. Centimetres.
+    /// Height of the ground in the world of the take, whose origin is at the hips at the start of the recording; centimetres. This is the average
+    /// height of the toes of standing feet. Poses are relative to a ground at height zero.
     /// </summary>
     public float GroundHeight { get; }
 
     /// <summary>
-    /// Lengths that nobody has, such as legs that are tens of centimetres apart, in sentences: the take's values mean something else than this library takes
-    /// them for, or a sensor failed. Empty where nothing is odd.
+    /// Warnings about implausible lengths, as English sentences; empty when all lengths are plausible. One example is legs that differ by tens of
+    /// centimetres. Such lengths show that the values have another meaning than this library assumes, or that a sensor failed.
     /// </summary>
     public IReadOnlyList<string> Warnings { get; }
 
-    /// <summary>Finds the skeleton behind a take.</summary>
-    /// <param name="take">The take. Bones that do not move in it get places as in the default body.</param>
-    /// <param name="axes">The take's axes; null is the same as <see cref="CalculationAxes.Export"/>.</param>
-    /// <returns>The skeleton, which does not refer to the take any more.</returns>
-    /// <exception cref="CalculationFormatException">The take has the ends of the bones instead of their centres.</exception>
+    /// <summary>Measures the skeleton of a take.</summary>
+    /// <param name="take">The take. Bones that do not move in it have positions as in the default body.</param>
+    /// <param name="axes">The axes of the take; null for <see cref="CalculationAxes.Export"/>.</param>
+    /// <returns>The skeleton, which does not keep a reference to the take.</returns>
+    /// <exception cref="CalculationFormatException">The take contains the ends of the bones instead of their centres.</exception>
     public static CalculationSkeleton Measure(CalculationDocument take, CalculationAxes? axes = null)
     {
         ArgumentNullException.ThrowIfNull(take);
         return new CalculationSkeleton(take, axes ?? CalculationAxes.Export);
     }
 
-    /// <summary>Computes the pose of a frame. Allocates nothing.</summary>
-    /// <param name="values">946 or 338 values of the take, or of another one of the same actor with the same sensors, not put on again in between.</param>
+    /// <summary>Computes the pose of a frame without allocating memory.</summary>
+    /// <param name="values">946 or 338 values of the take. Values of another take are valid if the actor kept the sensors on in between.</param>
     /// <param name="pose">Receives 59 transforms relative to the parent, in <see cref="Bone"/> order, in the axes of BVH; centimetres.</param>
-    /// <exception cref="ArgumentException">There is another number of values, or less room.</exception>
+    /// <exception cref="ArgumentException">The number of values is wrong, or the memory is too small.</exception>
     public void CopyLocalTransforms(ReadOnlySpan<float> values, Span<BoneTransform> pose)
     {
         if (values.Length is not (CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount))
-            throw new ArgumentException("A frame has 946 values or 338.", nameof(values));
+            throw new ArgumentException("A frame must have 946 or 338 values.", nameof(values));
         if (pose.Length < BoneHierarchy.BoneCount)
             throw new ArgumentException("There must be room for each of the 59 bones.", nameof(pose));
 

@@ -1,24 +1,27 @@
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// How the text of a calculation export looks. A file that was read and is written with its own format has the same bytes, where each of its
-/// rows is like the first one; else it has the same values.
+/// Describes the text layout of a calculation export.
 /// </summary>
+/// <remarks>
+/// A file that is read and written again in its own layout has the same bytes if all its rows look like the first one. Otherwise it has the same
+/// values.
+/// </remarks>
 public sealed record CalculationTextFormat
 {
-    /// <summary>Most decimals that can be asked for.</summary>
+    /// <summary>Maximum value of <see cref="Decimals"/>.</summary>
     public const int MaxDecimals = 16;
 
     internal const int LongestSpace = 256;
 
-    /// <summary>Axis Neuron's: four decimals, tabs, also after the last value, CR LF.</summary>
+    /// <summary>The layout of Axis Neuron: four decimals, tabs between values and after the last value, CR LF.</summary>
     public static CalculationTextFormat AxisNeuron { get; } = new();
 
-    /// <summary>What stands before the first row, to its line end, byte for byte. Default: nothing.</summary>
+    /// <summary>The bytes before the first row, including the line end. The default is empty.</summary>
     public ReadOnlyMemory<byte> Header { get; init; }
 
-    /// <summary>What stands between two values: white space. Default: a tab.</summary>
-    /// <exception cref="ArgumentException">It is empty, or something else.</exception>
+    /// <summary>The separator between two values: white space. The default is a tab.</summary>
+    /// <exception cref="ArgumentException">The value is empty, contains a line end, or is not white space.</exception>
     public string Separator
     {
         get;
@@ -28,10 +31,10 @@ public sealed record CalculationTextFormat
     } = "\t";
 
     /// <summary>
-    /// Fewest digits after the point, 0 to 16. A value that these cannot tell from its neighbours gets as many as are needed. The contact
-    /// flags are written as 0 and 1. Default: 4.
+    /// Minimum number of digits after the decimal point, 0 to 16. A value that needs more digits to be distinguished from its neighbours has more.
+    /// Contact flags are written as 0 and 1. The default is 4.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">The number is outside its range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is out of range.</exception>
     public int Decimals
     {
         get;
@@ -40,8 +43,8 @@ public sealed record CalculationTextFormat
             : throw new ArgumentOutOfRangeException(nameof(value), value, $"The number of decimals must be 0 to {MaxDecimals}.");
     } = 4;
 
-    /// <summary>What follows the last value of a row: white space with a line end. Default: a tab, CR LF.</summary>
-    /// <exception cref="ArgumentException">It is something else.</exception>
+    /// <summary>The text after the last value of a row: white space with a line end. The default is a tab and CR LF.</summary>
+    /// <exception cref="ArgumentException">The value is not white space with a line end.</exception>
     public string RowEnd
     {
         get;
@@ -50,8 +53,10 @@ public sealed record CalculationTextFormat
             : throw new ArgumentException("The row end must be white space and a line end.", nameof(value));
     } = "\t\r\n";
 
-    /// <summary>What follows the last row's last value: white space, or nothing; null for the same as in all rows. Default: null.</summary>
-    /// <exception cref="ArgumentException">It is something else.</exception>
+    /// <summary>
+    /// The text after the last value of the last row: white space, or empty. The default is null, which uses <see cref="RowEnd"/>.
+    /// </summary>
+    /// <exception cref="ArgumentException">The value is not white space.</exception>
     public string? LastRowEnd
     {
         get;
@@ -61,12 +66,14 @@ public sealed record CalculationTextFormat
     }
 
     /// <summary>
-    /// The same layout with a header that says the frame rate, in a line <c>Frame Rate:</c> below what stands there already. An export has no place for the
-    /// rate; a program that does not know the line takes the file for one of 120 Hz, or for one with a header.
+    /// Creates the same layout with a header that declares the frame rate, in a line <c>Frame Rate:</c> below the existing header.
     /// </summary>
+    /// <remarks>
+    /// The format of an export has no field for the rate. A program that does not know the line assumes 120 Hz, or a file with a header.
+    /// </remarks>
     /// <param name="frameRate">Frames per second, a positive number.</param>
     /// <returns>The layout.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The number is not positive, or infinite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not positive or not finite.</exception>
     public CalculationTextFormat WithFrameRate(double frameRate)
     {
         if (!(frameRate > 0) || double.IsInfinity(frameRate))

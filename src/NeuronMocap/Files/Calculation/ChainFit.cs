@@ -3,15 +3,23 @@ using System.Numerics;
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// Finds where a chain of bones hangs at the trunk from how they move. A joint stays where it is in the sensors' axes of both of its bones, and a bone's
-/// centre lies in the middle between its two joints: for every frame the way from a bone's centre to the next one's is R1 a + R2 b, with one constant vector for
-/// each bone, unknowns of a linear least-squares problem. So a joint that hardly moves, as that of a shoulder blade, is known from those beyond it, which do. Where
-/// nothing moved, a guess decides.
+/// Finds the first joint of a chain of bones on the trunk from the motion of the bones.
 /// </summary>
-/// <param name="boneCount">Number of bones, that of the trunk included; at least 2.</param>
+/// <remarks>
+/// <para>
+/// A joint is fixed in the sensor axes of both of its bones. The centre of a bone is the midpoint of its two joints. In every frame, the vector
+/// from one bone's centre to the next is therefore R1 a + R2 b. Each bone has one constant vector, which is unknown; together they form a linear
+/// least-squares problem.
+/// </para>
+/// <para>
+/// A joint that hardly moves, such as that of a shoulder blade, is therefore found from the moving joints beyond it. If nothing moves, a guess
+/// decides.
+/// </para>
+/// </remarks>
+/// <param name="boneCount">Number of bones, including that of the trunk; at least 2.</param>
 internal sealed class ChainFit(int boneCount)
 {
-    // The guess counts as much as a motion of 0.14 radians would.
+    // The guess has the weight of a motion of 0.14 radians.
     private const double GuessWeight = 0.02;
 
     private readonly int _unknowns = 3 * boneCount;
@@ -20,9 +28,9 @@ internal sealed class ChainFit(int boneCount)
     private int _count;
 
     /// <summary>Adds a frame.</summary>
-    /// <param name="rotations">Rotations of the bones' sensors, from the trunk on.</param>
-    /// <param name="centres">The bones' centres; of the trunk any point that moves with it.</param>
-    /// <param name="guess">From the trunk's point to where the first joint may be.</param>
+    /// <param name="rotations">Rotations of the bones' sensors, starting with the trunk.</param>
+    /// <param name="centres">The centres of the bones. For the trunk, any point that moves with it.</param>
+    /// <param name="guess">The assumed vector from the trunk's point to the first joint.</param>
     public void Add(ReadOnlySpan<Quaternion> rotations, ReadOnlySpan<Vector3> centres, Vector3 guess)
     {
         Span<Vector3> columns = stackalloc Vector3[6];
@@ -38,7 +46,7 @@ internal sealed class ChainFit(int boneCount)
         _count++;
     }
 
-    /// <summary>The first joint, from the trunk's point, in its sensor's axes.</summary>
+    /// <summary>Computes the position of the first joint, relative to the trunk's point, in the axes of the trunk's sensor.</summary>
     public Vector3 Solve()
     {
         for (int i = 0; i < 3; i++)
@@ -65,7 +73,7 @@ internal sealed class ChainFit(int boneCount)
         }
     }
 
-    // Gauss and Jordan; the matrix is symmetric and, with the guess, positive definite, so that no pivot is zero.
+    // Gauss-Jordan elimination. The matrix is symmetric and, with the guess, positive definite; every pivot is therefore different from zero.
     private void Eliminate()
     {
         for (int pivot = 0; pivot < _unknowns; pivot++)

@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace NeuronMocap.Calculation;
 
-// The mean of a vector over a take, as a sensor sees it: its direction is the mean one, its length the mean length.
+// The mean of a vector over a take, in the axes of a sensor. Directions and lengths are averaged separately.
 internal struct DirectionSum
 {
     private Vector3 _sum;

@@ -3,13 +3,15 @@ using System.Numerics;
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// What all frames of a take together say about one leg or arm: how long its bones are, and how the sensors sit on them. From the joint at the
-/// trunk on, each next joint lies as far beyond a bone's centre as the last one lies before it. Knee and elbow bend about one axis, which says how
-/// thigh, shank and arm are turned about their own length.
+/// Measures one leg or arm from all frames of a take: the lengths of its bones, and how the sensors are mounted on them.
 /// </summary>
+/// <remarks>
+/// The first joint is at the trunk. Each bone's centre is the midpoint of its two joints, which gives the next joint. Knee and elbow bend about one
+/// axis. This axis shows how thigh, shank and arm are turned about their own length.
+/// </remarks>
 internal sealed class LimbMeasurement(ReadOnlyMemory<Bone> bones, bool isLeg, bool isLeft)
 {
-    // What the trunk's axis counts against that of knee or elbow: decides where a limb is never bent.
+    // Weight of the trunk's axis relative to that of knee or elbow. It decides only if the limb never bends.
     private const float TrunkWeight = 0.02f;
 
     private readonly DirectionSum[] _halves = new DirectionSum[bones.Length];
@@ -18,8 +20,8 @@ internal sealed class LimbMeasurement(ReadOnlyMemory<Bone> bones, bool isLeg, bo
 
     /// <summary>Adds a frame.</summary>
     /// <param name="frame">The frame.</param>
-    /// <param name="joint">Where the limb begins.</param>
-    /// <param name="trunk">Rotation of the bone it hangs at.</param>
+    /// <param name="joint">The first joint of the limb.</param>
+    /// <param name="trunk">Rotation of the trunk bone that the limb is attached to.</param>
     public void Add(in SensorFrame frame, Vector3 joint, Quaternion trunk)
     {
         Span<Vector3> halves = stackalloc Vector3[bones.Length];
@@ -29,7 +31,7 @@ internal sealed class LimbMeasurement(ReadOnlyMemory<Bone> bones, bool isLeg, bo
             joint += 2 * halves[i];
         }
 
-        // Upper and lower of the two long bones: a leg begins with them, an arm has the shoulder before.
+        // Upper and lower long bone. They are the first bones of a leg; in an arm, the shoulder precedes them.
         int upper = isLeg ? 0 : 1;
         Vector3 hinge = Vector3.Cross(halves[upper], halves[upper + 1]) / (halves[upper].Length() * halves[upper + 1].Length() + 1e-6f);
         Vector3 axis = (isLeg || !isLeft ? hinge : -hinge) + (TrunkWeight * Vector3.Transform(isLeg ? Vector3.UnitX : Vector3.UnitY, trunk));
@@ -50,9 +52,9 @@ internal sealed class LimbMeasurement(ReadOnlyMemory<Bone> bones, bool isLeg, bo
         }
     }
 
-    /// <summary>Writes what was found.</summary>
-    /// <param name="halves">From each bone's joint to its centre, in the bone's axes; by bone.</param>
-    /// <param name="mountings">Each bone's axes in those of its sensor; by bone.</param>
+    /// <summary>Writes the results.</summary>
+    /// <param name="halves">The vectors from each bone's joint to its centre, in the axes of the bone; by bone.</param>
+    /// <param name="mountings">The axes of each bone in those of its sensor; by bone.</param>
     public void Solve(Span<Vector3> halves, Span<Quaternion> mountings)
     {
         for (int i = 0; i < bones.Length; i++)
@@ -67,6 +69,6 @@ internal sealed class LimbMeasurement(ReadOnlyMemory<Bone> bones, bool isLeg, bo
         }
     }
 
-    // A foot that stands has Y upwards, and its length forward.
+    // For a standing foot, Y points up and its length points forward.
     private static Quaternion MountFoot(Vector3 half, Vector3 up) => AxisPair.FromY(up, Vector3.Cross(up, half));
 }

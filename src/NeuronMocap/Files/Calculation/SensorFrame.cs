@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Calculation;
 
-// What the 21 bones of the body have in one frame, in BVH's axes and centimetres, at the index of their Bone.
+// The values of the 21 bones of the body in one frame, in the axes of BVH and in centimetres, by Bone.
 internal ref struct SensorFrame
 {
     private const int ValuesPerBone = 16;
@@ -32,7 +32,7 @@ internal ref struct SensorFrame
         ReadOnlySpan<float> values = _values[((CalculationOrder.IndexOf(bone) * ValuesPerBone) + 6)..];
         Quaternion rotation = _axes.ToBvh(new Quaternion(values[1], values[2], values[3], values[0]));
 
-        // The text has four digits; a sensor that sent nothing has zeros.
+        // The text has four digits. A sensor that sent nothing has zeros.
         float length = rotation.Length();
         return length > 0.5f && length < 2 ? Quaternion.Normalize(rotation) : Quaternion.Identity;
     }

@@ -4,15 +4,15 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// What all frames of a take together say about hips and chest: where the legs, the spine and the shoulders begin in their sensors' axes, and how
-/// the two sensors sit on them. Hips: X through both hip joints; chest: Y along the spine.
+/// Measures hips and chest from all frames of a take: where the legs, the spine and the shoulders begin in the axes of the sensors, and how the two
+/// sensors are mounted. The X axis of the hips goes through both hip joints; the Y axis of the chest goes along the spine.
 /// </summary>
 internal sealed class TrunkMeasurement(SkeletonVariant variant)
 {
-    // Half the hips' width and the default body's thigh.
+    // Half the hip width divided by the thigh length, in the default body.
     private const float HipShare = 9.5f / 37.051f;
 
-    // Hips move enough by themselves, and knees of recordings would only add their error.
+    // Hips move enough on their own. Recorded knees would only add their error.
     private static readonly Bone[][] Legs = [[Bone.RightUpLeg], [Bone.LeftUpLeg]];
 
     private static readonly Bone[][] Arms =
@@ -24,31 +24,34 @@ internal sealed class TrunkMeasurement(SkeletonVariant variant)
     private DirectionSum _chestUp;
     private DirectionSum _shoulderLine;
 
-    /// <summary>From the hips to the thighs' joints, right and left, in the hips' sensor's axes.</summary>
+    /// <summary>The vectors from the hips to the thigh joints, right and left, in the axes of the hip sensor.</summary>
     public Vector3[] HipJoints { get; } = new Vector3[2];
 
-    /// <summary>From the chest's centre to the shoulders' joints, right and left, in the chest's sensor's axes.</summary>
+    /// <summary>The vectors from the chest's centre to the shoulder joints, right and left, in the axes of the chest sensor.</summary>
     public Vector3[] ShoulderJoints { get; } = new Vector3[2];
 
-    /// <summary>From the hips to the spine's joint, in the hips' sensor's axes.</summary>
+    /// <summary>The vector from the hips to the spine joint, in the axes of the hip sensor.</summary>
     public Vector3 SpineJoint { get; private set; }
 
-    /// <summary>The hips' bone axes in those of its sensor.</summary>
+    /// <summary>The axes of the hips in those of the hip sensor.</summary>
     public Quaternion Hips { get; private set; }
 
-    /// <summary>The chest's bone axes in those of its sensor.</summary>
+    /// <summary>The axes of the chest in those of the chest sensor.</summary>
     public Quaternion Chest { get; private set; }
 
-    /// <summary>Which of the two divisions of the spine the body has.</summary>
+    /// <summary>The division of the spine that the body has.</summary>
     public SkeletonVariant Variant => variant;
 
-    /// <summary>The bone that the shoulders hang at.</summary>
+    /// <summary>The bone that the shoulders are attached to.</summary>
     public Bone ChestBone { get; } = variant == SkeletonVariant.Spine3 ? Bone.Neck : Bone.Spine2;
 
     /// <summary>
-    /// Which division of the spine a frame shows. From the hips to the spine's centre, and on to the next one's, are 18.0 and 9.3 cm in the default body
-    /// with Spine3, 15.0 and 13.5 with Neck1; of the recordings' actors, 19.1 and 9.9.
+    /// Determines the division of the spine from a frame.
     /// </summary>
+    /// <remarks>
+    /// The distances are those from the hips to the spine's centre, and from there to the next centre. In the default body, they are 18.0 and 9.3
+    /// cm with Spine3, and 15.0 and 13.5 cm with Neck1. The actors of the recordings have 19.1 and 9.9 cm.
+    /// </remarks>
     public static SkeletonVariant Recognise(in SensorFrame frame)
     {
         Vector3 spine = frame.GetCentre(Bone.Spine);
@@ -64,7 +67,7 @@ internal sealed class TrunkMeasurement(SkeletonVariant variant)
         Vector3 left = frame.GetCentre(Bone.LeftUpLeg);
         Quaternion hipsSensor = frame.GetRotation(Bone.Hips);
 
-        // A guess for a take in which nobody moves: the joints lie on a line with the hips, as wide as in the default body.
+        // A guess for a take without motion: the joints are on a line through the hips, as wide as in the default body.
         Vector3 line = left - right;
         line = line == Vector3.Zero ? Vector3.UnitX : Vector3.Normalize(line);
         float halfWidth = 2 * HipShare * ((left + right) / 2 - hips).Length();
@@ -111,8 +114,9 @@ internal sealed class TrunkMeasurement(SkeletonVariant variant)
         fit.Add(rotations, centres, guess);
     }
 
-    // Where shoulders may begin: in the recordings at the upper end of the chest, with Neck1 as in the default body, where the chest's centre is 14.025 cm
-    // above that of the bone below and the shoulders' joints are 3.315 cm above it, 2.55 cm to the sides. The shoulders' centres are 16.55 cm apart.
+    // The assumed start of the shoulders. In the recordings, it is the upper end of the chest. With Neck1, the values come from the default body.
+    // There, the chest's centre is 14.025 cm above that of the bone below. The shoulder joints are 3.315 cm above the chest's centre and 2.55 cm to
+    // the sides. The shoulders' centres are 16.55 cm apart.
     private (Vector3 Height, Vector3 Width) GuessShoulders(Vector3 up, Vector3 line) => variant == SkeletonVariant.Spine3
         ? (up / 2, Vector3.Zero)
         : (up * (3.315f / 14.025f), line * (2.55f / 16.55f));

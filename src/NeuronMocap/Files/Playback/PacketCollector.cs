@@ -3,7 +3,8 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Recording;
 
-// Counts what an arrival brought, and keeps its frames until they are asked for: an assembler hands out all at once, in memory that it uses again.
+// Counts the packets of an arrival and keeps its frames until they are requested. An assembler delivers all packets of an arrival at once, in
+// memory that it reuses.
 internal sealed class PacketCollector(StreamCounters counters) : IPacketReceiver
 {
     private readonly List<(ReceivedPacket Packet, int Start)> _packets = [];
@@ -29,7 +30,7 @@ internal sealed class PacketCollector(StreamCounters counters) : IPacketReceiver
         _length += packet.Length;
     }
 
-    // Valid until the next packet is found.
+    // Valid until the next packet is taken.
     public bool TryTake(out ReceivedPacket packet)
     {
         if (_next == _packets.Count)

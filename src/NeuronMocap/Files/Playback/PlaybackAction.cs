@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-// What the playback does next.
+// The next action of a playback.
 internal enum PlaybackAction
 {
     Play,

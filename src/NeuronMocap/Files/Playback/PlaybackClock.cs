@@ -2,11 +2,11 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Recording;
 
-// Where a playback stands, and when a recorded time is due. Due times are computed afresh from the place and instant where the clock was set last,
-// so that rounding and late wake-ups never add up. Instants are ticks of Stopwatch. Not thread-safe.
+// Tracks the position of a playback and computes when a recorded time is due. Due times are computed from the position and instant at which the
+// clock was last set. Rounding errors and late wake-ups therefore never add up. Instants are Stopwatch ticks. Not thread-safe.
 internal sealed class PlaybackClock
 {
-    // Who was held up for longer than this, by a handler or because the computer slept, does not get it all at once.
+    // After a longer delay, by a handler or because the computer slept, the missed time is not caught up.
     private static readonly long MostBehind = Stopwatch.Frequency;
 
     private TimeSpan _position;
@@ -47,7 +47,7 @@ internal sealed class PlaybackClock
         Speed = speed;
     }
 
-    // The place that is due at an instant.
+    // Sets the position that is due at an instant.
     public void MoveTo(TimeSpan position, long instant)
     {
         _position = position;
@@ -56,12 +56,12 @@ internal sealed class PlaybackClock
         _shift = Math.Max(0, _newest - instant);
     }
 
-    // Not paced, recorded time and real time go equally fast.
+    // Without pacing, recorded time and real time advance at the same rate.
     public long DueAt(TimeSpan time) =>
         _anchor + (long)Math.Round((time - _position).TotalSeconds / (IsPaced ? Speed : 1) * Stopwatch.Frequency);
 
-    // What came by is due at its time, or was and is late. Returns its timestamp: timestamps never go back, and after a time without pace, which
-    // is ahead of the real one, they stay ahead.
+    // Records that an event was reached and returns its timestamp, which is the time when it was or is due. Timestamps never decrease. Unpaced
+    // playback moves them ahead of real time, and they stay ahead.
     public long Reach(TimeSpan time, long now)
     {
         if (IsPaced && now - DueAt(time) > MostBehind)

@@ -1,6 +1,7 @@
 namespace NeuronMocap.Recording;
 
-// Where those who control a playback and its thread meet: what is played next, and when. Any thread; only the playback's ever waits here.
+// Connects the callers that control a playback with its thread: it decides what is played next, and when. Any thread may call it; only the
+// playback's thread waits here.
 internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
 {
     public const int Endless = int.MaxValue;
@@ -11,7 +12,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     private int _steps;
     private int _stepsBack;
 
-    // Of steps back: the place was found, and a step forward shall show the frame.
+    // During a step back: the position was found, and a step forward must show the frame.
     private bool _isShowing;
     private int _passes = 1;
     private int _pass = 1;
@@ -98,15 +99,15 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
         (_steps, _stepsBack, _isShowing) = (0, 0, false);
     });
 
-    // Any thread: nothing more is played.
+    // Any thread. Whether the playback has ended.
     public bool HasEnded => _hasEnded;
 
-    // A link was closed.
+    // Called when a link was closed.
     public void Wake() => Change(static () => { });
 
     public void End() => Change(() => _hasEnded = true);
 
-    // Playback thread: waits until it is known what to do next. Of what is due at the instant, timestamp is when it was.
+    // Playback thread. Waits until the next action is known. The timestamp is the time when the event was due.
     public PlaybackAction WaitFor(TimeSpan instant, CancellationToken cancellationToken, out long timestamp)
     {
         timestamp = 0;
@@ -144,7 +145,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
         }
     }
 
-    // Playback thread: the place that a seek asked for.
+    // Playback thread. Returns the position that a seek requested.
     public TimeSpan TakeSeek()
     {
         lock (_lock)
@@ -156,8 +157,8 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
         }
     }
 
-    // Playback thread: frames to go back by, from the one that was passed last; a step forward, to show the frame, takes their place. The one that was
-    // to be shown has not been passed.
+    // Playback thread. Returns how many frames to go back from the last frame passed. A step forward, which shows the frame, replaces the steps
+    // back. A frame that is still to be shown does not count as passed.
     public int TakeStepsBack()
     {
         lock (_lock)
@@ -168,7 +169,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
         }
     }
 
-    // Playback thread: a step has come to a place, whose bytes are due now.
+    // Playback thread. A step has reached a position, whose bytes are due now.
     public long StepTo(TimeSpan place)
     {
         lock (_lock)
@@ -179,7 +180,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
         }
     }
 
-    // Playback thread: a frame was handed out, or there is none.
+    // Playback thread. A frame was delivered, or there is none.
     public void EndStep()
     {
         lock (_lock)
@@ -189,7 +190,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
         }
     }
 
-    // Playback thread, at the end of a pass: whether another follows. It begins at the very instant at which this one ends.
+    // Playback thread, at the end of a pass. Returns whether another pass follows. The next pass begins at the instant at which this one ends.
     public bool BeginPass()
     {
         lock (_lock)
@@ -203,7 +204,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
         }
     }
 
-    // Under the gate.
+    // Called with the lock held.
     private void Halt()
     {
         if (!_isPaused)

@@ -1,23 +1,23 @@
 namespace NeuronMocap.Recording;
 
-/// <summary>A file holds nothing that can be played: it is neither a recording nor a dump of a stream.</summary>
+/// <summary>The exception that is thrown when a file cannot be played, because it is neither a recording nor a dump of a stream.</summary>
 public sealed class PlaybackException : NeuronException
 {
-    /// <summary>Makes an exception without a message.</summary>
+    /// <summary>Creates an exception without a message.</summary>
     public PlaybackException()
     {
     }
 
-    /// <summary>Makes an exception.</summary>
-    /// <param name="message">What is wrong.</param>
+    /// <summary>Creates an exception with a message.</summary>
+    /// <param name="message">The message that describes the error.</param>
     public PlaybackException(string message)
         : base(message)
     {
     }
 
-    /// <summary>Makes an exception that another one caused.</summary>
-    /// <param name="message">What is wrong.</param>
-    /// <param name="innerException">The cause.</param>
+    /// <summary>Creates an exception with a message and an inner exception.</summary>
+    /// <param name="message">The message that describes the error.</param>
+    /// <param name="innerException">The exception that caused this one.</param>
     public PlaybackException(string message, Exception innerException)
         : base(message, innerException)
     {

@@ -3,10 +3,10 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Recording;
 
-// Carries arrivals from the file to the parsers, and finds places. Playback thread.
+// Moves events from the file to the parsers, and finds positions. Playback thread.
 internal sealed class PlaybackFeed
 {
-    // Silently read before a place, so that parsers know where packets begin when they come to it.
+    // This much is read silently before a position. The parsers then know where packets begin when they reach it.
     private static readonly TimeSpan LeadIn = TimeSpan.FromSeconds(1);
 
     private static readonly TimeSpan BeforeAll = TimeSpan.FromTicks(-1);
@@ -17,7 +17,7 @@ internal sealed class PlaybackFeed
     private RecordedEvent _event;
     private bool _hasEvent;
 
-    // Bytes of the present arrival that were handed out: steps go frame by frame.
+    // Number of delivered bytes of the current event. Steps go frame by frame.
     private int _taken;
 
     public PlaybackFeed(RecordedEventSource source, SenderFilter filter, int maxValues)
@@ -28,7 +28,7 @@ internal sealed class PlaybackFeed
 
     public RecordedEventParser Parser => _parser;
 
-    // Who gets what comes out of the parsers.
+    // Receives the output of the parsers.
     public IPacketReceiver? Target
     {
         get => _receiver.Target;
@@ -37,7 +37,8 @@ internal sealed class PlaybackFeed
 
     public bool IsOfConnection(in RecordedEvent recorded) => recorded.Kind == RecordedEventKind.Bytes && _parser.Continues(recorded);
 
-    // Whether a frame came out of the arrival; if not, it is over. Any splitting of a connection's bytes gives the same frames, a datagram is whole.
+    // Returns whether the event completed a frame. If not, the event is finished. The bytes of a connection can be split anywhere without changing
+    // the frames; a datagram stays whole.
     public bool PushToFrame(in RecordedEvent recorded, long timestamp)
     {
         long frames = _receiver.Frames;
@@ -67,7 +68,7 @@ internal sealed class PlaybackFeed
         _receiver.Place(place);
     }
 
-    // To before the frame that was shown so many frames before the one that was shown last.
+    // Moves back, to just before the frame that was shown the given number of frames before the last one.
     public void GoBack(int count, Func<bool> isStopped)
     {
         (TimeSpan shown, int ofTime) = (_receiver.FrameTime, _receiver.FramesOfTime);
@@ -90,7 +91,7 @@ internal sealed class PlaybackFeed
         }
     }
 
-    // True where nothing precedes the place.
+    // Returns true if nothing precedes the position.
     public bool Rewind(TimeSpan place)
     {
         _receiver.IsMuted = true;
@@ -100,7 +101,7 @@ internal sealed class PlaybackFeed
         return _source.Seek(place > TimeSpan.Zero ? place : TimeSpan.Zero);
     }
 
-    // What steps have left of it.
+    // Processes the part of the event that steps have left.
     public bool Follow(in RecordedEvent recorded, long timestamp)
     {
         _receiver.Time = recorded.Time;

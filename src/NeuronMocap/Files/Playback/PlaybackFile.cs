@@ -2,7 +2,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Recording;
 
-// The file of a playback. It stays open until the player is disposed of and the playback's thread has left it. Any thread.
+// The file of a playback. It stays open until the player is disposed and the playback's thread has left it. Any thread.
 internal sealed class PlaybackFile(RecordedEventSource source)
 {
     private readonly object _lock = new();
@@ -11,7 +11,7 @@ internal sealed class PlaybackFile(RecordedEventSource source)
 
     public RecordedEventSource Source => source;
 
-    // What status messages call it.
+    // The name in status messages.
     public string Target => $"recording {source.FileName}";
 
     public bool IsClosed
@@ -36,7 +36,7 @@ internal sealed class PlaybackFile(RecordedEventSource source)
         source.Dispose();
     }
 
-    // Playback thread, of which there is one at a time.
+    // Playback thread. Only one exists at a time.
     public LinkEnd Use(Func<LinkEnd> action)
     {
         lock (_lock)
@@ -68,5 +68,5 @@ internal sealed class PlaybackFile(RecordedEventSource source)
         return end.IsFinal ? end : Closed();
     }
 
-    private LinkEnd Closed() => new(ConnectionReason.EndOfRecording, $"The player of {Target} was disposed of.") { IsFinal = true };
+    private LinkEnd Closed() => new(ConnectionReason.EndOfRecording, $"The player of {Target} was disposed.") { IsFinal = true };
 }

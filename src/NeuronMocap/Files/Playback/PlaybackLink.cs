@@ -3,10 +3,10 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Recording;
 
-// One connection of a playback. The run is what waits, on threads of the link's own.
+// One connection of a playback. The run waits for events, on dedicated threads of the link.
 internal sealed class PlaybackLink(PlaybackRun run) : Link
 {
-    // Never disposed of: it has no timer, and the thread may still look at it.
+    // Never disposed: it has no timer, and the thread may still check it.
     private readonly CancellationTokenSource _closeSource = new();
 
     public override ReceiveThread ReceiveThread => ReceiveThread.Dedicated;

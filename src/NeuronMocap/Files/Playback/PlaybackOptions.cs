@@ -3,30 +3,33 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Recording;
 
 /// <summary>
-/// How a file is to be read that holds a stream: a recording, or a raw dump of the bytes. What is left null is taken from the file. Copied where
-/// it is used.
+/// Options for reading a recording, or a raw dump of the bytes of a stream. Values that are null come from the file. The options are copied when
+/// used; later changes have no effect.
 /// </summary>
 public sealed class PlaybackOptions
 {
     /// <summary>
-    /// Frames of each avatar per second of a raw dump, whose bytes have no times: 0.01 to 100,000. Null, the default: the rate of the timecodes, which
-    /// Axis Studio's frames carry where its server has a clock, or 120, Axis Neuron's rate with fewer than 18 sensors (manual section 2.1). A recording
-    /// knows when each byte came: it has to be null there.
+    /// Frames per second of each avatar in a raw dump, whose bytes have no times: 0.01 to 100,000. A recording contains the time of each byte, so
+    /// this must be null for a recording.
     /// </summary>
+    /// <remarks>
+    /// Null, the default, uses the rate of the timecodes, which frames of Axis Studio contain if its server has a clock. Without timecodes, it is
+    /// 120, the rate of Axis Neuron with fewer than 18 sensors (manual section 1.3).
+    /// </remarks>
     public double? FrameRate { get; set; }
 
     /// <summary>
-    /// Order of the rotation values. Null, the default: what each frame says, or the recording, or YXZ, as in
+    /// The rotation order. Null, the default, uses the order of each frame, or that of the recording, or YXZ, as in
     /// <see cref="NeuronReaderOptions.RotationOrder"/>.
     /// </summary>
     public RotationOrder? RotationOrder { get; set; }
 
-    /// <summary>Naming of spine and neck. Null, the default: what the recording says, or that of the manual's Appendix A.</summary>
+    /// <summary>The names of spine and neck. Null, the default, uses those of the recording, or those of the manual's Appendix A.</summary>
     public SkeletonVariant? SkeletonVariant { get; set; }
 
     /// <summary>
-    /// Largest number of values that a packet may announce, 1 to 1,000,000. Null, the default: that of the reader that recorded, so that the same bytes
-    /// are skipped; 10,224 for a raw dump.
+    /// Maximum number of values that a packet may declare, 1 to 1,000,000. Null, the default, uses the limit of the reader that recorded, which
+    /// skips the same bytes. For a raw dump, it is 10,224.
     /// </summary>
     public int? MaxValues { get; set; }
 

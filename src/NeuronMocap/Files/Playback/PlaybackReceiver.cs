@@ -2,24 +2,24 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Recording;
 
-// Between the parsers and the reader: counts frames, and keeps back what is read only to find a place.
+// Stands between the parsers and the reader. It counts frames, and holds back data that is only read to find a position.
 internal sealed class PlaybackReceiver : IPacketReceiver
 {
     public IPacketReceiver? Target { get; set; }
 
     public bool IsMuted { get; set; }
 
-    // Of what comes next.
+    // The time of the next packets.
     public TimeSpan Time { get; set; }
 
     public long Frames { get; private set; }
 
-    // The newest frame, and how many of its time there were, it included.
+    // The time of the latest frame, and the number of frames with that time, including that frame.
     public TimeSpan FrameTime { get; private set; }
 
     public int FramesOfTime { get; private set; }
 
-    // As if no frame of this time had been there yet.
+    // Sets the time as if it had no frames yet.
     public void Place(TimeSpan time)
     {
         FrameTime = time;

@@ -3,20 +3,20 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Recording;
 
-// One playing of a file to a reader: does what the control says, connection after connection, until the file is over. Links run it on the playback's
-// thread, one at a time.
+// Plays a file to a reader as the control specifies, connection after connection, until the file ends. Links run it on the playback's thread, one
+// at a time.
 internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, PlaybackFeed feed, Action completed)
 {
-    // Whether the first connection has stood since the link opened.
+    // Whether the first connection has opened since the link opened.
     private bool _hasOpened;
 
-    // Of the link that plays.
+    // The token of the link that plays.
     private CancellationToken _cancellationToken;
     private ILinkListener? _listener;
 
     public string Target => file.Target;
 
-    // Waits until a connection stands.
+    // Waits until a connection is open.
     public LinkEnd Open(CancellationToken cancellationToken) => file.Use(() =>
     {
         _cancellationToken = cancellationToken;
@@ -32,7 +32,7 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
         return Receive();
     });
 
-    // Any thread: a link was closed.
+    // Any thread. Called when a link was closed.
     public void Wake() => control.Wake();
 
     private LinkEnd Open()
@@ -98,7 +98,7 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
                     feed.GoBack(control.TakeStepsBack(), IsStopped);
 
                 if (!feed.Parser.IsOpen)
-                    return new LinkEnd(ConnectionReason.ClosedByPeer, "The playback has gone to another place, where no connection stood.");
+                    return new LinkEnd(ConnectionReason.ClosedByPeer, "The playback has moved to a position without an open connection.");
 
                 _listener?.OnLinkOpened();
                 continue;
@@ -117,13 +117,13 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
         }
     }
 
-    // Recordings give the name of the reason.
+    // Recordings contain the name of the reason.
     private static LinkEnd Ended(string? reason) =>
         Enum.TryParse(reason, out ConnectionReason recorded) && Enum.IsDefined(typeof(ConnectionReason), recorded) && recorded is not (ConnectionReason.None or ConnectionReason.Requested)
             ? new LinkEnd(recorded, $"The recorded connection ended: {reason}.")
             : new LinkEnd(ConnectionReason.ClosedByPeer, "The recorded connection ended.");
 
-    // Null unless the connection ends.
+    // Returns null unless the connection ends.
     private LinkEnd? Play(in RecordedEvent recorded, long timestamp)
     {
         if (recorded.Kind == RecordedEventKind.End)
@@ -132,14 +132,14 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
             return EndPass() ?? new LinkEnd(ConnectionReason.EndOfRecording, $"The {file.Target} begins again.");
         }
 
-        // Another connection, of which the next link is: this one's end was not recorded.
+        // The event belongs to another connection, which the next link plays. The end of this connection was not recorded.
         if (feed.Parser.Ends(recorded))
         {
             feed.Parser.Close();
             return Ended(reason: null);
         }
 
-        // The first one may come to stand after that of calculation data.
+        // The first connection may open after that of calculation data.
         if (feed.Follow(recorded, timestamp) && !recorded.IsCalculation)
         {
             if (_hasOpened)
@@ -153,11 +153,11 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
         if (feed.Parser.IsOpen)
             return null;
 
-        // The last connection's end is that of the recording, which comes next.
+        // The end of the last connection is the end of the recording, which comes next.
         return feed.Peek().Kind == RecordedEventKind.End ? null : Ended(reason);
     }
 
-    // Null when another pass follows.
+    // Returns null if another pass follows.
     private LinkEnd? EndPass()
     {
         if (!control.BeginPass())
@@ -173,6 +173,6 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
         return new LinkEnd(ConnectionReason.EndOfRecording, $"The {file.Target} is over.") { IsFinal = true };
     }
 
-    // A place may be far from where reading can begin: whoever closes the link or disposes of the player does not wait until it is found.
+    // A position may be far from where reading can begin. Closing the link or disposing the player must not wait for the search.
     private bool IsStopped() => _cancellationToken.IsCancellationRequested || control.HasEnded;
 }

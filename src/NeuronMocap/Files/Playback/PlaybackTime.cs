@@ -2,20 +2,20 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Recording;
 
-// How a playback knows the time and waits for it. Replaced by tests.
+// Supplies the time of a playback and waits for it. Tests replace it.
 internal class PlaybackTime
 {
-    // Spinning ends half a millisecond to one and a half of every wait, and no more: nothing that .NET has everywhere waits for less than a millisecond.
+    // Every wait ends with a spin of 0.5 to 1.5 ms. No wait that is available on all .NET targets is shorter than a millisecond.
     private const int SpinsBetweenLooks = 20;
 
-    // A thread is never woken early, usually late by a tenth of a millisecond, and now and then by half of one.
+    // A thread never wakes early. It usually wakes 0.1 ms late, and occasionally 0.5 ms.
     private static readonly long Margin = Stopwatch.Frequency / 2000;
 
     public static PlaybackTime Real { get; } = new();
 
     public virtual long Now => Stopwatch.GetTimestamp();
 
-    // Under the gate, which is let go meanwhile. Returns at the instant, when the gate is pulsed, or before: whoever waits looks again.
+    // Called with the gate held; the wait releases it. Returns at the instant, when the gate is pulsed, or earlier. The caller must check again.
     public virtual void Wait(object gate, long instant)
     {
         // Rounded down.

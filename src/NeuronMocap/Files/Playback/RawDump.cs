@@ -1,21 +1,21 @@
 namespace NeuronMocap.Recording;
 
-/// <summary>The bytes of a stream that somebody wrote to a file without times, made a recording.</summary>
+/// <summary>Converts a raw dump, a file with the bytes of a stream but without times, to a recording.</summary>
 public static class RawDump
 {
-    /// <summary>Writes the bytes into a recording, all of them, with the times at which they would be played.</summary>
-    /// <param name="path">The dump.</param>
-    /// <param name="writer">A recording without connections; it gets one, number 0, that is closed at the end.</param>
-    /// <param name="options">How to read the dump, above all its rate; null for what its frames say.</param>
-    /// <param name="from">Bytes before this time are left out.</param>
-    /// <param name="to">Bytes from this time on are left out; null for none.</param>
-    /// <param name="progress">Told the part that is done, 0 to 1; null for nobody.</param>
-    /// <param name="cancellationToken">Ends it.</param>
-    /// <exception cref="PlaybackException">There is no frame in the file.</exception>
-    /// <exception cref="ArgumentException">An option is out of its range, or the file is a recording.</exception>
+    /// <summary>Writes all bytes of a dump to a recording, with the times at which a player would play them.</summary>
+    /// <param name="path">The path of the dump.</param>
+    /// <param name="writer">A recording without connections. It receives one connection, number 0, which is closed at the end.</param>
+    /// <param name="options">The options, above all the frame rate; null to use the rate of the frames.</param>
+    /// <param name="from">Bytes before this time are omitted.</param>
+    /// <param name="to">Bytes from this time on are omitted; null for no limit.</param>
+    /// <param name="progress">Receives the progress, 0 to 1; may be null.</param>
+    /// <param name="cancellationToken">Cancels the operation.</param>
+    /// <exception cref="PlaybackException">The file does not contain a frame.</exception>
+    /// <exception cref="ArgumentException">An option is out of range, or the file is a recording.</exception>
     /// <exception cref="IOException">The dump cannot be read, or the recording cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be read.</exception>
-    /// <exception cref="OperationCanceledException">It was ended.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the file.</exception>
+    /// <exception cref="OperationCanceledException">The operation was cancelled.</exception>
     public static void CopyTo(
         string path,
         RecordingWriter writer,
@@ -28,7 +28,7 @@ public static class RawDump
         ArgumentNullException.ThrowIfNull(writer);
         using RecordedEventSource source = RecordedEventSource.Open(path, PlaybackOptions.CopyChecked(options));
         if (source is not RawDumpSource)
-            throw new ArgumentException("The file is a recording already.", nameof(path));
+            throw new ArgumentException("The file is already a recording.", nameof(path));
 
         writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, "", ""));
         while (source.Read() is { Kind: not RecordedEventKind.End } recorded)
@@ -43,7 +43,7 @@ public static class RawDump
         writer.CloseConnection(writer.Duration, 0, "The dump ends.");
     }
 
-    // A packet may be larger than a piece of a recording.
+    // A packet may be larger than the maximum piece of a recording.
     private static void Write(RecordingWriter writer, TimeSpan time, ReadOnlySpan<byte> bytes)
     {
         while (!bytes.IsEmpty)

@@ -2,13 +2,14 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Recording;
 
-// Where the packets of a dump end, and to which instant each belongs: found by the same assembler that will read them.
+// Finds the ends of the packets in a dump and the instant of each packet. It uses the assembler that later reads the packets.
 internal sealed class RawDumpIndex : IPacketReceiver
 {
-    // Bytes of no packet come on their own when there are so many.
+    // Bytes that are not part of a packet become a piece of their own at this length.
     private const int LongestGap = 64 * 1024;
 
-    // Frames of one instant, at most: nobody has more avatars, and a set is not emptied in less time than it once took to fill.
+    // Maximum number of frames of one instant. No stream has more avatars. The limit also matters for speed: clearing a set takes time in
+    // proportion to its largest size.
     private const int MaxFrames = 1024;
 
     private readonly List<Piece> _pieces = [];
@@ -21,17 +22,17 @@ internal sealed class RawDumpIndex : IPacketReceiver
     // Number of instants with frames.
     public int InstantCount { get; private set; }
 
-    // Why bytes were passed over; what says most of them.
+    // The most informative reason for skipped bytes.
     public SkipReason Skipped { get; private set; }
 
-    // As the timecodes tell it; null where there are none.
+    // The rate according to the timecodes; null without timecodes.
     public double? FrameRate => _timecodes.FrameRate;
 
     public long EndOf(int piece) => piece < 0 ? 0 : _pieces[piece].End;
 
     public int InstantOf(int piece) => _pieces[piece].Instant;
 
-    // The first piece of an instant or, where it has none, of the next one; the number of pieces behind the last.
+    // Finds the first piece of an instant, or of the next instant that has pieces. At the end, this is the number of pieces.
     public int FindInstant(int instant)
     {
         int low = 0;
@@ -50,7 +51,7 @@ internal sealed class RawDumpIndex : IPacketReceiver
 
     public void OnPacket(in ReceivedPacket packet)
     {
-        // The bytes of a line were told before it.
+        // The bytes of a line were already reported.
         if (!packet.IsText)
             _position += packet.Length;
         if (packet.IsFrame)
@@ -63,14 +64,14 @@ internal sealed class RawDumpIndex : IPacketReceiver
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
     {
-        // The rest of a line that was joined late says less than the next one.
+        // The rest of an incomplete first line tells less than the bytes after it.
         if (Skipped is SkipReason.NoTokens)
             Skipped = reason;
 
         Pass(bytes.Length);
     }
 
-    // What stands behind the last packet.
+    // Ends the index with the bytes after the last packet.
     public void End()
     {
         if (_position > EndOf(_pieces.Count - 1))
@@ -103,7 +104,7 @@ internal sealed class RawDumpIndex : IPacketReceiver
 
     private readonly record struct Piece(long End, int Instant);
 
-    // Instants per second, over the whole seconds that went by one after the other.
+    // Counts instants per second, over whole seconds that follow each other.
     private sealed class TimecodeRate
     {
         private int _second = -1;

@@ -3,8 +3,8 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Recording;
 
-// The bytes of a TCP stream as somebody wrote them to a file, without times. They come packet by packet, each with what stands before it that is
-// none; all packets of one instant, one of each avatar and kind, at once, and the instants at an even rate.
+// Reads the bytes of a TCP stream from a file without times. They are returned packet by packet. Bytes that are not a packet come with the packet
+// that follows them. All packets of one instant, one for each avatar and kind, come at once. The instants have an even rate.
 internal sealed class RawDumpSource : RecordedEventSource
 {
     private const double UsualRate = 120;
@@ -25,13 +25,13 @@ internal sealed class RawDumpSource : RecordedEventSource
         _rate = rate ?? index.FrameRate ?? UsualRate;
     }
 
-    // Frames of each avatar per second.
+    // Frames per second of each avatar.
     public double FrameRate => _rate;
 
-    // So that a loop goes on at the same rate.
+    // Includes the last interval, so a loop continues at the same rate.
     public override TimeSpan Duration => TimeOf(_index.InstantCount);
 
-    // Reads the file once, to find the packets.
+    // Reads the file once to find the packets.
     public static RawDumpSource Open(string path, Stream file, PlaybackOptions options)
     {
         var index = new RawDumpIndex();
@@ -106,7 +106,7 @@ internal sealed class RawDumpSource : RecordedEventSource
 
         var guess = FormatGuess.Of(bytes, skipped);
         return new PlaybackException(guess.Format is ForeignFormat.Unknown or ForeignFormat.OtherProgram
-            ? $"{path} is neither a recording nor a dump of a stream: no frame is in it, and it starts with {FormatGuess.ToHex(bytes)}."
-            : $"{path} holds no frame: it is {guess.Description}");
+            ? $"{path} is neither a recording nor a dump of a stream: it does not contain a frame, and starts with {FormatGuess.ToHex(bytes)}."
+            : $"{path} does not contain a frame: it is {guess.Description}");
     }
 }

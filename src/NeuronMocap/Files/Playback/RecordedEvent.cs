@@ -4,41 +4,41 @@ namespace NeuronMocap.Recording;
 
 internal enum RecordedEventKind
 {
-    // A connection stands, or a UDP port was bound.
+    // A connection was established, or a UDP port was bound.
     Opened,
 
-    // A piece of the connection's bytes, as it was received; over UDP a datagram.
+    // A piece of the connection's bytes, as received; over UDP, a datagram.
     Bytes,
 
-    // Here are bytes missing that were received.
+    // Received bytes are missing here.
     Lost,
 
     // The connection ended.
     Closed,
 
-    // Nothing follows.
+    // The end of the file.
     End,
 }
 
-// One thing that happened while the stream was recorded, with its time since the start. Bytes and sender are valid until the next one is read.
+// One event of the recorded stream, with its time since the start. Bytes and sender are valid until the next event is read.
 internal readonly record struct RecordedEvent(RecordedEventKind Kind, TimeSpan Time)
 {
     public TransportKind Transport { get; init; }
 
-    // Number of the connection that it belongs to.
+    // Number of the connection.
     public int Connection { get; init; }
 
-    // Whether that is the one of a calculation port, beside another one.
+    // Whether this is the additional connection of a calculation port.
     public bool IsCalculation { get; init; }
 
-    // Of one that was opened: whether it stood before. Its first bytes may then be the middle of anything.
+    // For an opened connection: whether it was already open. Its first bytes may then be the middle of a packet.
     public bool WasOpen { get; init; }
 
     public ArraySegment<byte> Bytes { get; init; }
 
-    // Over UDP.
+    // Over UDP only.
     public SocketAddress? Sender { get; init; }
 
-    // Of one that was closed: why, in words; may be empty.
+    // For a closed connection: the reason in words; may be empty.
     public string? Reason { get; init; }
 }

@@ -4,8 +4,8 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Recording;
 
-// The way from arrivals to packets: the very one that bytes take from a socket (TcpLink, UdpLink). A recording has one connection at a time, or two, where
-// calculation data came over one of its own.
+// Parses events to packets with the same code as bytes from a socket (TcpLink, UdpLink). A recording has one connection at a time, or two if
+// calculation data has its own connection.
 internal sealed class RecordedEventParser(int maxValues, SenderFilter filter, IPacketReceiver receiver)
 {
     private readonly PacketScanner _scanner = new(maxValues);
@@ -13,22 +13,23 @@ internal sealed class RecordedEventParser(int maxValues, SenderFilter filter, IP
     private readonly Parser?[] _parsers = new Parser?[2];
     private UdpServers _servers = new();
 
-    // The recording's, so that it is told as it was then who was silent, at any speed.
+    // The time of the recording. Silent senders are therefore detected as they were then, at any speed.
     private long _clock;
 
     public bool IsOpen => _parsers[0] is not null || _parsers[1] is not null;
 
-    // Of the newest arrival.
+    // The connection of the last event.
     public int Connection { get; private set; }
 
-    // Whether an arrival belongs to a connection that is open.
+    // Whether an event belongs to an open connection.
     public bool Continues(in RecordedEvent recorded) => ParserOf(recorded) is { } parser && parser.Connection == recorded.Connection;
 
-    // Whether a connection that is open must have ended before an arrival.
+    // Whether an event implies that an open connection has ended.
     public bool Ends(in RecordedEvent recorded) =>
         recorded.Kind is RecordedEventKind.Opened or RecordedEventKind.Bytes && ParserOf(recorded) is { } parser && parser.Connection != recorded.Connection;
 
-    // One whose beginning is not there is joined late: nobody knows whether its first bytes begin anything. Over UDP each sender's first datagram tells.
+    // A connection without its beginning is joined late, because its first bytes may be the middle of a packet. Over UDP, the first datagram of
+    // each sender shows whether it starts a packet.
     public void Open(in RecordedEvent recorded)
     {
         Close(ParserOf(recorded));
@@ -46,7 +47,7 @@ internal sealed class RecordedEventParser(int maxValues, SenderFilter filter, IP
         _parsers[PlaceOf(recorded)] = parser;
     }
 
-    // True when a connection stands that did not before.
+    // Returns true if the event opened a connection.
     public bool Follow(in RecordedEvent recorded, long timestamp)
     {
         _clock = ToClock(recorded.Time);
@@ -64,7 +65,7 @@ internal sealed class RecordedEventParser(int maxValues, SenderFilter filter, IP
         return isNew;
     }
 
-    // Over UDP no packet is waited for when the port is closed, and nothing is said to be incomplete.
+    // Over UDP, closing the port does not wait for further packets and does not report incomplete ones.
     public void Close(TimeSpan? end = null)
     {
         if (end is { } time)
@@ -75,7 +76,7 @@ internal sealed class RecordedEventParser(int maxValues, SenderFilter filter, IP
         _servers = new UdpServers();
     }
 
-    // Datagrams do not wait any longer to be told whose they are.
+    // Ends the wait of datagrams for their sender to be identified.
     public void Settle()
     {
         foreach (Parser? parser in _parsers)
@@ -88,7 +89,7 @@ internal sealed class RecordedEventParser(int maxValues, SenderFilter filter, IP
 
     private Parser? ParserOf(in RecordedEvent recorded) => _parsers[PlaceOf(recorded)];
 
-    // What follows a loss continues nothing. That a datagram is missing shows in the one that follows it.
+    // Bytes after a loss do not continue a packet. The datagram after a missing one reveals the gap.
     private void Push(Parser parser, in RecordedEvent recorded, long timestamp)
     {
         Connection = recorded.Connection;

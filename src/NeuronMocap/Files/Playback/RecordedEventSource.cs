@@ -4,34 +4,34 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Recording;
 
-// What a file holds of a stream, in the order in which it happened. One thread at a time.
+// Reads the events of a recorded stream, in order. Not thread-safe.
 internal abstract class RecordedEventSource(string path) : IDisposable
 {
     public string FileName => Path.GetFileName(path);
 
     public string FilePath => path;
 
-    // When the end comes: never before the last arrival.
+    // The time of the end, never before the last event.
     public abstract TimeSpan Duration { get; }
 
-    // What the recording says about its frames; null where it does not.
+    // The format of the frames according to the recording; null if unknown.
     public virtual RotationOrder? RotationOrder => null;
 
     public virtual SkeletonVariant? SkeletonVariant => null;
 
     public virtual int MaxValues => ProtocolConstants.DefaultMaxValues;
 
-    // What it is, its first bytes tell.
+    // The first bytes of the file determine its kind.
     public static RecordedEventSource Open(string path, PlaybackOptions options)
     {
-        // Others may be writing it.
+        // Another program may still be writing the file.
         var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 1);
         try
         {
             if (!RecordingReader.IsRecording(file))
                 return RawDumpSource.Open(path, file, options);
             if (options.FrameRate is not null)
-                throw new ArgumentException("FrameRate is for raw dumps; this recording knows when each byte came.", nameof(options));
+                throw new ArgumentException("FrameRate applies only to raw dumps; a recording contains the time of each byte.", nameof(options));
 
             return new RecordedStreamSource(path, RecordingReader.Open(file));
         }
@@ -49,10 +49,10 @@ internal abstract class RecordedEventSource(string path) : IDisposable
         return format;
     }
 
-    // The next arrival; at the end, and ever after, ArrivalKind.End.
+    // Returns the next event. At the end, every further call returns RecordedEventKind.End.
     public abstract RecordedEvent Read();
 
-    // Goes on at a place at or before a time, from which on arrivals can be read; zero for the very start. True when it is the start.
+    // Continues at a position at or before a time from which events can be read; zero is the start. Returns true at the start.
     public abstract bool Seek(TimeSpan time);
 
     public abstract void Dispose();

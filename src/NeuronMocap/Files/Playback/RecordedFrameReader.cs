@@ -7,15 +7,20 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Recording;
 
 /// <summary>
-/// Reads the frames of a file one after the other, without a reader and without threads: of a recording, or of a raw dump of a stream's bytes,
-/// whichever the file's first bytes say it is. Frames, skipped bytes and losses are those of a <see cref="NeuronReader"/> that receives the same bytes.
-/// <para>
-/// Not thread-safe. Memory does not grow with the file, but for a raw dump, which is read once when it is opened, by 16 bytes for each packet.
-/// </para>
+/// Reads the frames of a recording or a raw dump one after the other, without a <see cref="NeuronReader"/> and without threads. Not thread-safe.
 /// </summary>
+/// <remarks>
+/// <para>
+/// The first bytes of the file determine its kind. Frames, skipped bytes and losses are those of a <see cref="NeuronReader"/> that receives the
+/// same bytes.
+/// </para>
+/// <para>
+/// The memory does not grow with a recording. A raw dump is read once when it is opened and needs 16 bytes for each packet.
+/// </para>
+/// </remarks>
 public sealed class RecordedFrameReader : IDisposable
 {
-    // Counters take 0 for "never"; times begin one tick later.
+    // Counters use 0 for "never". Times therefore begin at one tick.
     private const long FirstTimestamp = 1;
 
     private readonly RecordedEventSource _source;
@@ -38,59 +43,65 @@ public sealed class RecordedFrameReader : IDisposable
     public string FileName => _source.FileName;
 
     /// <summary>
-    /// How long the stream was recorded; of a raw dump, how long its frames take at their rate.
+    /// Duration of the recorded stream. For a raw dump, the duration of its frames at their rate.
     /// </summary>
     public TimeSpan Duration => _source.Duration;
 
     /// <summary>
     /// The frame that <see cref="Read"/> found: a <see cref="MotionFrame"/>, a <see cref="CalculationFrame"/> or a
-    /// <see cref="StudioCalculationFrame"/>. Valid until the next call, after which its members throw; <c>Clone</c> makes one to keep. Its <see cref="AvatarFrame.Timestamp"/> counts from
-    /// the start of the file, its age has no meaning.
+    /// <see cref="StudioCalculationFrame"/>.
     /// </summary>
-    /// <exception cref="InvalidOperationException">There is none: nothing was read, or the end was.</exception>
+    /// <remarks>
+    /// The frame is valid until the next call; after that, its members throw. Use <c>Clone</c> to keep it. Its <see cref="AvatarFrame.Timestamp"/>
+    /// is relative to the start of the file, and its age has no meaning.
+    /// </remarks>
+    /// <exception cref="InvalidOperationException">There is no frame, because <see cref="Read"/> was not called or reached the end.</exception>
     public AvatarFrame Frame => _frame ?? throw new InvalidOperationException("No frame is available: Read was not called, or it reached the end.");
 
-    /// <summary>When the bytes that completed the frame arrived, since the recording's start.</summary>
+    /// <summary>The receive time of the bytes that completed the frame, since the start of the recording.</summary>
     public TimeSpan Time { get; private set; }
 
-    /// <summary>Number of the connection that the frame came over, from 0.</summary>
+    /// <summary>Number of the frame's connection, from 0.</summary>
     public int Connection { get; private set; }
 
     /// <summary>
-    /// What was read so far, as a <see cref="NeuronReader"/> would have it of the same bytes. All that the file holds, once <see cref="Read"/> was false.
+    /// Gets the statistics of the data read so far. They equal those of a <see cref="NeuronReader"/> that receives the same bytes. After
+    /// <see cref="Read"/> returns false, they cover the whole file.
     /// </summary>
     /// <returns>A snapshot.</returns>
     public ReaderStatistics GetStatistics() => _counters.Snapshot();
 
-    /// <summary>What was read so far of each avatar, in the order in which they appeared; at most 1024.</summary>
+    /// <summary>Gets the statistics of each avatar in the data read so far, in order of appearance; at most 1024.</summary>
     /// <returns>A snapshot.</returns>
     public IReadOnlyList<AvatarStatistics> GetAvatarStatistics() => [.. _counters.Trackers.Select(static tracker => tracker.Snapshot)];
 
-    /// <summary>Skipped bytes of one reason.</summary>
-    /// <param name="reason">Why they were skipped.</param>
-    /// <returns>Bytes so far.</returns>
+    /// <summary>Gets the number of bytes skipped for one reason.</summary>
+    /// <param name="reason">The reason.</param>
+    /// <returns>The number of bytes so far.</returns>
     public long GetSkipped(SkipReason reason) => _counters.GetSkipped(reason);
 
-    // Of a raw dump, whose times are made of it; null where times were recorded.
+    // The rate of a raw dump, from which its times are computed; null if times were recorded.
     internal double? EvenRate => (_source as RawDumpSource)?.FrameRate;
 
     /// <summary>Opens a file.</summary>
-    /// <param name="path">A recording (<c>.nmrec</c>), or the bytes of a stream as they came off the wire. Which one it is, its first bytes tell, not its name.</param>
-    /// <param name="options">How to read it; null for what the file says.</param>
-    /// <returns>A reader that stands before the first frame.</returns>
-    /// <exception cref="PlaybackException">The file is neither.</exception>
-    /// <exception cref="NeuronException">It is a recording that cannot be read.</exception>
+    /// <param name="path">
+    /// The path of a recording (<c>.nmrec</c>), or of the received bytes of a stream. The first bytes determine the kind of the file, not its name.
+    /// </param>
+    /// <param name="options">The options; null to use the values of the file.</param>
+    /// <returns>A reader before the first frame.</returns>
+    /// <exception cref="PlaybackException">The file is neither a recording nor a dump of a stream.</exception>
+    /// <exception cref="NeuronException">The file is a recording that cannot be read.</exception>
     /// <exception cref="IOException">The file cannot be opened or read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be read.</exception>
-    /// <exception cref="ArgumentException">An option is out of its range, or has no meaning for this file.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the file.</exception>
+    /// <exception cref="ArgumentException">An option is out of range, or has no meaning for this file.</exception>
     public static RecordedFrameReader Open(string path, PlaybackOptions? options = null)
     {
         PlaybackOptions copy = PlaybackOptions.CopyChecked(options);
         return new RecordedFrameReader(RecordedEventSource.Open(path, copy), copy);
     }
 
-    /// <summary>Goes on to the next frame.</summary>
-    /// <returns>False when there is none.</returns>
+    /// <summary>Reads the next frame.</summary>
+    /// <returns>True if a frame was read; false at the end.</returns>
     /// <exception cref="IOException">The file cannot be read.</exception>
     public bool Read()
     {
@@ -106,7 +117,7 @@ public sealed class RecordedFrameReader : IDisposable
             Time = recorded.Time;
             if (recorded.Kind == RecordedEventKind.End)
             {
-                // What waited to be told whose it is comes out now.
+                // Datagrams that wait for their sender to be identified are processed now.
                 _hasEnded = true;
                 _parser.Close(recorded.Time);
                 continue;

@@ -5,13 +5,13 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Recording;
 
-// A recording as the stream that it holds. A file that continues another one begins with its own first bytes, not with the time of all before it.
+// Reads the stream of a recording. A file that continues another one starts with its own first bytes, not after the time of the earlier files.
 internal sealed class RecordedStreamSource : RecordedEventSource
 {
-    // What a reader's options allow.
+    // The maximum that the options of a reader allow.
     private const int MaxValuesOfReader = 1_000_000;
 
-    // Addresses of senders that the file does not tell. A reader has 64 senders at a time.
+    // Maximum number of substitutes for sender addresses that are missing from the file. A reader has 64 senders at a time.
     private const int MaxInventedAddresses = 1024;
 
     private readonly RecordingReader _reader;
@@ -75,7 +75,7 @@ internal sealed class RecordedStreamSource : RecordedEventSource
 
     public override bool Seek(TimeSpan time)
     {
-        // What is open there is told anew.
+        // The reader repeats the open connections and senders of the new position.
         _connections.Clear();
         _senders.Clear();
         _reader.Seek(time + _origin);
@@ -84,7 +84,7 @@ internal sealed class RecordedStreamSource : RecordedEventSource
 
     public override void Dispose() => _reader.Dispose();
 
-    // Within the recording, also where its last block tells of an earlier end than its entries do.
+    // Limits the time to the duration, even if the last block declares an earlier end than the entries show.
     private TimeSpan TimeOf(in RecordingEntry entry)
     {
         TimeSpan time = entry.Time > _origin ? entry.Time - _origin : TimeSpan.Zero;
@@ -111,7 +111,8 @@ internal sealed class RecordedStreamSource : RecordedEventSource
         return new(kind, time) { Connection = connection, Transport = known?.Transport ?? TransportKind.Tcp, IsCalculation = known?.IsCalculation ?? false };
     }
 
-    // Where the file is damaged, a sender's address may be missing; its datagrams are still its own. A file cannot make up any number of them.
+    // In a damaged file, the address of a sender may be missing. Its datagrams still receive an address of their own. The limit bounds the memory
+    // for a hostile file.
     private SocketAddress FindSender(int connection, int sender)
     {
         if (SendersOf(connection).TryGetValue(sender, out SocketAddress? address))

@@ -5,26 +5,34 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Recording;
 
 /// <summary>
-/// Plays what a file holds of a stream to a <see cref="NeuronReader"/>, as if it arrived from the network now: a recording, or a raw dump of a stream's
-/// bytes, whichever the file's first bytes say it is. The same bytes go the same way in the same pieces, so that the reader's frames, statistics
-/// and states are those of the reader that recorded; see docs/guide/playback.md.
-/// <para>
-/// Open one, make a reader with <see cref="NeuronReader(RecordingPlayer, NeuronReaderOptions?)"/>, start it. The player belongs to that reader, which does
-/// not dispose of it. All members may be called from any thread, from handlers of the reader too, and none waits for the playback: a
-/// change counts from the next piece on, and a handler that runs meanwhile may still be at the one before.
-/// </para>
-/// <para>
-/// At a speed, each piece is handed out at its time: <see cref="AvatarFrame.Timestamp"/> is that instant, also where a handler
-/// held the playback up. What is late by more than a second puts off what follows. At <see cref="MaxSpeed"/> pieces follow each other without a wait and timestamps count on as recorded, ahead of
-/// the clock, so that rates are those of the recording. Timestamps never go back.
-/// </para>
+/// Plays a recording, or a raw dump of the bytes of a stream, to a <see cref="NeuronReader"/> as if the data arrived from the network now.
+/// Thread-safe.
 /// </summary>
+/// <remarks>
+/// <para>
+/// The first bytes of the file determine its kind. The same bytes are processed in the same pieces. Frames, statistics and states are therefore
+/// those of the reader that recorded; see docs/guide/playback.md.
+/// </para>
+/// <para>
+/// Open a player, create a reader with <see cref="NeuronReader(RecordingPlayer, NeuronReaderOptions?)"/>, and start the reader. The player belongs
+/// to that reader, which does not dispose it. All members may also be called from handlers of the reader. They do not wait for the playback: a
+/// change applies from the next piece on. A handler that is running may still process the previous piece.
+/// </para>
+/// <para>
+/// At a finite speed, each piece is delivered at its time. <see cref="AvatarFrame.Timestamp"/> is that instant, even if a handler delayed the
+/// playback. A delay of more than a second also delays everything that follows.
+/// </para>
+/// <para>
+/// At <see cref="MaxSpeed"/>, pieces follow each other without a wait. Timestamps then advance as recorded, ahead of the clock, and rates are those
+/// of the recording. Timestamps never decrease.
+/// </para>
+/// </remarks>
 public sealed class RecordingPlayer : IDisposable
 {
-    /// <summary>The <see cref="Speed"/> that means: as fast as handlers and queues take it.</summary>
+    /// <summary>The <see cref="Speed"/> that plays as fast as handlers and queues allow.</summary>
     public const double MaxSpeed = double.PositiveInfinity;
 
-    /// <summary>The <see cref="Passes"/> that means: again and again, without end.</summary>
+    /// <summary>The value of <see cref="Passes"/> that repeats the recording without end.</summary>
     public const int Endless = PlaybackControl.Endless;
 
     private readonly RecordedEventSource _source;
@@ -42,27 +50,29 @@ public sealed class RecordingPlayer : IDisposable
         Options = options;
     }
 
-    /// <summary>Called when the last pass is over, on the playback's thread, before the reader's status says so.</summary>
+    /// <summary>Occurs when the last pass has ended, on the playback's thread, before the reader's status changes.</summary>
     public event Action? Completed;
 
     /// <summary>Name of the file, without its folder.</summary>
     public string FileName => _source.FileName;
 
-    /// <summary>How long one pass takes at speed 1.</summary>
+    /// <summary>Duration of one pass at speed 1.</summary>
     public TimeSpan Duration => _source.Duration;
 
-    /// <summary>Where the playback stands in the recording, from zero to <see cref="Duration"/>. To change it: <see cref="Seek"/>.</summary>
+    /// <summary>The position in the recording, from zero to <see cref="Duration"/>. Use <see cref="Seek"/> to change it.</summary>
     public TimeSpan Position => _control.Position;
 
-    /// <summary>How many times as fast as it was recorded: 0.01 to 100, or <see cref="MaxSpeed"/>. 1 unless set; also while it plays.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is outside its range.</exception>
+    /// <summary>
+    /// The speed relative to the recording: 0.01 to 100, or <see cref="MaxSpeed"/>. The default is 1. It can be changed during playback.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is out of range.</exception>
     public double Speed
     {
         get => _control.Speed;
         set
         {
             if (value is not ((>= 0.01 and <= 100) or MaxSpeed))
-                throw new ArgumentOutOfRangeException(nameof(value), value, "The speed is 0.01 to 100, or MaxSpeed.");
+                throw new ArgumentOutOfRangeException(nameof(value), value, "The speed must be 0.01 to 100, or MaxSpeed.");
 
             _control.Speed = value;
             _isPaced = !double.IsPositiveInfinity(value);
@@ -70,8 +80,8 @@ public sealed class RecordingPlayer : IDisposable
     }
 
     /// <summary>
-    /// How many times the recording is played in all, 1 or more, or <see cref="Endless"/>. 1 unless set; also while it plays. Each pass begins with a
-    /// new connection.
+    /// The number of times that the recording is played: 1 or more, or <see cref="Endless"/>. The default is 1. It can be changed during playback.
+    /// Each pass begins with a new connection.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is less than 1.</exception>
     public int Passes
@@ -80,89 +90,101 @@ public sealed class RecordingPlayer : IDisposable
         set
         {
             if (value < 1)
-                throw new ArgumentOutOfRangeException(nameof(value), value, "A recording is played once at least.");
+                throw new ArgumentOutOfRangeException(nameof(value), value, "The number of passes must be at least 1.");
 
             _control.Passes = value;
         }
     }
 
-    /// <summary>Which pass it is, from 1.</summary>
+    /// <summary>The number of the current pass, from 1.</summary>
     public int Pass => _control.Pass;
 
     /// <summary>Whether the playback is paused.</summary>
     public bool IsPaused => _control.IsPaused;
 
     /// <summary>
-    /// Whether at <see cref="MaxSpeed"/> the playback waits for queues that are full, so that whoever pumps one, or awaits frames, gets them all. True unless set.
-    /// A queue that nobody pumps then stops the playback: dispose of it. Without, and at any other speed, frames that find a queue full are
-    /// dropped and counted, as those of a live stream.
+    /// Whether the playback at <see cref="MaxSpeed"/> waits for full queues, so that consumers receive all frames. The default is true.
     /// </summary>
+    /// <remarks>
+    /// A queue that is never emptied then stops the playback: dispose such a queue. If false, and at any other speed, frames that do not fit into a
+    /// queue are dropped and counted, as with a live stream.
+    /// </remarks>
     public bool WaitForQueues
     {
         get => _waitsForQueues;
         set => _waitsForQueues = value;
     }
 
-    // What status messages call it.
+    // The name in status messages.
     internal string Target => _file.Target;
 
     internal PlaybackOptions Options { get; }
 
     /// <summary>Opens a file.</summary>
-    /// <param name="path">A recording (<c>.nmrec</c>), or the bytes of a stream as they came off the wire. Which one it is, its first bytes tell, not its name.</param>
-    /// <param name="options">How to read it; null for what the file says.</param>
-    /// <returns>A player that stands at the start and does nothing until its reader is started.</returns>
-    /// <exception cref="PlaybackException">The file is neither.</exception>
-    /// <exception cref="NeuronException">It is a recording that cannot be read.</exception>
+    /// <param name="path">
+    /// The path of a recording (<c>.nmrec</c>), or of the received bytes of a stream. The first bytes determine the kind of the file, not its name.
+    /// </param>
+    /// <param name="options">The options; null to use the values of the file.</param>
+    /// <returns>A player at the start of the recording. It does nothing until its reader is started.</returns>
+    /// <exception cref="PlaybackException">The file is neither a recording nor a dump of a stream.</exception>
+    /// <exception cref="NeuronException">The file is a recording that cannot be read.</exception>
     /// <exception cref="IOException">The file cannot be opened or read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be read.</exception>
-    /// <exception cref="ArgumentException">An option is out of its range, or has no meaning for this file.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the file.</exception>
+    /// <exception cref="ArgumentException">An option is out of range, or has no meaning for this file.</exception>
     public static RecordingPlayer Open(string path, PlaybackOptions? options = null)
     {
         PlaybackOptions copy = PlaybackOptions.CopyChecked(options);
         return new RecordingPlayer(RecordedEventSource.Open(path, copy), copy);
     }
 
-    /// <summary>Stops before the next piece; also before the reader is started. Pausing again does nothing.</summary>
+    /// <summary>Pauses before the next piece. It can be called before the reader is started. Further calls have no effect.</summary>
     public void Pause() => _control.Pause();
 
-    /// <summary>Goes on from where it was paused.</summary>
+    /// <summary>Continues after a pause.</summary>
     public void Resume() => _control.Resume();
 
     /// <summary>
-    /// Pauses, and hands out the next frame of any avatar. Several calls hand out several. At the end of the recording nothing happens. Over UDP the
-    /// smallest step is a datagram, which may hold several frames.
+    /// Pauses, and delivers the next frame of any avatar. Each further call delivers one more frame. At the end of the recording, this has no
+    /// effect. Over UDP, the smallest step is a datagram, which may contain several frames.
     /// </summary>
     public void Step() => _control.Step();
 
     /// <summary>
-    /// Pauses, goes back and hands out the frame before the one that was handed out last; at the start, the first one again. For the reader that is a
-    /// jump, as <see cref="Seek"/> is.
+    /// Pauses, and delivers the frame before the last delivered one; at the start, the first frame again. For the reader, this is a jump like
+    /// <see cref="Seek"/>.
     /// </summary>
     public void StepBack() => _control.StepBack();
 
     /// <summary>
-    /// Goes on at another place, in either direction, paused or not. Parsers begin anew: what precedes the place is read silently to find where a packet begins, and the first
-    /// frame is the first whose last byte was recorded at that time or later. The reader's statistics go on, with a reconnect more, and no frame counts as lost
-    /// between the places. Over UDP, senders are numbered anew.
+    /// Moves to another position, in either direction, paused or not.
     /// </summary>
-    /// <param name="position">Time since the start; what lies outside the recording is its start or end.</param>
+    /// <remarks>
+    /// <para>
+    /// Parsers start again. The data before the position is read silently to find where a packet begins. The first delivered frame is the first one
+    /// whose last byte was recorded at that time or later.
+    /// </para>
+    /// <para>
+    /// The statistics of the reader continue and count one more reconnect. Frames between the positions do not count as lost. Over UDP, senders
+    /// receive new numbers.
+    /// </para>
+    /// </remarks>
+    /// <param name="position">The time since the start. A value outside the recording means its start or end.</param>
     public void Seek(TimeSpan position) =>
         _control.Seek(position < TimeSpan.Zero ? TimeSpan.Zero : position < Duration ? position : Duration);
 
-    /// <summary>Closes the file. The reader stops, if it has not; within milliseconds, whatever the playback waits for.</summary>
+    /// <summary>Closes the file. If the reader is running, it stops within milliseconds, even while the playback waits.</summary>
     public void Dispose()
     {
         _file.Close();
         _control.End();
     }
 
-    // Once: returns what makes the reader's links.
+    // Called once. Returns the factory of the reader's links.
     internal Func<Link> Attach(SenderFilter filter, Action<Exception> callbackFailed)
     {
         ObjectDisposedException.ThrowIf(_file.IsClosed, this);
         if (Interlocked.Exchange(ref _readers, 1) != 0)
-            throw new InvalidOperationException("The player has a reader; open the file once for each.");
+            throw new InvalidOperationException("The player already has a reader; open the file again for another reader.");
 
         var feed = new PlaybackFeed(_source, filter, Options.MaxValues ?? _source.MaxValues);
         var run = new PlaybackRun(_file, _control, feed, () => Complete(callbackFailed));

@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Recording;
 
-// Windows wakes threads every 15.6 ms unless a program asks for more; the other systems always do so to the millisecond or better.
+// Windows wakes threads every 15.6 ms unless a program requests a higher resolution. Other systems always wake threads within a millisecond.
 internal readonly struct TimerResolution : IDisposable
 {
     private const uint Milliseconds = 1;

@@ -3,12 +3,12 @@ using System.IO.Compression;
 
 namespace NeuronMocap.Recording;
 
-// A payload as a Deflate stream behind its length. A block that does not become smaller stays as it is.
+// Packs a payload as its length and a Deflate stream. A block that would not become smaller stays as it is.
 internal sealed class BlockCompression : IDisposable
 {
     private readonly MemoryStream _packed = new();
 
-    // The packed payload lies behind room for a block's header, in this object's memory, and is valid until the next call.
+    // The packed payload follows space reserved for a block header. It is in this object's memory and valid until the next call.
     public bool TryPack(ReadOnlySpan<byte> payload, out Span<byte> block)
     {
         Span<byte> length = stackalloc byte[sizeof(int)];
@@ -25,7 +25,7 @@ internal sealed class BlockCompression : IDisposable
 
     public void Dispose() => _packed.Dispose();
 
-    // False when it is no Deflate stream of exactly the length that it announces.
+    // Returns false if the payload is not a Deflate stream of exactly the declared length.
     public static bool TryUnpack(byte[] packed, int start, int count, ref byte[] buffer, out int length)
     {
         length = 0;

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-// Finds the blocks of a file, those behind damaged places too, and reads them. Memory: one block, as it lies in the file and unpacked.
+// Finds and reads the blocks of a file, including those after damaged sections. It holds one block in memory, both as stored and unpacked.
 internal sealed class BlockFile
 {
     private const int MinCapacity = 4096;
@@ -21,10 +21,10 @@ internal sealed class BlockFile
 
     public RecordingHeader Header { get; }
 
-    // When it was opened. What is written later is not looked at.
+    // The length when the file was opened. Data written later is not read.
     public long Length { get; }
 
-    // The next block at or behind a place, with where it is; -1 when there is none. Its payload lies in the file, and has not been checked.
+    // Finds the next block at or after an offset and returns its offset; -1 if there is none. The payload is within the file but not checked.
     public long Find(long offset, out BlockHeader header)
     {
         if (TryReadHeader(offset, out header))
@@ -36,7 +36,7 @@ internal sealed class BlockFile
             if (window.Length < RecordingLayout.BlockHeaderSize)
                 return -1;
 
-            // A marker next to the end of the window is looked at once more from there.
+            // If a marker is too near to the end of the window, the search repeats from there.
             int start = 0;
             int found;
             while ((found = window[start..].IndexOf(BlockHeader.Marker)) >= 0 && window.Length - start - found >= RecordingLayout.BlockHeaderSize)
@@ -60,7 +60,7 @@ internal sealed class BlockFile
             && Fill(offset, bytes) == bytes.Length && IsBlock(bytes, offset, out header);
     }
 
-    // False when the payload is damaged. It lies in this object's memory and is valid until the next call.
+    // Returns false if the payload is damaged. The payload is in this object's memory and valid until the next call.
     public bool TryReadPayload(long offset, in BlockHeader header, out ArraySegment<byte> payload)
     {
         payload = default;

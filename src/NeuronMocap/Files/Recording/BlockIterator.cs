@@ -1,7 +1,7 @@
 namespace NeuronMocap.Recording;
 
-// Reads the whole blocks of a file one after the other, in the order of their numbers. As long as these follow each other in the file, nothing is
-// kept of it. At the first that does not, all are looked up once.
+// Reads the whole blocks of a file in the order of their numbers. As long as the file has this order, no positions are kept. At the first block out
+// of order, the positions of all blocks are looked up once.
 internal sealed class BlockIterator(BlockFile file, RecordingProblems problems, int maxBlocks = BlockOrder.MaxBlocks)
 {
     private readonly BlockSearch _search = new(file, problems);
@@ -9,10 +9,10 @@ internal sealed class BlockIterator(BlockFile file, RecordingProblems problems, 
     private bool _isOrderTried;
     private int _next;
 
-    // Null where nobody knows: after a jump.
+    // Null when the next number is unknown, after a jump.
     private uint? _sequence = 0;
 
-    // Bytes before the block that was read last which could not be read, and whether anything is missing there.
+    // Number of unreadable bytes before the last block, and whether anything is missing there.
     public long DamagedBytes { get; private set; }
 
     public bool IsBroken { get; private set; }
@@ -21,7 +21,7 @@ internal sealed class BlockIterator(BlockFile file, RecordingProblems problems, 
 
     public BlockHeader Header { get; private set; }
 
-    // To the last checkpoint before a time; the index says where that should be.
+    // Moves to the last checkpoint before a time. The index supplies the expected offset.
     public void MoveTo(long time, long place)
     {
         bool isIndexRight = place == RecordingLayout.FileHeaderSize
@@ -41,7 +41,7 @@ internal sealed class BlockIterator(BlockFile file, RecordingProblems problems, 
         _sequence = place == RecordingLayout.FileHeaderSize ? 0 : null;
     }
 
-    // False at the end. What was broken stays so until it is forgotten.
+    // Returns false at the end. Damage accumulates until ForgetBreak is called.
     public bool TryRead(out ArraySegment<byte> payload)
     {
         while (_order is null)
@@ -57,7 +57,7 @@ internal sealed class BlockIterator(BlockFile file, RecordingProblems problems, 
             Break(_search.DamagedBytes);
             if (!isWhole)
             {
-                // A number that is known is still part of the order.
+                // A damaged block with the expected number still takes its place in the order.
                 if (_sequence == header.Sequence)
                     _sequence++;
 
@@ -70,7 +70,7 @@ internal sealed class BlockIterator(BlockFile file, RecordingProblems problems, 
             bool isInOrder = IsInOrder(offset, header, isBehindDamage);
             _search.PassWhole(offset, header);
 
-            // The look-up reads other blocks into the same memory.
+            // The lookup reads other blocks into the same memory.
             if (!isInOrder || (!wasTried && _isOrderTried && !file.TryReadPayload(offset, header, out payload)))
                 continue;
 
@@ -110,7 +110,7 @@ internal sealed class BlockIterator(BlockFile file, RecordingProblems problems, 
         return false;
     }
 
-    // False where the block is not to be read now: it is passed over, or all blocks have been looked up.
+    // Returns false if the block is not to be read now: it is skipped, or the order of all blocks has been looked up.
     private bool IsInOrder(long offset, in BlockHeader header, bool isBehindDamage)
     {
         if (_sequence is not { } sequence || header.Sequence == sequence || (isBehindDamage && header.Sequence > sequence))
@@ -126,7 +126,7 @@ internal sealed class BlockIterator(BlockFile file, RecordingProblems problems, 
         if (header.Sequence < sequence)
         {
             if (!problems.IsFull)
-                problems.Add(offset, 0, $"Block {header.Sequence} stands behind block {sequence - 1}; it is passed over.");
+                problems.Add(offset, 0, $"Block {header.Sequence} follows block {sequence - 1}; it is skipped.");
             return false;
         }
 

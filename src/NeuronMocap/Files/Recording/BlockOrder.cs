@@ -1,9 +1,9 @@
 namespace NeuronMocap.Recording;
 
-// Where the blocks of a file are, in the order of their numbers: of a file whose blocks are not all there, or not in the order in which they were written.
+// The positions of the blocks in the order of their numbers, for a file with missing blocks or with blocks out of order.
 internal sealed class BlockOrder
 {
-    // 32 bytes each. Four gigabytes of a busy stream, or half a day of a quiet one.
+    // Each position has 32 bytes. The limit covers four gigabytes of a busy stream, or half a day of a quiet one.
     public const int MaxBlocks = 64 * 1024;
 
     private readonly List<BlockPosition> _places;
@@ -14,7 +14,7 @@ internal sealed class BlockOrder
 
     public BlockPosition this[int index] => _places[index];
 
-    // Null where the file has too many. Tells what is missing, twice there, displaced or damaged.
+    // Returns null if the file has too many blocks. Reports missing, duplicate, displaced and damaged blocks.
     public static BlockOrder? TryRead(BlockFile file, RecordingProblems problems, int maxBlocks)
     {
         List<BlockPosition> places = [];
@@ -36,17 +36,17 @@ internal sealed class BlockOrder
         return new BlockOrder(places);
     }
 
-    // The first block with this number or a higher one.
+    // Finds the first block with this number or a higher one.
     public int Find(uint sequence)
     {
         int index = _places.FindIndex(place => place.Sequence >= sequence);
         return index >= 0 ? index : _places.Count;
     }
 
-    // The last checkpoint before a time, or else the first block.
+    // Finds the last checkpoint before a time, or else the first block.
     public int FindTime(long time) => Math.Max(0, _places.FindLastIndex(place => place.IsCheckpoint && place.Time < time));
 
-    // In the order of the file.
+    // The blocks are in the order of the file.
     private static void ReportDisplaced(List<BlockPosition> places, RecordingProblems problems)
     {
         uint highest = 0;
@@ -54,7 +54,7 @@ internal sealed class BlockOrder
         foreach (BlockPosition place in places)
         {
             if (seen.Add(place.Sequence) && place.Sequence < highest && !problems.IsFull)
-                problems.Add(place.Offset, 0, $"Block {place.Sequence} stands behind block {highest}; it is read where it belongs.");
+                problems.Add(place.Offset, 0, $"Block {place.Sequence} follows block {highest}; it is read in its proper place.");
 
             highest = Math.Max(highest, place.Sequence);
         }
@@ -68,7 +68,7 @@ internal sealed class BlockOrder
             BlockPosition place = places[i];
             bool isDoubled = kept > 0 && places[kept - 1].Sequence == place.Sequence;
             if (isDoubled && !problems.IsFull)
-                problems.Add(place.Offset, 0, $"Block {place.Sequence} is there twice; the second one is passed over.");
+                problems.Add(place.Offset, 0, $"Block {place.Sequence} exists twice; the second one is skipped.");
             if (!isDoubled)
                 places[kept++] = place;
         }
@@ -76,7 +76,7 @@ internal sealed class BlockOrder
         places.RemoveRange(kept, places.Count - kept);
     }
 
-    // Not what a damaged place explains.
+    // A gap after a damaged section is not reported again.
     private static void ReportMissing(List<BlockPosition> places, RecordingProblems problems)
     {
         uint expected = 0;

@@ -1,17 +1,17 @@
 namespace NeuronMocap.Recording;
 
-// Goes through a file block by block, past damaged places, which it tells of.
+// Goes through a file block by block. It skips and reports damaged sections.
 internal sealed class BlockSearch(BlockFile file, RecordingProblems problems)
 {
     public const string DamagedBlock = "A block is damaged: its checksum is wrong.";
 
-    // A file that is made of headers in front of wrong payloads does not make its reader check each byte thousands of times.
+    // Limits the work for a file that consists of headers with wrong payloads. Otherwise each byte could be checked thousands of times.
     private const long MaxLookedInto = 16 * RecordingLayout.MaxPayload;
 
     private long _place = RecordingLayout.FileHeaderSize;
     private long _lookedInto;
 
-    // Bytes before the block that was found last which could not be read.
+    // Number of unreadable bytes before the last block found.
     public long DamagedBytes { get; private set; }
 
     public bool IsBehindDamage => DamagedBytes > 0;
@@ -22,7 +22,7 @@ internal sealed class BlockSearch(BlockFile file, RecordingProblems problems)
         DamagedBytes = 0;
     }
 
-    // Its payload has not been checked.
+    // The payload has not been checked.
     public bool TryFind(out long offset, out BlockHeader header)
     {
         offset = file.Find(_place, out header);
@@ -35,7 +35,8 @@ internal sealed class BlockSearch(BlockFile file, RecordingProblems problems)
         return offset >= 0;
     }
 
-    // Goes on behind the block. Where no block follows, the bytes of this one may be incomplete, and the next begin anywhere in it: then it is damaged.
+    // Continues after the block. If no block follows there, this block may be incomplete, and the next one may begin anywhere within it. The
+    // payload then decides whether the block is damaged.
     public void Pass(long offset, in BlockHeader header)
     {
         DamagedBytes = 0;

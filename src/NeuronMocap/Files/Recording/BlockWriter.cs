@@ -1,7 +1,7 @@
 namespace NeuronMocap.Recording;
 
-// Writes a file block by block, behind its header. Header and payload of a block in one write: what a killed process leaves are whole blocks. Once the
-// stream has failed, nothing more is written, and the part of a block that it did take is cut off.
+// Writes the file header and then block by block. One write contains header and payload of a block, so a killed process leaves whole blocks. After
+// a failure of the stream, nothing more is written, and an incomplete block is cut off.
 internal sealed class BlockWriter : IDisposable
 {
     private readonly Stream _stream;
@@ -28,10 +28,10 @@ internal sealed class BlockWriter : IDisposable
 
     public bool HasFailed => _hasFailed;
 
-    // Bytes that the stream has taken.
+    // Number of bytes that the stream has accepted.
     public long Length { get; private set; }
 
-    // The entries, and no longer those of the encoder afterwards.
+    // Writes the entries and clears the encoder.
     public void Write(BlockKind kind, EntryEncoder entries, long time)
     {
         Span<byte> block = entries.Block;
@@ -48,7 +48,7 @@ internal sealed class BlockWriter : IDisposable
         }
     }
 
-    // What stands behind room for a block's header.
+    // The buffer begins with space reserved for a block header.
     public void Write(BlockKind kind, ByteBuffer block, long time) => Write(kind, BlockEncoding.Plain, time, block.Array.AsSpan(0, block.Length));
 
     public void Flush()
@@ -89,7 +89,7 @@ internal sealed class BlockWriter : IDisposable
         }
     }
 
-    // A full disk still lets a file become shorter. The failure itself is what the caller hears of.
+    // A full disk still allows shortening a file. The caller receives the original failure.
     private void CutOff()
     {
         try

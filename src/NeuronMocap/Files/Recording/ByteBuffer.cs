@@ -2,7 +2,7 @@ using System.Text;
 
 namespace NeuronMocap.Recording;
 
-// Bytes that are put together. The memory grows, and stays for what comes next.
+// A buffer for building bytes. The memory grows and is reused.
 internal sealed class ByteBuffer(int capacity)
 {
     private byte[] _bytes = new byte[capacity];
@@ -13,7 +13,7 @@ internal sealed class ByteBuffer(int capacity)
 
     public ReadOnlySpan<byte> Written => _bytes.AsSpan(0, Length);
 
-    // The next bytes, to be filled in by the caller.
+    // Adds bytes for the caller to fill in.
     public Span<byte> Extend(int count)
     {
         Reserve(count);
@@ -25,7 +25,7 @@ internal sealed class ByteBuffer(int capacity)
 
     public void Append(ReadOnlySpan<byte> bytes) => bytes.CopyTo(Extend(bytes.Length));
 
-    // Seven bits a byte, the lowest first; all bytes but the last have the highest bit set.
+    // Seven bits in each byte, the lowest first. All bytes except the last have the highest bit set.
     public void AppendNumber(long value)
     {
         ulong rest = (ulong)value;
@@ -35,7 +35,7 @@ internal sealed class ByteBuffer(int capacity)
         Append((byte)rest);
     }
 
-    // With its length before it, unless it fills what is left anyway.
+    // Writes the length first, unless the text fills the rest of the entry anyway.
     public void AppendText(string text, bool withLength)
     {
         int count = Encoding.UTF8.GetByteCount(text);

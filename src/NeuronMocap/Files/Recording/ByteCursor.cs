@@ -2,7 +2,7 @@ using System.Text;
 
 namespace NeuronMocap.Recording;
 
-// Takes apart what ByteBuffer puts together. Every member answers false when there is less than it needs.
+// Reads the data that ByteBuffer writes. Every Try method returns false if there are too few bytes.
 internal ref struct ByteCursor(ReadOnlySpan<byte> bytes)
 {
     private const int MaxNumberBytes = 9;
@@ -19,7 +19,7 @@ internal ref struct ByteCursor(ReadOnlySpan<byte> bytes)
         return isThere;
     }
 
-    // 0 to long.MaxValue.
+    // The range is 0 to long.MaxValue.
     public bool TryTakeNumber(out long value)
     {
         value = 0;

@@ -6,7 +6,7 @@ namespace NeuronMocap.Recording;
 // CRC-32C (Castagnoli, reflected 0x82F63B78), for which processors have an instruction.
 internal static class Crc32C
 {
-    // The value of no bytes is 0; the value of a text is that of its second part, continued from that of its first.
+    // The checksum of no bytes is 0. The checksum of two parts is that of the second, continued from that of the first.
     public static uint Append(uint crc, ReadOnlySpan<byte> bytes)
     {
         crc = ~crc;

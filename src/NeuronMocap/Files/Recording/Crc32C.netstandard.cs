@@ -2,7 +2,7 @@ using System.Buffers.Binary;
 
 namespace NeuronMocap.Recording;
 
-// CRC-32C (Castagnoli, reflected 0x82F63B78) by tables: eight bytes at a time, each with a table of its own.
+// CRC-32C (Castagnoli, reflected 0x82F63B78) with tables: eight bytes at a time, one table for each byte.
 internal static class Crc32C
 {
     private const uint Polynomial = 0x82F6_3B78;
@@ -11,7 +11,7 @@ internal static class Crc32C
 
     private static readonly uint[] Table = CreateTables();
 
-    // The value of no bytes is 0; the value of a text is that of its second part, continued from that of its first.
+    // The checksum of no bytes is 0. The checksum of two parts is that of the second, continued from that of the first.
     public static uint Append(uint crc, ReadOnlySpan<byte> bytes)
     {
         ReadOnlySpan<uint> table = Table;

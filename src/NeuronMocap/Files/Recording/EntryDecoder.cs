@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-// Takes the entries of one block out of it, one after the other.
+// Decodes the entries of one block, one after the other.
 internal sealed class EntryDecoder
 {
     private byte[] _payload = [];
@@ -11,7 +11,7 @@ internal sealed class EntryDecoder
     private int _sender;
     private int _pieceLength;
 
-    // Bytes that are left of the block.
+    // Number of remaining bytes in the block.
     public int Remaining => _end - _start;
 
     public void Begin(ArraySegment<byte> payload, long time)
@@ -27,10 +27,10 @@ internal sealed class EntryDecoder
 
     public void End() => _start = _end;
 
-    // False at the end of the block, and where it holds what no writer writes; then something remains.
+    // Returns false at the end of the block, or at data that no writer produces. In the second case, bytes remain.
     public bool TryTake(out RecordingEntry entry)
     {
-        // A kind of a later minor version is passed over.
+        // An entry kind of a later minor version is skipped.
         bool isKnown;
         do
         {

@@ -1,14 +1,14 @@
 namespace NeuronMocap.Recording;
 
-// Puts the entries of one block together, behind room for the block's header. Times and what repeats are told as differences within the block, so
-// that each block can be read by itself: a piece of bytes that follows another costs four bytes, or six when its length differs.
+// Encodes the entries of one block, after space reserved for the block header. Times and repeated values are stored as differences within the
+// block. Each block can therefore be read independently. A piece that follows another one costs four bytes, or six if its length differs.
 internal sealed class EntryEncoder
 {
     public const byte BytesTag = 0x80;
     public const byte SameSenderFlag = 0x01;
     public const byte SameLengthFlag = 0x02;
 
-    // Of a connection.
+    // Flags of a connection.
     public const byte WasOpenFlag = 0x01;
     public const byte CalculationFlag = 0x02;
 
@@ -23,12 +23,12 @@ internal sealed class EntryEncoder
 
     public bool IsEmpty => Length == 0;
 
-    // Of the payload.
+    // Length of the payload.
     public int Length => _block.Length - RecordingLayout.BlockHeaderSize;
 
     public long FirstTime { get; private set; }
 
-    // Header, to be filled in, and payload.
+    // The header, which is filled in later, and the payload.
     public Span<byte> Block => _block.Array.AsSpan(0, _block.Length);
 
     public void Clear()

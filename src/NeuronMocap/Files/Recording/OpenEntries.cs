@@ -1,7 +1,7 @@
 namespace NeuronMocap.Recording;
 
-// The connections and senders that are open where a recording is read: no more than a writer lets be open, so that whoever keeps them needs no more memory
-// than that, whatever a file holds.
+// Tracks the open connections and senders while a recording is read. Their number has the same limit as in a writer. A caller that stores them
+// therefore needs bounded memory for any file.
 internal sealed class OpenEntries
 {
     private readonly Dictionary<int, HashSet<int>?> _connections = [];
@@ -13,7 +13,7 @@ internal sealed class OpenEntries
         _count = 0;
     }
 
-    // False where one more is open than may be.
+    // Returns false if the entry would exceed the limit.
     public bool Accepts(in RecordingEntry entry) => entry.Kind switch
     {
         RecordingEntryKind.ConnectionOpened => TryOpen(entry.Connection),
@@ -35,7 +35,7 @@ internal sealed class OpenEntries
         return true;
     }
 
-    // The opening of the connection may have been lost.
+    // The entry that opened the connection may have been lost.
     private bool TryAdd(int connection, int sender)
     {
         if (!TryOpen(connection))

@@ -3,25 +3,27 @@ using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Recording;
 
-// What goes from the receive thread to the thread that writes a recording: a bounded queue of bytes between one producer and one consumer,
-// without locks or allocation.
+// A bounded queue of bytes from the receive thread to the thread that writes a recording. It has one producer and one consumer, and needs
+// neither locks nor allocation.
 //
-// Both indices count bytes up without end and are taken modulo the capacity, a power of two. The producer alone writes the tail, the consumer alone
-// writes the head. The producer fills in a whole record and then publishes the tail with a release; the consumer that sees the new tail with an
-// acquire therefore sees the record. The consumer is done with a record before it publishes the head with a release, and the producer overwrites
-// those bytes only after it has seen the head with an acquire. The producers of one ring take turns, and hand over to each other with a lock or the
-// end of a task. The indices are ints, so that they are read whole on 32-bit processors, and each side's lie 128 bytes from the other's, so that
-// the two cores do not fight over a cache line (or over a pair of them, where the processor fetches pairs).
+// Both indices count bytes without end and are taken modulo the capacity, a power of two. Only the producer writes the tail, and only the consumer
+// writes the head. The producer fills in a whole record and then publishes the tail with a release. A consumer that sees the new tail with an
+// acquire therefore sees the record. The consumer finishes a record before it publishes the head with a release. The producer overwrites those
+// bytes only after it has seen the head with an acquire. The producers of one ring take turns, and hand over to each other with a lock or the end
+// of a task.
 //
-// Waking: a consumer that is about to wait says so, with a full fence behind it, and then looks at the tail once more; a producer that has published
-// the tail puts a full fence behind it before it looks whether the consumer waits. One of the two therefore sees the other.
-[SuppressMessage("Design", "CA1001", Justification = "A producer may still signal when the consumer is gone.")]
+// The indices are ints, so 32-bit processors read them atomically. The indices of the two sides are 128 bytes apart. The two cores then do not
+// compete for a cache line, or for a pair of lines on processors that fetch pairs.
+//
+// Waking: a consumer that is about to wait sets a flag, executes a full fence, and checks the tail once more. A producer that has published the
+// tail executes a full fence and then checks the flag. At least one of the two therefore sees the other.
+[SuppressMessage("Design", "CA1001", Justification = "A producer may still signal after the consumer has ended.")]
 internal sealed class PieceRing
 {
-    // Records of connections find room even when no piece does.
+    // Reserved for records of connections, which then find room even when no piece does.
     private const int Reserve = 16 * 1024;
 
-    // As many bytes are worth waking the consumer for. What is less waits until it looks by itself.
+    // Number of bytes for which the consumer is woken. It finds smaller amounts when its wait times out.
     private const int WakeLevel = 64 * 1024;
 
     private readonly byte[] _bytes;
@@ -31,7 +33,7 @@ internal sealed class PieceRing
     private Indices _indices;
     private int _isWaiting;
 
-    // Tests start next to where the indices wrap around.
+    // Tests start near the point where the indices wrap around.
     public PieceRing(int capacity, int firstIndex = 0)
     {
         int size = 2 * Reserve;
@@ -45,10 +47,10 @@ internal sealed class PieceRing
 
     public int Capacity => _bytes.Length;
 
-    // Producer: for a piece, with its sender.
+    // Producer. Whether there is room for a piece and its sender.
     public bool HasRoom(int length) => HasRoom(_bytes.Length - Reserve, PieceRecord.SizeOf(length));
 
-    // Producer. False when there is no room: nothing is stored, and nothing that is queued is touched.
+    // Producer. Returns false if there is no room. In this case, nothing is stored, and queued records stay unchanged.
     public bool TryWrite(PieceRecord record, ReadOnlySpan<byte> text, ReadOnlySpan<byte> bytes)
     {
         record.TextLength = text.Length;
@@ -62,7 +64,7 @@ internal sealed class PieceRing
         Put(tail + PieceRecord.HeaderSize + text.Length, bytes);
         Volatile.Write(ref _indices.Tail, tail + record.Size);
 
-        // A head that is older than this only wakes the consumer too early.
+        // An outdated head only wakes the consumer too early.
         if (tail + record.Size - _indices.ProducersHead >= WakeLevel)
             WakeWaiting();
 
@@ -81,7 +83,7 @@ internal sealed class PieceRing
         return true;
     }
 
-    // Consumer: text and bytes of the record, one after the other, until Release.
+    // Consumer. Returns the text and then the bytes of the record. They are valid until Release.
     public ReadOnlySpan<byte> Peek(in PieceRecord record)
     {
         int start = (_indices.Head + PieceRecord.HeaderSize) & _mask;
@@ -96,10 +98,10 @@ internal sealed class PieceRing
         return _joined.AsSpan(0, length);
     }
 
-    // Consumer, once after each successful TryPeek.
+    // Consumer. Called once after each successful TryPeek.
     public void Release(in PieceRecord record) => Volatile.Write(ref _indices.Head, _indices.Head + record.Size);
 
-    // Consumer: until there is something worth it, Wake is called, or the time is over.
+    // Consumer. Waits until there are enough bytes, Wake is called, or the timeout expires.
     public void Wait(TimeSpan timeout)
     {
         Interlocked.Exchange(ref _isWaiting, 1);
@@ -160,20 +162,20 @@ internal sealed class PieceRing
 
 internal enum PieceKind
 {
-    // The text is the end points of the connection.
+    // The text holds the end points of the connection.
     Opened,
 
-    // The text is the sender's address as the system writes it; the bytes are the piece.
+    // The text is the sender's address in the system's format; the bytes are the piece.
     Bytes,
 
-    // No text; what was lost stands in the record.
+    // No text. The record holds the numbers of lost pieces and bytes.
     Lost,
 
     // The text is the reason.
     Closed,
 }
 
-// In front of each entry of the ring.
+// The header of each entry in the ring.
 internal struct PieceRecord
 {
     public const int HeaderSize = 48;

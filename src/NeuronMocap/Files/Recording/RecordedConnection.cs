@@ -1,20 +1,20 @@
 namespace NeuronMocap.Recording;
 
-/// <summary>A connection, or a bound UDP port, as a recording knows it.</summary>
-/// <param name="Number">Its number in the recording, from 0; no two have the same.</param>
-/// <param name="Transport">How the bytes came.</param>
-/// <param name="Local">This computer's end point, such as "192.168.1.5:50412"; empty when it is not known.</param>
-/// <param name="Remote">The server's end point; empty when it is not known, and over UDP, where every sender has its own.</param>
+/// <summary>Describes a connection, or a bound UDP port, in a recording.</summary>
+/// <param name="Number">The number in the recording, from 0. It is unique.</param>
+/// <param name="Transport">The transport of the bytes.</param>
+/// <param name="Local">The end point of this computer, such as "192.168.1.5:50412"; empty when unknown.</param>
+/// <param name="Remote">The end point of the server; empty when unknown, and over UDP, where every sender has its own.</param>
 public sealed record RecordedConnection(int Number, TransportKind Transport, string Local, string Remote)
 {
     /// <summary>
-    /// Whether it stood before: what it brought until then is not in the recording, or lies before the place where reading began or in an
-    /// earlier file.
+    /// Whether the connection was already open. Its earlier bytes are then not in the recording, or they are in an earlier file or before the
+    /// position where reading began.
     /// </summary>
     public bool WasOpen { get; init; }
 
     /// <summary>
-    /// Whether it is the connection of <see cref="NeuronReaderOptions.CalculationPort"/>, which stands beside another one. Only calculation data of it counts.
+    /// Whether this is the additional connection of <see cref="NeuronReaderOptions.CalculationPort"/>. Only its calculation data is used.
     /// </summary>
     public bool IsCalculation { get; init; }
 }

@@ -3,7 +3,8 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Recording;
 
-// What a recorder has told of one connection into its ring. Where there was no room, it is told before the next piece that finds some. Producer only.
+// Tracks what a recorder has written about one connection to its ring. If the ring was full, the missing records are written before the next piece
+// that fits. Producer only.
 internal sealed class RecordedLink(StreamConnection connection, bool isReported)
 {
     private bool _isReported = isReported;
@@ -32,7 +33,7 @@ internal sealed class RecordedLink(StreamConnection connection, bool isReported)
         _unreportedBytes += bytes;
     }
 
-    // Before a piece: that its connection opened, if there was no room for it then, and what was lost.
+    // Called before a piece. Writes the opening of the connection and the losses, if there was no room for them earlier.
     public bool TryReportPending(PieceRing ring, long timestamp)
     {
         if (!_isReported)
@@ -46,7 +47,7 @@ internal sealed class RecordedLink(StreamConnection connection, bool isReported)
         if (!_isReported)
             return;
 
-        // Both have room kept for them. Where even that is full, the next connection's opening says that this one is gone.
+        // Both records have reserved room. If even that is full, the opening of the next connection implies the end of this one.
         _ = TryReportLoss(ring, timestamp);
         var record = new PieceRecord { Kind = PieceKind.Closed, Connection = connection.Number, Timestamp = timestamp };
         _ = ring.TryWrite(record, Encoding.UTF8.GetBytes(reason), []);

@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Recording;
 
-// From the timestamps of Stopwatch to the time since a recording began, exact to 100 ns.
+// Converts Stopwatch timestamps to the time since the start of a recording, exact to 100 ns.
 internal sealed class RecordingClock
 {
     private readonly long _start = Now;
@@ -11,7 +11,7 @@ internal sealed class RecordingClock
 
     public DateTimeOffset StartTime { get; } = DateTimeOffset.UtcNow;
 
-    // What was stamped before the start counts as the start.
+    // Timestamps before the start count as the start.
     public TimeSpan TimeOf(long timestamp) => Between(_start, Math.Max(_start, timestamp));
 
     public static TimeSpan Between(long start, long end)

@@ -1,29 +1,31 @@
 namespace NeuronMocap.Recording;
 
-/// <summary>What an entry of a recording tells. Numbers below 128 are those of the file.</summary>
+/// <summary>Specifies the kind of an entry of a recording. Values below 128 are those of the file format.</summary>
 public enum RecordingEntryKind
 {
-    /// <summary>A piece of bytes arrived: what one read of the socket brought over TCP, a datagram over UDP.</summary>
+    /// <summary>A piece of bytes arrived: over TCP, the result of one read from the socket; over UDP, a datagram.</summary>
     Bytes = 0,
 
-    /// <summary>A connection stands, or a UDP port is bound.</summary>
+    /// <summary>A connection was established, or a UDP port was bound.</summary>
     ConnectionOpened = 1,
 
-    /// <summary>Over UDP: datagrams of an address follow that had none before, or had been forgotten.</summary>
+    /// <summary>Over UDP: a new sender. Its address was unknown or forgotten; its datagrams follow.</summary>
     SenderAdded = 2,
 
-    /// <summary>Over UDP: a sender was forgotten to make room for others; should it send again, it is a new one.</summary>
+    /// <summary>Over UDP: a sender was forgotten to make room for others. If it sends again, it counts as a new sender.</summary>
     SenderRemoved = 3,
 
-    /// <summary>A connection is gone.</summary>
+    /// <summary>A connection was closed.</summary>
     ConnectionClosed = 4,
 
-    /// <summary>Bytes arrived that the recording does not hold, because it could not be written fast enough.</summary>
+    /// <summary>Bytes arrived that are missing from the recording, because it could not be written fast enough.</summary>
     BytesLost = 5,
 
-    /// <summary>Something about the recording as a whole that was not known before.</summary>
+    /// <summary>Metadata of the whole recording that was not known before.</summary>
     Metadata = 6,
 
-    /// <summary>Part of the file cannot be read; what it held is missing here. Only a reader tells this, no file holds it.</summary>
+    /// <summary>
+    /// Part of the file cannot be read, and its content is missing here. Only a reader creates this entry; files do not contain it.
+    /// </summary>
     Damaged = 255,
 }

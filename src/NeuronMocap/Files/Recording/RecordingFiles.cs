@@ -3,7 +3,7 @@ using NeuronMocap.Files;
 
 namespace NeuronMocap.Recording;
 
-// The files of one recording, one after the other. The time of all calls is the recording's, never before that of the last.
+// Manages the successive files of one recording. All times are relative to the start of the recording and never decrease.
 internal sealed class RecordingFiles : IDisposable
 {
     // ERROR_FILE_EXISTS.
@@ -27,7 +27,7 @@ internal sealed class RecordingFiles : IDisposable
     private volatile int _undeleted;
     private volatile string? _undeletedReason;
 
-    // Throws what the system throws when the first file cannot be made.
+    // If the first file cannot be created, the exception of the system reaches the caller.
     public RecordingFiles(
         string path, RecordingOptions options, RecordingMetadata metadata, DateTimeOffset startTime, Func<string, RecordingOptions, Stream>? open = null)
     {
@@ -43,12 +43,12 @@ internal sealed class RecordingFiles : IDisposable
         _count = 1;
     }
 
-    // Any thread, as those that follow.
+    // Any thread may read this property and those that follow.
     public string CurrentPath => _currentPath;
 
     public int Count => _count;
 
-    // These four are what the system has taken.
+    // These four describe the data that the system has accepted.
     public long WrittenBytes => Volatile.Read(ref _writtenBytes);
 
     public long Pieces => Volatile.Read(ref _pieces);
@@ -57,12 +57,12 @@ internal sealed class RecordingFiles : IDisposable
 
     public TimeSpan WrittenTime => new(Volatile.Read(ref _writtenTime));
 
-    // Old files that stay because they could not be deleted, and why not.
+    // Number of old files that could not be deleted, and the reason.
     public int Undeleted => _undeleted;
 
     public string? UndeletedReason => _undeletedReason;
 
-    // The writer of the file into which the next piece goes.
+    // Returns the writer of the file that receives the next piece.
     public RecordingWriter Prepare(TimeSpan time, int length, out TimeSpan timeInFile)
     {
         if (IsFull(time - _start, length))
@@ -100,12 +100,12 @@ internal sealed class RecordingFiles : IDisposable
         Volatile.Write(ref _pieces, _closedTotals.Pieces + _writer.WrittenTotals.Pieces);
         Volatile.Write(ref _pieceBytes, _closedTotals.Bytes + _writer.WrittenTotals.Bytes);
 
-        // A file that the system has taken nothing of leaves the time of the one before.
+        // While the system has accepted nothing of a file, the time of the previous file remains.
         if (_writer.WrittenDuration > TimeSpan.Zero)
             Volatile.Write(ref _writtenTime, (_start + _writer.WrittenDuration).Ticks);
     }
 
-    // A file that has nothing in it yet takes anything: else there would be no end of files.
+    // An empty file accepts a piece of any size. Otherwise, new files would begin without end.
     private bool IsFull(TimeSpan time, int length) => _writer.Totals != default
         && (time >= _options.MaxFileDuration || _writer.LengthWith(length) > _options.MaxFileSize);
 
@@ -132,7 +132,7 @@ internal sealed class RecordingFiles : IDisposable
         DeleteOldFiles();
     }
 
-    // One that cannot be deleted, because a program has it open for example, is tried again with the next file. The recording goes on.
+    // A file may be undeletable, for example because a program has it open. The recording continues, and the next file triggers another attempt.
     private void DeleteOldFiles()
     {
         int old = Math.Max(0, _kept.Count - (_options.MaxFiles ?? int.MaxValue));
@@ -155,7 +155,8 @@ internal sealed class RecordingFiles : IDisposable
         _undeleted = undeleted;
     }
 
-    // Those of an earlier recording, whose first files may be deleted: this one would come to them hours later, and end there.
+    // Fails if later files of an earlier recording exist. Its first files may have been deleted. Otherwise, this recording would reach those names
+    // hours later and end there.
     private void RefuseLaterFiles()
     {
         if (!_options.HasNumbers || _options.Overwrite)
@@ -170,7 +171,7 @@ internal sealed class RecordingFiles : IDisposable
             bool isLike = name.Length > start.Length + end.Length
                 && name.StartsWith(start, StringComparison.OrdinalIgnoreCase) && name.EndsWith(end, StringComparison.OrdinalIgnoreCase);
             if (isLike && int.TryParse(name.AsSpan(start.Length, name.Length - start.Length - end.Length), NumberStyles.None, CultureInfo.InvariantCulture, out _))
-                throw new IOException($"The file '{file}' already exists, and this recording would come to it.", FileExists);
+                throw new IOException($"The file '{file}' already exists, and this recording would reach its name.", FileExists);
         }
     }
 
@@ -187,7 +188,7 @@ internal sealed class RecordingFiles : IDisposable
         }
     }
 
-    // take.nmrec becomes take.0001.nmrec, where there may be several.
+    // If several files are possible, take.nmrec becomes take.0001.nmrec.
     private string NameOf(int number) => _options.HasNumbers
         ? Path.ChangeExtension(_path, number.ToString("0000", CultureInfo.InvariantCulture) + Path.GetExtension(_path))
         : _path;

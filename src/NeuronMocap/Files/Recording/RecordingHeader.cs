@@ -2,8 +2,8 @@ using System.Buffers.Binary;
 
 namespace NeuronMocap.Recording;
 
-// The first 64 bytes of a file. Its checksum is the seed of the block headers' checksums, so that a block of another recording, which the bytes
-// of this one may hold, is never taken for one of its own.
+// The first 64 bytes of a file. The checksum of this header is the seed of the checksums in block headers. The bytes of a recording may contain a
+// block of another recording; the seed ensures that it is never taken for a block of this one.
 internal readonly record struct RecordingHeader(DateTimeOffset StartTime, Guid RecordingId, int FileNumber)
 {
     public const ushort MajorVersion = 1;
@@ -16,7 +16,7 @@ internal readonly record struct RecordingHeader(DateTimeOffset StartTime, Guid R
     private const int NumberOffset = 40;
     private const int ChecksumOffset = 60;
 
-    // A byte that is no ASCII, both line ends and the end of text of old systems: a transfer as text destroys it.
+    // A byte that is not ASCII, both line ends, and the end-of-text character of old systems. A transfer as text destroys this sequence.
     private static ReadOnlySpan<byte> Magic => [0x89, (byte)'N', (byte)'M', (byte)'R', (byte)'\r', (byte)'\n', 0x1A, (byte)'\n'];
 
     public const int MagicSize = 8;
@@ -46,11 +46,11 @@ internal readonly record struct RecordingHeader(DateTimeOffset StartTime, Guid R
         if (!magic.SequenceEqual(Magic[..magic.Length]))
             throw new RecordingFormatException("This is not a recording: its header is missing.");
         if (bytes.Length < RecordingLayout.FileHeaderSize)
-            throw new RecordingFormatException($"The recording is cut off inside its head, after {bytes.Length} bytes.");
+            throw new RecordingFormatException($"The recording is cut off within its header, after {bytes.Length} bytes.");
 
         checksum = BinaryPrimitives.ReadUInt32LittleEndian(bytes[ChecksumOffset..]);
         if (checksum != Crc32C.Append(0, bytes[..ChecksumOffset]))
-            throw new RecordingFormatException("The head of the recording is damaged: its checksum is wrong.");
+            throw new RecordingFormatException("The header of the recording is damaged: its checksum is wrong.");
 
         int major = BinaryPrimitives.ReadUInt16LittleEndian(bytes[VersionOffset..]);
         if (major != MajorVersion)
@@ -58,7 +58,7 @@ internal readonly record struct RecordingHeader(DateTimeOffset StartTime, Guid R
 
         long ticks = BinaryPrimitives.ReadInt64LittleEndian(bytes[StartOffset..]);
         if (ticks < (DateTimeOffset.MinValue - DateTimeOffset.UnixEpoch).Ticks || ticks > (DateTimeOffset.MaxValue - DateTimeOffset.UnixEpoch).Ticks)
-            throw new RecordingFormatException("The head of the recording holds a time that does not exist.");
+            throw new RecordingFormatException("The header of the recording contains an invalid time.");
 
         return new RecordingHeader(
             DateTimeOffset.UnixEpoch.AddTicks(ticks),

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-// Where the checkpoints of a file are. In a very long file only every second, fourth, ... of them, so that its memory is bounded.
+// The positions of the checkpoints in a file. For a very long file, only every second, fourth, ... checkpoint is kept to limit the memory.
 internal sealed class RecordingIndex
 {
     private const int MaxPlaces = 4096;
@@ -23,7 +23,7 @@ internal sealed class RecordingIndex
         if (_places.Count < MaxPlaces)
             return;
 
-        // The first stays.
+        // The first position stays.
         for (int i = 1; i < MaxPlaces / 2; i++)
             _places[i] = _places[2 * i];
 
@@ -31,7 +31,7 @@ internal sealed class RecordingIndex
         _step *= 2;
     }
 
-    // The last checkpoint before the time, or else the first: entries of a checkpoint's own time stand before it.
+    // Finds the last checkpoint before the time, or else the first. Entries with the time of a checkpoint may stand before it.
     public long Find(long time)
     {
         int low = 0;
@@ -60,7 +60,7 @@ internal sealed class RecordingIndex
         }
     }
 
-    // False when it is no index of a file of that length.
+    // Returns false if the payload is not an index for a file of that length.
     public bool TryRead(ReadOnlySpan<byte> payload, long fileLength)
     {
         _places.Clear();

@@ -1,23 +1,23 @@
 namespace NeuronMocap.Recording;
 
-// Sizes of the file format, which docs/reference/recording.md describes. All numbers in it are little endian.
+// Sizes of the file format, which docs/reference/recording.md describes. All numbers in the file are little endian.
 internal static class RecordingLayout
 {
     public const int FileHeaderSize = 64;
     public const int BlockHeaderSize = 32;
 
-    // No block is larger, as it lies in the file and unpacked: what a reader has to allocate for a hostile file.
+    // Maximum payload of a block, both as stored and unpacked. It limits the memory that a hostile file can make a reader allocate.
     public const int MaxPayload = 1024 * 1024;
 
-    // A block that has grown to this is written.
+    // A block is written when it reaches this size.
     public const int BlockSize = 64 * 1024;
 
     public const int MaxPiece = 512 * 1024;
 
-    // 3,600 years: sums of two of them never overflow.
+    // 3,600 years. The sum of two such times never overflows.
     public const long MaxTime = 1L << 60;
 
-    // Connections and senders that are open at a time: what a checkpoint repeats.
+    // Maximum number of connections and senders that are open at a time. A checkpoint repeats them.
     public const int MaxOpen = 1024;
 
     public const int MaxTextBytes = 255;
@@ -27,13 +27,13 @@ internal enum BlockKind : byte
 {
     Entries = 1,
 
-    // Entries that tell once more what was told before and still holds: reading may begin here.
+    // Entries that repeat the current metadata, connections and senders. Reading can begin here.
     Checkpoint = 2,
 
-    // Where the checkpoints are.
+    // The positions of the checkpoints.
     Index = 3,
 
-    // The last block of a file that was closed in an orderly way: where the index is, and sums.
+    // The last block of a file that was closed properly: the position of the index, and totals.
     End = 4,
 }
 
@@ -41,6 +41,6 @@ internal enum BlockEncoding : byte
 {
     Plain = 0,
 
-    // Four bytes with the length unpacked, then the Deflate stream (RFC 1951).
+    // Four bytes with the unpacked length, then the Deflate stream (RFC 1951).
     Deflate = 1,
 }

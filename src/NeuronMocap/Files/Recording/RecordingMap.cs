@@ -1,7 +1,7 @@
 namespace NeuronMocap.Recording;
 
-// What is known of a file before it is read: where its checkpoints are, how long it is and what its metadata are. From the last block, where the
-// recording was closed and is complete; else by hopping from header to header.
+// Determines the checkpoints, duration and metadata of a file before it is read. They come from the last block if the recording was closed and is
+// complete. Otherwise, all block headers are visited.
 internal sealed class RecordingMap
 {
     private readonly BlockFile _file;
@@ -9,7 +9,7 @@ internal sealed class RecordingMap
     public RecordingMap(BlockFile file)
     {
         _file = file;
-        // The index is only where the end says when nothing is missing in between.
+        // The index is where the end block says only if nothing is missing in between.
         if (!TryReadEnd(out long indexOffset) || !TryReadIndex(indexOffset))
         {
             Index = new RecordingIndex();
@@ -21,17 +21,17 @@ internal sealed class RecordingMap
 
     public RecordingIndex Index { get; private set; } = new();
 
-    // Null when the file has no end.
+    // Null if the file does not have an end block.
     public RecordingTotals? Totals { get; private set; }
 
-    // Closed, and its last block taken away.
+    // The file was closed, but its last block was removed.
     public bool LacksEnd { get; private set; }
 
     public long Duration { get; private set; }
 
     public RecordingMetadata Metadata { get; }
 
-    // Where the last checkpoint is.
+    // Position of the last checkpoint.
     private long LastCheckpoint { get; set; }
 
     private bool TryReadEnd(out long indexOffset)
@@ -80,7 +80,7 @@ internal sealed class RecordingMap
                 LastCheckpoint = offset;
             }
 
-            // Displaced.
+            // A displaced end block.
             if (Totals is null && header.Kind == BlockKind.End)
                 TryTakeEnd(offset, header, out _);
 
@@ -107,7 +107,7 @@ internal sealed class RecordingMap
         return time;
     }
 
-    // The last ones that were written at a checkpoint: what came to be known early in the recording is in them.
+    // Reads the metadata of the last checkpoint, which includes values that became known earlier in the recording.
     private RecordingMetadata ReadMetadata()
     {
         if (!_file.TryReadHeader(LastCheckpoint, out BlockHeader header) || header.Kind != BlockKind.Checkpoint

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-/// <summary>How <see cref="NeuronReader.StartRecording"/> records. The recording takes a copy when it starts.</summary>
+/// <summary>Options of <see cref="NeuronReader.StartRecording"/>. The values are copied when the recording starts.</summary>
 public sealed class RecordingOptions
 {
     private const int SmallestQueue = 1024 * 1024;
@@ -9,42 +9,46 @@ public sealed class RecordingOptions
     private static readonly TimeSpan ShortestFile = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan LongestFile = TimeSpan.FromDays(3650);
 
-    /// <summary>Whether an existing file is overwritten. Off unless set: then it is an error.</summary>
+    /// <summary>Whether an existing file is overwritten. The default is false: an existing file is an error.</summary>
     public bool Overwrite { get; set; }
 
-    /// <summary>Whether the file is compressed. Off unless set. It costs the recording's own thread about 20 ms for each megabyte.</summary>
+    /// <summary>
+    /// Whether the file is compressed. The default is false. Compression takes the recording's own thread about 20 ms for each megabyte.
+    /// </summary>
     public bool Compress { get; set; }
 
     /// <summary>
-    /// Bytes that can wait to be written, 1 MiB to 1 GiB, rounded up to a power of two and allocated when the recording starts. 8 MiB unless set: 45 s
-    /// of one avatar at 120 Hz. What arrives while it is full is missing in the recording, and counted there.
+    /// Number of bytes that can wait to be written, 1 MiB to 1 GiB, rounded up to a power of two. The memory is allocated at the start. The default
+    /// is 8 MiB: 45 s of one avatar at 120 Hz. While the queue is full, received bytes are missing from the recording and counted there.
     /// </summary>
     public int QueueSize { get; set; } = 8 * 1024 * 1024;
 
     /// <summary>
-    /// How long bytes may wait until they are handed to the system, 0.01 s to a minute; 0.25 s unless set. So much may be missing when the process
-    /// is killed.
+    /// Maximum time that bytes wait before they are passed to the operating system, 0.01 s to one minute. The default is 0.25 s. If the process is
+    /// killed, at most this much of the recording is lost.
     /// </summary>
     public TimeSpan FlushInterval { get; set; } = TimeSpan.FromSeconds(0.25);
 
     /// <summary>
-    /// Whether the system is made to write to the disk, too, at each <see cref="FlushInterval"/>, so that a failure of the power costs no more than the
-    /// end of the process does. Off unless set.
+    /// Whether the operating system also writes to the disk at each <see cref="FlushInterval"/>. A power failure then costs no more than a killed
+    /// process. The default is false.
     /// </summary>
     public bool FlushToDisk { get; set; }
 
     /// <summary>
-    /// Most bytes of a file, 1 MiB or more; null, the default, for no limit. Where it is reached, the next file begins, which is whole by itself. A
-    /// single piece that is larger gets a file of its own.
+    /// Maximum size of a file in bytes, 1 MiB or more. Null, the default, means no limit. At the limit, the next file begins, which can be read
+    /// independently. A single larger piece has its own file.
     /// </summary>
     public long? MaxFileSize { get; set; }
 
-    /// <summary>Longest time that a file covers, a second to ten years; null, the default, for no limit. Where it is reached and something arrives, the next file begins.</summary>
+    /// <summary>
+    /// Maximum duration of a file, one second to ten years. Null, the default, means no limit. The first data after this time begins the next file.
+    /// </summary>
     public TimeSpan? MaxFileDuration { get; set; }
 
     /// <summary>
-    /// Most files that are kept, 1 or more; null, the default, for no limit. When another begins, the recording's oldest is deleted; one that
-    /// cannot be deleted is tried again with the next. Needs <see cref="MaxFileSize"/> or <see cref="MaxFileDuration"/>.
+    /// Maximum number of files to keep, 1 or more. Null, the default, means no limit. When a file begins, the oldest one is deleted; if that fails,
+    /// the next file triggers another attempt. Requires <see cref="MaxFileSize"/> or <see cref="MaxFileDuration"/>.
     /// </summary>
     public int? MaxFiles { get; set; }
 
@@ -57,7 +61,7 @@ public sealed class RecordingOptions
         if (QueueSize is < SmallestQueue or > LargestQueue)
             return $"QueueSize is {QueueSize}; it must be 1,048,576 to 1,073,741,824.";
         if (FlushInterval < TimeSpan.FromSeconds(0.01) || FlushInterval > TimeSpan.FromMinutes(1))
-            return $"FlushInterval is {FlushInterval}; it must be 0.01 s to a minute.";
+            return $"FlushInterval is {FlushInterval}; it must be 0.01 s to one minute.";
         if (MaxFileSize < SmallestFile)
             return $"MaxFileSize is {MaxFileSize}; it must be 1,048,576 or more, or null.";
         if (MaxFileDuration < ShortestFile || MaxFileDuration > LongestFile)
@@ -65,6 +69,6 @@ public sealed class RecordingOptions
         if (MaxFiles < 1)
             return $"MaxFiles is {MaxFiles}; it must be 1 or more, or null.";
 
-        return MaxFiles is not null && !HasNumbers ? "MaxFiles needs MaxFileSize or MaxFileDuration: there is only one file without." : null;
+        return MaxFiles is not null && !HasNumbers ? "MaxFiles requires MaxFileSize or MaxFileDuration; without them, there is only one file." : null;
     }
 }

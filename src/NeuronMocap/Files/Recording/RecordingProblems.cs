@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-// What was found wrong with a file: the first hundred, each once.
+// The first hundred defects of a file, each listed once.
 internal sealed class RecordingProblems
 {
     private const int Most = 100;
@@ -9,7 +9,7 @@ internal sealed class RecordingProblems
 
     public IReadOnlyList<RecordingProblem> All => _all;
 
-    // Whoever describes what is wrong with millions of blocks looks here before.
+    // Callers check this before they describe a defect, because a file may have millions.
     public bool IsFull => _all.Count >= Most;
 
     public void Add(long offset, long length, string description)

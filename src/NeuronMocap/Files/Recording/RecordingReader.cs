@@ -1,15 +1,22 @@
 namespace NeuronMocap.Recording;
 
 /// <summary>
-/// Reads a recording (docs/reference/recording.md), entry by entry, in constant memory: about as much as the largest block has, 2 MB at most, and 4 MB more where
-/// blocks are missing or displaced. A file that was not closed, because the recording process was killed or still runs, is read up to its last whole block;
-/// damaged and missing places are passed over and told (<see cref="Problems"/>, <see cref="RecordingEntryKind.Damaged"/>), and blocks that are not in the order in
-/// which they were written are read in that order, each once. Not for use by several threads at a time.
+/// Reads a recording entry by entry, in constant memory (docs/reference/recording.md). Not thread-safe.
 /// </summary>
+/// <remarks>
+/// <para>
+/// The memory is about that of the largest block: 2 MB at most, and 4 MB more if blocks are missing or displaced.
+/// </para>
+/// <para>
+/// A file that was not closed is read up to its last whole block. This happens when the recording process was killed or is still running. Damaged
+/// and missing sections are skipped and reported (<see cref="Problems"/>, <see cref="RecordingEntryKind.Damaged"/>). Blocks out of order are read
+/// in the order of their numbers, each once.
+/// </para>
+/// </remarks>
 public sealed class RecordingReader : IDisposable
 {
     private static readonly string TooManyOpen =
-        FormattableString.Invariant($"More than {RecordingLayout.MaxOpen} connections and senders are open; those beyond are passed over.");
+        FormattableString.Invariant($"More than {RecordingLayout.MaxOpen} connections and senders are open; the excess is skipped.");
 
     private readonly Stream _stream;
     private readonly bool _leaveOpen;
@@ -22,7 +29,7 @@ public sealed class RecordingReader : IDisposable
     private long _time;
     private long _from;
 
-    // Whether what a checkpoint repeats is news: at the beginning, behind a jump, and behind a damaged place.
+    // Whether the entries of a checkpoint are new to the caller: at the beginning, after a jump, and after a damaged section.
     private bool _isStateUnknown = true;
 
     private RecordingReader(Stream stream, bool leaveOpen)
@@ -33,51 +40,51 @@ public sealed class RecordingReader : IDisposable
         _map = new RecordingMap(_file);
         _walk = new BlockIterator(_file, _problems);
         if (_map.LacksEnd)
-            _problems.Add(_file.Length, 0, "The last block is missing, which ends a recording that was closed.");
+            _problems.Add(_file.Length, 0, "The recording was closed, but its last block is missing.");
     }
 
-    /// <summary>The moment that all times count from, in UTC.</summary>
+    /// <summary>The start of the recording, in UTC. All times are relative to it.</summary>
     public DateTimeOffset StartTime => _file.Header.StartTime;
 
-    /// <summary>What the files of one recording have in common.</summary>
+    /// <summary>Identifies the recording. All of its files have the same value.</summary>
     public Guid RecordingId => _file.Header.RecordingId;
 
-    /// <summary>Which file of the recording this is, from 1.</summary>
+    /// <summary>Number of this file within the recording, from 1.</summary>
     public int FileNumber => _file.Header.FileNumber;
 
     /// <summary>Time of the last entry.</summary>
     public TimeSpan Duration => new(_map.Duration);
 
     /// <summary>
-    /// What is known about the recording, at its end. Where <see cref="IsComplete"/> is false, what came to be known late may be missing here, and
-    /// comes as an entry.
+    /// The metadata at the end of the recording. If <see cref="IsComplete"/> is false, values that became known late may be missing here; they are
+    /// read as entries.
     /// </summary>
     public RecordingMetadata Metadata => _map.Metadata;
 
-    /// <summary>Whether the recording was closed in an orderly way. If not, its last part may be missing: what was not yet written then.</summary>
+    /// <summary>Whether the recording was closed properly. If not, its last part may be missing, because it was not yet written.</summary>
     public bool IsComplete => _map.Totals is not null;
 
-    /// <summary>What the recording holds; null when it was not closed.</summary>
+    /// <summary>The totals of the recording; null when it was not closed.</summary>
     public RecordingTotals? Totals => _map.Totals;
 
-    /// <summary>Time of the entry that was read last, or the time that the reader was moved to.</summary>
+    /// <summary>Time of the last entry read, or the time that the reader was moved to.</summary>
     public TimeSpan Position => new(_time);
 
-    /// <summary>What was found wrong with the file in the parts that were read so far: the first 100.</summary>
+    /// <summary>The first hundred defects in the parts of the file that were read so far.</summary>
     public IReadOnlyList<RecordingProblem> Problems => _problems.All;
 
-    /// <summary>Whether a file is a recording, as its first bytes tell.</summary>
+    /// <summary>Determines from its first bytes whether a file is a recording.</summary>
     /// <param name="start">The first bytes of the file, eight or more.</param>
-    /// <returns>Whether it begins as one; whether it can be read, only opening tells.</returns>
+    /// <returns>True if the file begins like a recording. Only opening shows whether it can be read.</returns>
     public static bool IsRecording(ReadOnlySpan<byte> start) =>
         start.Length >= RecordingHeader.MagicSize && RecordingHeader.HasMagic(start[..RecordingHeader.MagicSize]);
 
-    /// <summary>Opens a file. It may still be written to; what is written from now on is not read.</summary>
-    /// <param name="path">The file.</param>
-    /// <returns>The reader, before the first entry.</returns>
-    /// <exception cref="RecordingFormatException">It is no recording, or its first 64 bytes are damaged.</exception>
+    /// <summary>Opens a file. The file may still be written to; data written after this call is not read.</summary>
+    /// <param name="path">The path of the file.</param>
+    /// <returns>The reader, positioned before the first entry.</returns>
+    /// <exception cref="RecordingFormatException">The file is not a recording, or its first 64 bytes are damaged.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the file.</exception>
     public static RecordingReader Open(string path)
     {
         var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 1);
@@ -92,7 +99,7 @@ public sealed class RecordingReader : IDisposable
         }
     }
 
-    // Whether it begins as one; the position is 0 afterwards.
+    // Whether the stream begins like a recording. The position is 0 afterwards.
     internal static bool IsRecording(Stream stream)
     {
         Span<byte> start = stackalloc byte[RecordingHeader.MagicSize];
@@ -102,24 +109,24 @@ public sealed class RecordingReader : IDisposable
         return RecordingHeader.HasMagic(start[..count]);
     }
 
-    /// <summary>Opens a recording.</summary>
-    /// <param name="stream">A stream that can be read and seek; the recording begins at its position 0.</param>
-    /// <param name="leaveOpen">Whether the stream stays open when the reader is disposed of.</param>
-    /// <returns>The reader, before the first entry.</returns>
-    /// <exception cref="ArgumentException">The stream cannot be read or cannot seek.</exception>
-    /// <exception cref="RecordingFormatException">It is no recording, or its first 64 bytes are damaged.</exception>
+    /// <summary>Opens a recording from a stream.</summary>
+    /// <param name="stream">A readable and seekable stream. The recording begins at its position 0.</param>
+    /// <param name="leaveOpen">Whether the stream stays open when the reader is disposed.</param>
+    /// <returns>The reader, positioned before the first entry.</returns>
+    /// <exception cref="ArgumentException">The stream is not readable or not seekable.</exception>
+    /// <exception cref="RecordingFormatException">The stream is not a recording, or its first 64 bytes are damaged.</exception>
     public static RecordingReader Open(Stream stream, bool leaveOpen = false)
     {
         ArgumentNullException.ThrowIfNull(stream);
         if (!stream.CanRead || !stream.CanSeek)
-            throw new ArgumentException("The stream has to be one that can be read and seek.", nameof(stream));
+            throw new ArgumentException("The stream must be readable and seekable.", nameof(stream));
 
         return new RecordingReader(stream, leaveOpen);
     }
 
     /// <summary>Reads the next entry.</summary>
     /// <param name="entry">The entry; valid until the next call.</param>
-    /// <returns>False at the end.</returns>
+    /// <returns>True if an entry was read; false at the end.</returns>
     public bool TryRead(out RecordingEntry entry)
     {
         while (true)
@@ -143,7 +150,7 @@ public sealed class RecordingReader : IDisposable
             if (_decoder.Remaining > 0)
             {
                 _decoder.End();
-                _problems.Add(_walk.Offset, RecordingLayout.BlockHeaderSize + _walk.Header.Length, "The block holds what no recorder writes.");
+                _problems.Add(_walk.Offset, RecordingLayout.BlockHeaderSize + _walk.Header.Length, "The block contains data that no recorder writes.");
             }
 
             if (!TryMoveOn())
@@ -154,15 +161,15 @@ public sealed class RecordingReader : IDisposable
     }
 
     /// <summary>
-    /// Moves to a time. What is read next are the entries that tell what is open there and known about the recording, with their own times or that
-    /// of a checkpoint, and then everything from that time on.
+    /// Moves to a time. The next entries describe the open connections, the senders and the metadata at that time. They have their own times or
+    /// that of a checkpoint. All entries from that time on follow.
     /// </summary>
-    /// <param name="position">The time, since <see cref="StartTime"/>; behind the end, nothing but the state follows.</param>
+    /// <param name="position">The time since <see cref="StartTime"/>. After the end, only the descriptions follow.</param>
     /// <exception cref="ArgumentOutOfRangeException">The time is negative.</exception>
     public void Seek(TimeSpan position)
     {
         if (position < TimeSpan.Zero)
-            throw new ArgumentOutOfRangeException(nameof(position), position, "A recording begins at time zero.");
+            throw new ArgumentOutOfRangeException(nameof(position), position, "The time must not be negative.");
 
         _walk.MoveTo(position.Ticks, _map.Index.Count > 0 ? _map.Index.Find(position.Ticks) : RecordingLayout.FileHeaderSize);
         _open.Clear();
@@ -172,7 +179,7 @@ public sealed class RecordingReader : IDisposable
         _decoder.End();
     }
 
-    /// <summary>Closes the stream, unless it was to stay open.</summary>
+    /// <summary>Closes the stream, unless the reader was opened with leaveOpen.</summary>
     public void Dispose()
     {
         if (!_leaveOpen)
@@ -181,7 +188,7 @@ public sealed class RecordingReader : IDisposable
 
     private static bool IsTraffic(RecordingEntryKind kind) => kind is RecordingEntryKind.Bytes or RecordingEntryKind.BytesLost;
 
-    // To the next block that has entries to tell.
+    // Moves to the next block with entries to return.
     private bool TryMoveOn()
     {
         while (_walk.TryRead(out ArraySegment<byte> payload))
@@ -200,7 +207,7 @@ public sealed class RecordingReader : IDisposable
         return false;
     }
 
-    // Before what follows the damaged or missing place.
+    // Called before the entries that follow the damaged or missing section.
     private bool TryReportDamage(out RecordingEntry entry)
     {
         entry = new RecordingEntry { Kind = RecordingEntryKind.Damaged, Time = new TimeSpan(_time), LostBytes = _walk.DamagedBytes };

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Recording;
 
-// What holds at a place of a recording, whatever came before it: what a checkpoint, and the head of a following file, repeat.
+// The state at a position of a recording: metadata, open connections and senders. Checkpoints and the start of a following file repeat it.
 internal sealed class RecordingState(RecordingMetadata metadata)
 {
     private readonly SortedDictionary<int, OpenConnection> _connections = [];
@@ -11,7 +11,7 @@ internal sealed class RecordingState(RecordingMetadata metadata)
     public void Open(RecordedConnection connection)
     {
         if (_connections.ContainsKey(connection.Number))
-            throw new InvalidOperationException($"Connection {connection.Number} is open already.");
+            throw new InvalidOperationException($"Connection {connection.Number} is already open.");
 
         CountOne();
         _connections.Add(connection.Number, new OpenConnection(connection with { WasOpen = true }));
@@ -27,7 +27,7 @@ internal sealed class RecordingState(RecordingMetadata metadata)
     {
         SortedDictionary<int, string> senders = Find(connection).Senders;
         if (senders.ContainsKey(sender))
-            throw new InvalidOperationException($"Connection {connection} has a sender {sender} already.");
+            throw new InvalidOperationException($"Connection {connection} already has a sender {sender}.");
 
         CountOne();
         senders.Add(sender, address);

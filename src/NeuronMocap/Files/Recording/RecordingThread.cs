@@ -4,10 +4,10 @@ using System.Text;
 
 namespace NeuronMocap.Recording;
 
-// Takes what the receive thread put into the ring and writes it to the files, until it is stopped or cannot write. One thread.
+// Writes the pieces in the ring to the files, until it is stopped or writing fails. Runs on one thread.
 internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, TimeSpan flushInterval, RecordingClock clock)
 {
-    // The connections that stand, two at most.
+    // The open connections, two at most.
     private readonly List<(int Number, bool IsCalculation, SenderTable Senders)> _open = [];
     private readonly object _lock = new();
     private readonly Dictionary<string, string> _metadata = new(StringComparer.Ordinal);
@@ -17,21 +17,21 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
     private long _flushed;
     private volatile bool _stopping;
 
-    // Any thread: written with the next block.
+    // Any thread. The value is written with the next block.
     public void SetMetadata(string key, string value)
     {
         lock (_lock)
             _metadata[key] = value;
     }
 
-    // Any thread. What the ring holds is still written.
+    // Any thread. Pieces that are in the ring are still written.
     public void Stop()
     {
         _stopping = true;
         ring.Wake();
     }
 
-    // Throws what the system throws when a file cannot be written. The total of what was lost is asked for at the end, when nothing is added to it.
+    // If a file cannot be written, the exception of the system reaches the caller. The total loss is read at the end, when it no longer changes.
     public void Run(Func<(long Pieces, long Bytes)> getLoss)
     {
         _flushed = RecordingClock.Now;
@@ -71,11 +71,11 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
             if (_metadata.Count == 0)
                 return;
 
-            // Not now: pieces that arrived before now may still wait in the ring.
+            // Not the current time: pieces that arrived earlier may still wait in the ring.
             RecordingWriter writer = files.Prepare(_time, 0, out TimeSpan time);
             foreach ((string key, string value) in _metadata)
             {
-                // A file is full of text sooner than a server has bones.
+                // A value beyond the limits of the metadata is not recorded.
                 if (writer.Metadata.TryWith(key, value, out _, out _))
                     writer.SetMetadata(time, key, value);
             }
@@ -121,7 +121,7 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
 
     private void Open(in PieceRecord record, TimeSpan time, string endPoints)
     {
-        // A reader has one connection of each kind at a time: the end of the one before was not told, for want of room.
+        // A reader has one connection of each kind at a time. If the previous one is still listed, there was no room to report its end.
         bool isCalculation = record.IsCalculation;
         Close(_open.FindIndex(open => open.IsCalculation == isCalculation), time, nameof(ConnectionReason.None));
         _open.Add((record.Connection, isCalculation, new SenderTable()));
@@ -176,7 +176,7 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
 
     private static string Describe(ReadOnlySpan<byte> sender)
     {
-        // The bytes say which family it is.
+        // The bytes contain the address family.
         var address = new SocketAddress(AddressFamily.InterNetwork, sender.Length);
         for (int i = 0; i < sender.Length; i++)
             address[i] = sender[i];

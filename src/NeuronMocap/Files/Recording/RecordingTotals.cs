@@ -2,11 +2,11 @@ using System.Buffers.Binary;
 
 namespace NeuronMocap.Recording;
 
-/// <summary>Sums of a recording.</summary>
-/// <param name="Pieces">Pieces of bytes: reads of the socket over TCP, datagrams over UDP.</param>
-/// <param name="Bytes">Bytes in them.</param>
-/// <param name="LostPieces">Pieces that arrived and are missing (<see cref="RecordingEntryKind.BytesLost"/>).</param>
-/// <param name="LostBytes">Bytes in those.</param>
+/// <summary>The totals of a recording.</summary>
+/// <param name="Pieces">Number of pieces: reads from the socket over TCP, datagrams over UDP.</param>
+/// <param name="Bytes">Number of bytes in these pieces.</param>
+/// <param name="LostPieces">Number of received pieces that are missing (<see cref="RecordingEntryKind.BytesLost"/>).</param>
+/// <param name="LostBytes">Number of bytes in the missing pieces.</param>
 public readonly record struct RecordingTotals(long Pieces, long Bytes, long LostPieces, long LostBytes);
 
 // The payload of the last block.

@@ -4,22 +4,30 @@ using NeuronMocap.Files;
 namespace NeuronMocap.Recording;
 
 /// <summary>
-/// Writes a recording (docs/reference/recording.md). Entries are gathered in blocks; a block is written whole, with one call, when it has grown to 64 KB or
-/// <see cref="Flush"/> is called, and nothing that was written is ever changed. Times must not go back: one that does counts as the time of the entry
-/// before. Not for use by several threads at a time. Exceptions of the stream are handed on. After one the writer writes no more, and the file ends behind
-/// the last whole block.
+/// Writes a recording (docs/reference/recording.md). Not thread-safe.
 /// </summary>
+/// <remarks>
+/// <para>
+/// Entries are collected in blocks. A block is written with one call when it has grown to 64 KB, or when <see cref="Flush"/> is called. Written
+/// data never changes.
+/// </para>
+/// <para>
+/// Times must not decrease: an earlier time counts as the time of the previous entry. Exceptions of the stream reach the caller. After such an
+/// exception, the writer writes nothing more, and the file ends after the last whole block.
+/// </para>
+/// </remarks>
 public sealed class RecordingWriter : IDisposable
 {
-    /// <summary>Most bytes of one piece.</summary>
+    /// <summary>Maximum number of bytes in one piece.</summary>
     public const int MaxPieceLength = RecordingLayout.MaxPiece;
 
-    // Checkpoints come every MiB, and when the metadata have changed, as long as they stay below a thousandth of the file and this.
+    // A checkpoint follows every MiB, and every change of the metadata. All checkpoints together are limited to a thousandth of the file plus
+    // CheckpointAllowance.
     private const long CheckpointDistance = 1024 * 1024;
     private const long CheckpointAllowance = 16 * 1024;
     private const int CheckpointShare = 1000;
 
-    // Behind the last entry, beside the index: its header, the end, the header of the last block and what stands in front of a piece.
+    // Size of the data after the last entry, without the index itself: index header, end block, block headers, and the head of a piece.
     private const int ClosingBytes = 4096;
     private const int IndexPlaceBytes = 18;
 
@@ -39,11 +47,11 @@ public sealed class RecordingWriter : IDisposable
     private bool _isStateNew;
     private bool _isDisposed;
 
-    /// <summary>Begins a recording.</summary>
-    /// <param name="stream">Where to; only written to, from where it stands on, which has to be the beginning of the file.</param>
-    /// <param name="metadata">What is known already; null for nothing.</param>
-    /// <param name="options">How to write; null for the defaults.</param>
-    /// <exception cref="ArgumentException">The stream cannot be written to.</exception>
+    /// <summary>Begins a recording on a stream.</summary>
+    /// <param name="stream">The stream to write, from its current position, which must be the beginning of the file.</param>
+    /// <param name="metadata">The metadata that is already known; null for none.</param>
+    /// <param name="options">The options; null for the defaults.</param>
+    /// <exception cref="ArgumentException">The stream is not writable.</exception>
     public RecordingWriter(Stream stream, RecordingMetadata? metadata = null, RecordingWriterOptions? options = null)
         : this(stream, new RecordingState(metadata ?? RecordingMetadata.Empty), options ?? new RecordingWriterOptions())
     {
@@ -53,7 +61,7 @@ public sealed class RecordingWriter : IDisposable
     {
         ArgumentNullException.ThrowIfNull(stream);
         if (!stream.CanWrite)
-            throw new ArgumentException("The stream cannot be written to.", nameof(stream));
+            throw new ArgumentException("The stream is not writable.", nameof(stream));
 
         _state = state;
         _header = new RecordingHeader(
@@ -64,47 +72,47 @@ public sealed class RecordingWriter : IDisposable
         WriteCheckpoint();
     }
 
-    /// <summary>The moment that all times count from, in UTC.</summary>
+    /// <summary>The start of the recording, in UTC. All times are relative to it.</summary>
     public DateTimeOffset StartTime => _header.StartTime;
 
-    /// <summary>What the files of one recording have in common.</summary>
+    /// <summary>Identifies the recording. All of its files have the same value.</summary>
     public Guid RecordingId => _header.RecordingId;
 
-    /// <summary>Which file of the recording this is, from 1.</summary>
+    /// <summary>Number of this file within the recording, from 1.</summary>
     public int FileNumber => _header.FileNumber;
 
-    /// <summary>Time of the newest entry.</summary>
+    /// <summary>Time of the last entry.</summary>
     public TimeSpan Duration => new(_time);
 
-    /// <summary>Bytes of the file so far, those included that are not yet written.</summary>
+    /// <summary>Number of bytes of the file so far, including bytes that are not yet written.</summary>
     public long Length => WrittenLength + (_entries.IsEmpty ? 0 : _entries.Block.Length);
 
-    // No less than the file would have, closed behind one more piece.
+    // An upper bound of the file's length if it is closed after one more piece.
     internal long LengthWith(int piece) =>
         Length + piece + ClosingBytes + (2 * _checkpointLength) + (IndexPlaceBytes * (long)(_index.Count + 1));
 
-    /// <summary>Bytes that the stream has taken, in whole blocks.</summary>
+    /// <summary>Number of bytes that the stream has accepted, in whole blocks.</summary>
     public long WrittenLength => _blocks.Length;
 
-    /// <summary>What the file holds so far.</summary>
+    /// <summary>The totals of the file so far.</summary>
     public RecordingTotals Totals => _totals;
 
-    // What the blocks hold that the stream has taken.
+    // The totals of the blocks that the stream has accepted.
     internal RecordingTotals WrittenTotals => _writtenTotals;
 
-    // Time of the newest entry in them.
+    // Time of the last entry in those blocks.
     internal TimeSpan WrittenDuration => new(_writtenTime);
 
-    /// <summary>What is known about the recording.</summary>
+    /// <summary>The metadata of the recording so far.</summary>
     public RecordingMetadata Metadata => _state.Metadata;
 
     /// <summary>Begins a recording in a new file.</summary>
-    /// <param name="path">The file; its usual extension is ".nmrec".</param>
-    /// <param name="metadata">What is known already; null for nothing.</param>
-    /// <param name="options">How to write; null for the defaults.</param>
-    /// <returns>The writer; disposing of it closes the file.</returns>
-    /// <exception cref="IOException">The file exists, or cannot be made or written.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be made.</exception>
+    /// <param name="path">The path of the file; the usual extension is ".nmrec".</param>
+    /// <param name="metadata">The metadata that is already known; null for none.</param>
+    /// <param name="options">The options; null for the defaults.</param>
+    /// <returns>The writer, which closes the file when disposed.</returns>
+    /// <exception cref="IOException">The file already exists, or cannot be created or written.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to create the file.</exception>
     public static RecordingWriter Create(string path, RecordingMetadata? metadata = null, RecordingWriterOptions? options = null)
     {
         FileStream stream = WritableFile.CreateNew(path);
@@ -120,11 +128,11 @@ public sealed class RecordingWriter : IDisposable
     }
 
     /// <summary>
-    /// Begins the next file of the same recording, which is whole by itself: it has the metadata and what is open now at its head. This writer is
-    /// left as it is. The new one's times count from its own beginning.
+    /// Begins the next file of the same recording. The file can be read independently: it starts with the metadata and the open connections and
+    /// senders. This writer does not change. The new writer's times are relative to its own start.
     /// </summary>
     /// <param name="stream">The next file.</param>
-    /// <param name="time">When it begins, in this writer's time.</param>
+    /// <param name="time">The start of the next file, in this writer's time.</param>
     /// <returns>The writer of the next file.</returns>
     public RecordingWriter ContinueIn(Stream stream, TimeSpan time) => new(
         stream,
@@ -138,10 +146,10 @@ public sealed class RecordingWriter : IDisposable
             FileNumber = FileNumber + 1,
         });
 
-    /// <summary>Tells that a connection stands.</summary>
-    /// <param name="time">When, since <see cref="StartTime"/>.</param>
-    /// <param name="connection">The connection; its end points are cut to 255 bytes.</param>
-    /// <exception cref="InvalidOperationException">A connection of that number is open, or 1024 connections and senders are.</exception>
+    /// <summary>Records that a connection was opened.</summary>
+    /// <param name="time">The time since <see cref="StartTime"/>.</param>
+    /// <param name="connection">The connection. Its end points are truncated to 255 bytes.</param>
+    /// <exception cref="InvalidOperationException">A connection with that number is open, or 1024 connections and senders are open.</exception>
     public void OpenConnection(TimeSpan time, RecordedConnection connection)
     {
         ArgumentNullException.ThrowIfNull(connection);
@@ -151,12 +159,14 @@ public sealed class RecordingWriter : IDisposable
         EndEntry();
     }
 
-    /// <summary>Tells whose datagrams have this number from here on.</summary>
-    /// <param name="time">When, since <see cref="StartTime"/>.</param>
+    /// <summary>Records a new sender, whose datagrams have this number from now on.</summary>
+    /// <param name="time">The time since <see cref="StartTime"/>.</param>
     /// <param name="connection">Number of the connection.</param>
     /// <param name="sender">Number of the sender, from 0, new in this connection.</param>
-    /// <param name="address">Its address and port; cut to 255 bytes.</param>
-    /// <exception cref="InvalidOperationException">The connection is not open, or has that sender, or 1024 connections and senders are open.</exception>
+    /// <param name="address">Address and port of the sender, truncated to 255 bytes.</param>
+    /// <exception cref="InvalidOperationException">
+    /// The connection is not open or already has that sender, or 1024 connections and senders are open.
+    /// </exception>
     public void AddSender(TimeSpan time, int connection, int sender, string address)
     {
         ArgumentNullException.ThrowIfNull(address);
@@ -166,11 +176,11 @@ public sealed class RecordingWriter : IDisposable
         EndEntry();
     }
 
-    /// <summary>Tells that a sender was forgotten.</summary>
-    /// <param name="time">When, since <see cref="StartTime"/>.</param>
+    /// <summary>Records that a sender was forgotten.</summary>
+    /// <param name="time">The time since <see cref="StartTime"/>.</param>
     /// <param name="connection">Number of the connection.</param>
     /// <param name="sender">Number of the sender.</param>
-    /// <exception cref="InvalidOperationException">There is no such sender.</exception>
+    /// <exception cref="InvalidOperationException">The sender does not exist.</exception>
     public void RemoveSender(TimeSpan time, int connection, int sender)
     {
         _state.RemoveSender(connection, sender);
@@ -178,44 +188,47 @@ public sealed class RecordingWriter : IDisposable
         EndEntry();
     }
 
-    /// <summary>Writes a piece of bytes as it arrived. Allocates nothing once the largest piece has been seen, but for compressed blocks and, after each MiB, a checkpoint.</summary>
-    /// <param name="time">When it arrived, since <see cref="StartTime"/>.</param>
+    /// <summary>
+    /// Records a piece of received bytes. After the largest piece, this allocates memory only for compressed blocks and, after each MiB, for a
+    /// checkpoint.
+    /// </summary>
+    /// <param name="time">The time of receipt since <see cref="StartTime"/>.</param>
     /// <param name="connection">Number of the connection.</param>
-    /// <param name="bytes">The bytes, at most <see cref="MaxPieceLength"/>; there may be none.</param>
-    /// <param name="sender">Over UDP, number of the sender.</param>
-    /// <exception cref="ArgumentException">The piece is too large, or a number negative.</exception>
+    /// <param name="bytes">The bytes, at most <see cref="MaxPieceLength"/>; may be empty.</param>
+    /// <param name="sender">Over UDP, the number of the sender.</param>
+    /// <exception cref="ArgumentException">The piece is too large, or a number is negative.</exception>
     public void WriteBytes(TimeSpan time, int connection, ReadOnlySpan<byte> bytes, int sender = 0)
     {
         if (bytes.Length > MaxPieceLength)
-            throw new ArgumentException($"A piece may have {MaxPieceLength} bytes; this has {bytes.Length}.", nameof(bytes));
+            throw new ArgumentException($"A piece must not have more than {MaxPieceLength} bytes; this one has {bytes.Length}.", nameof(bytes));
         if (connection < 0 || sender < 0)
-            throw new ArgumentException("Connections and senders are numbered from 0.", nameof(connection));
+            throw new ArgumentException("The numbers of connections and senders must not be negative.", nameof(connection));
 
         _entries.AddBytes(Advance(time), connection, sender, bytes);
         _totals = _totals with { Pieces = _totals.Pieces + 1, Bytes = _totals.Bytes + bytes.Length };
         EndEntry();
     }
 
-    /// <summary>Tells that bytes arrived which the recording does not hold.</summary>
-    /// <param name="time">When, since <see cref="StartTime"/>: at the place where they are missing.</param>
+    /// <summary>Records that received bytes are missing from the recording.</summary>
+    /// <param name="time">The time since <see cref="StartTime"/> at which the bytes are missing.</param>
     /// <param name="connection">Number of the connection.</param>
-    /// <param name="pieces">How many pieces.</param>
-    /// <param name="bytes">How many bytes.</param>
+    /// <param name="pieces">Number of missing pieces.</param>
+    /// <param name="bytes">Number of missing bytes.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is negative.</exception>
     public void WriteLoss(TimeSpan time, int connection, long pieces, long bytes)
     {
         if (connection < 0 || pieces < 0 || bytes < 0)
-            throw new ArgumentOutOfRangeException(nameof(pieces), "Numbers of connections, pieces and bytes are not negative.");
+            throw new ArgumentOutOfRangeException(nameof(pieces), "The numbers of connections, pieces and bytes must not be negative.");
 
         _entries.AddLoss(Advance(time), connection, pieces, bytes);
         _totals = _totals with { LostPieces = _totals.LostPieces + pieces, LostBytes = _totals.LostBytes + bytes };
         EndEntry();
     }
 
-    /// <summary>Tells that a connection is gone.</summary>
-    /// <param name="time">When, since <see cref="StartTime"/>.</param>
+    /// <summary>Records that a connection was closed.</summary>
+    /// <param name="time">The time since <see cref="StartTime"/>.</param>
     /// <param name="connection">Number of the connection.</param>
-    /// <param name="reason">Why; cut to 255 bytes.</param>
+    /// <param name="reason">The reason, truncated to 255 bytes.</param>
     /// <exception cref="InvalidOperationException">The connection is not open.</exception>
     public void CloseConnection(TimeSpan time, int connection, string reason)
     {
@@ -225,11 +238,11 @@ public sealed class RecordingWriter : IDisposable
         EndEntry();
     }
 
-    /// <summary>Tells something about the recording that was not known before. A value that is known already is not written again.</summary>
-    /// <param name="time">When it came to be known, since <see cref="StartTime"/>.</param>
-    /// <param name="key">The name.</param>
+    /// <summary>Records a metadata value that was not known before. A value that is already known is not written again.</summary>
+    /// <param name="time">The time since <see cref="StartTime"/> at which the value became known.</param>
+    /// <param name="key">The key.</param>
     /// <param name="value">The value.</param>
-    /// <exception cref="ArgumentException">One of the limits of <see cref="RecordingMetadata"/> is exceeded.</exception>
+    /// <exception cref="ArgumentException">A limit of <see cref="RecordingMetadata"/> is exceeded.</exception>
     public void SetMetadata(TimeSpan time, string key, string value)
     {
         ArgumentNullException.ThrowIfNull(key);
@@ -242,7 +255,7 @@ public sealed class RecordingWriter : IDisposable
         EndEntry();
     }
 
-    /// <summary>Writes what was gathered, and flushes the stream. What was written before survives the end of this process.</summary>
+    /// <summary>Writes the collected entries and flushes the stream. Entries written so far survive the end of this process.</summary>
     public void Flush()
     {
         ObjectDisposedException.ThrowIf(_isDisposed, this);
@@ -250,7 +263,7 @@ public sealed class RecordingWriter : IDisposable
         _blocks.Flush();
     }
 
-    /// <summary>Writes what was gathered, the index and the end, and closes the stream.</summary>
+    /// <summary>Writes the collected entries, the index and the end block, and closes the stream.</summary>
     public void Dispose()
     {
         if (_isDisposed)

@@ -1,20 +1,20 @@
 namespace NeuronMocap.Recording;
 
-/// <summary>How a <see cref="RecordingWriter"/> writes.</summary>
+/// <summary>Options of a <see cref="RecordingWriter"/>.</summary>
 public sealed class RecordingWriterOptions
 {
-    /// <summary>The moment that all times count from. Null, the default, for now.</summary>
+    /// <summary>The start of the recording, to which all times are relative. Null, the default, means now.</summary>
     public DateTimeOffset? StartTime { get; set; }
 
-    /// <summary>Whether blocks are compressed where that makes them smaller. Default: false.</summary>
+    /// <summary>Whether blocks are compressed if that makes them smaller. The default is false.</summary>
     public bool Compress { get; set; }
 
-    /// <summary>Whether the stream stays open when the writer is disposed of. Default: false.</summary>
+    /// <summary>Whether the stream stays open when the writer is disposed. The default is false.</summary>
     public bool LeaveOpen { get; set; }
 
-    /// <summary>What the files of one recording have in common. Empty, the default, for a new one.</summary>
+    /// <summary>Identifies the recording; all of its files have the same value. Empty, the default, creates a new value.</summary>
     public Guid RecordingId { get; set; }
 
-    /// <summary>Which file of the recording this is, from 1. Default: 1.</summary>
+    /// <summary>Number of this file within the recording, from 1. The default is 1.</summary>
     public int FileNumber { get; set; } = 1;
 }

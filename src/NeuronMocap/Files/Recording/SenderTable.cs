@@ -2,13 +2,13 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Recording;
 
-// Which senders of a UDP port a recording has told, by their numbers. Remembers as many as UdpSenders does.
+// The senders of a UDP port that a recording contains, by number. Its limit is that of UdpSenders.
 internal sealed class SenderTable
 {
     private readonly Dictionary<int, long> _lastUsed = [];
     private long _clock;
 
-    // Whether the sender has to be told first; and which one was forgotten for it.
+    // Returns whether the sender must be recorded first, and the sender that was forgotten to make room.
     public bool IsNew(int sender, out int? forgotten)
     {
         forgotten = null;

@@ -2,7 +2,7 @@ namespace NeuronMocap.Recording;
 
 internal static class StreamReads
 {
-    // Reads until the bytes are there or the stream ends, and returns how many there are.
+    // Reads until the span is full or the stream ends, and returns the number of bytes read.
     public static int Fill(Stream stream, Span<byte> destination)
     {
         int filled = 0;

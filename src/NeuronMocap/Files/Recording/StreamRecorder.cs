@@ -6,14 +6,20 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Recording;
 
 /// <summary>
-/// Records what a reader receives, byte by byte as it arrives, packets or not; made by <see cref="NeuronReader.StartRecording"/>. The reader never
-/// waits for it: its receive thread copies each piece into a queue, and a thread of the recording writes. Where the queue is full, pieces are missing
-/// in the recording, which says so at the place, and are counted. A recording that cannot be written any more, because the disk is full for example,
-/// ends (<see cref="Failure"/>); the reader goes on. Any thread.
+/// Records the bytes that a reader receives, whether they form packets or not. Created by <see cref="NeuronReader.StartRecording"/>. Thread-safe.
 /// </summary>
+/// <remarks>
+/// <para>
+/// The reader never waits for the recording. Its receive thread copies each piece into a queue, and a separate thread writes. If the queue is full,
+/// pieces are lost. The recording marks the position, and the statistics count them.
+/// </para>
+/// <para>
+/// If the file cannot be written, for example on a full disk, the recording ends (<see cref="Failure"/>) and the reader continues.
+/// </para>
+/// </remarks>
 public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, IAsyncDisposable
 {
-    // Longest wait for a disk that takes nothing any more.
+    // Maximum wait for a disk that no longer responds.
     private static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(10);
 
     private readonly RecordingClock _clock = new();
@@ -26,10 +32,10 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
     private volatile Exception? _failure;
     private long _duration = -1;
 
-    // Null at the end, so that its memory does not stay for the figures' sake.
+    // Null at the end, which frees its memory while the statistics remain available.
     private volatile PieceRing? _ring;
 
-    // Producer's: the connections that stand, two at most, and what went into the ring or found no room there.
+    // Producer: the open connections, two at most, and the numbers of pieces and bytes that were queued or lost.
     private RecordedLink[] _links = [];
     private long _takenPieces;
     private long _takenBytes;
@@ -57,29 +63,29 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
         }
         catch
         {
-            // No memory for the queue, or no thread.
+            // There was no memory for the queue, or no thread.
             tap.Remove(this);
             _files.Dispose();
             throw;
         }
     }
 
-    /// <summary>The file as it was asked for. Where files follow each other, their names have a number before the extension.</summary>
+    /// <summary>The path as the caller gave it. If the recording has several files, their names have a number before the extension.</summary>
     public string Path { get; }
 
-    /// <summary>The file that is written now, or was last.</summary>
+    /// <summary>The file that is being written, or was written last.</summary>
     public string CurrentPath => _files.CurrentPath;
 
-    /// <summary>Whether it records. False when it was stopped, the reader ended, or it failed.</summary>
+    /// <summary>Whether the recording runs. False after it was stopped, the reader ended, or it failed.</summary>
     public bool IsRecording => _ring is not null;
 
-    /// <summary>Why the recording ended before its time: the disk is full, for example. Null while all is well.</summary>
+    /// <summary>The exception that ended the recording early, for example because the disk is full; otherwise null.</summary>
     public Exception? Failure => _failure;
 
-    /// <summary>Completes when the recording has ended and its file is closed. Never faults; see <see cref="Failure"/>.</summary>
+    /// <summary>Completes when the recording has ended and its file is closed. The task never faults; see <see cref="Failure"/>.</summary>
     public Task Completion => _completion.Task;
 
-    // As Completion, but what awaits it goes on on the recording's thread.
+    // Like Completion, but continuations run on the recording's thread.
     internal Task Ended { get; }
 
     Task IFileOutput.Ended => Ended;
@@ -88,7 +94,7 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
 
     int IFileOutput.UndeletedFiles => _files.Undeleted;
 
-    /// <summary>What was recorded so far. Also after the end.</summary>
+    /// <summary>Gets the statistics of the recording. They remain available after the end.</summary>
     /// <returns>A snapshot.</returns>
     public RecordingStatistics GetStatistics()
     {
@@ -97,7 +103,7 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
         (long lostPieces, long lostBytes) = (Volatile.Read(ref _lostPieces), Volatile.Read(ref _lostBytes));
         if (ended >= 0 && _failure is not null)
         {
-            // What the queue held when the recording failed is missing as well.
+            // Pieces that were queued when the recording failed are also missing.
             lostPieces += Volatile.Read(ref _takenPieces) - pieces;
             lostBytes += Volatile.Read(ref _takenBytes) - bytes;
         }
@@ -116,10 +122,10 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
     }
 
     /// <summary>
-    /// Ends the recording without blocking: what the queue holds is written, and the file closed. Any number of times.
+    /// Ends the recording without blocking. Queued pieces are written, and the file is closed. Further calls have no effect.
     /// </summary>
-    /// <param name="cancellationToken">Ends the wait; the recording ends all the same.</param>
-    /// <returns>A task that completes when the file is closed, however long the disk takes. See <see cref="Failure"/> then.</returns>
+    /// <param name="cancellationToken">Cancels the wait, but not the end of the recording.</param>
+    /// <returns>A task that completes when the file is closed, however long the disk takes. Check <see cref="Failure"/> afterwards.</returns>
     /// <exception cref="OperationCanceledException">The wait was cancelled.</exception>
     public Task StopAsync(CancellationToken cancellationToken = default)
     {
@@ -127,7 +133,7 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
         return TaskWaiting.WaitAsync(Completion, cancellationToken);
     }
 
-    /// <summary>As <see cref="Dispose"/>, without blocking the thread.</summary>
+    /// <summary>Ends the recording like <see cref="Dispose"/>, without blocking the thread.</summary>
     /// <returns>A task that completes when the file is closed, or after 10 s.</returns>
     public ValueTask DisposeAsync()
     {
@@ -136,8 +142,8 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
     }
 
     /// <summary>
-    /// Ends the recording: what the queue holds is written, and the file closed. Blocks until then, 10 s at most; a disk that takes longer is left
-    /// behind. Any number of times. <see cref="StopAsync"/> and <see cref="DisposeAsync"/> do not block.
+    /// Ends the recording: queued pieces are written, and the file is closed. This blocks for at most 10 s; a slower disk continues in the
+    /// background. Further calls have no effect. <see cref="StopAsync"/> and <see cref="DisposeAsync"/> do not block.
     /// </summary>
     public void Dispose()
     {
@@ -145,7 +151,7 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
         _completion.Task.Wait(StopTimeout);
     }
 
-    // Without waiting.
+    // Does not wait.
     internal void Stop()
     {
         _tap.Remove(this);
@@ -159,17 +165,17 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
     string IFileOutput.DescribeLoss(long count)
     {
         RecordingStatistics statistics = GetStatistics();
-        return Text($"The recording lacks {Number(count, "piece")} that arrived faster than {Path} could be written; {statistics.LostPieces} in all, {Number(statistics.LostBytes, "byte")}.");
+        return Text($"The recording lost {Number(count, "piece")} because {Path} could not be written fast enough; {statistics.LostPieces} in total, {Number(statistics.LostBytes, "byte")}.");
     }
 
     string IFileOutput.DescribeUndeleted() =>
-        $"An old file of the recording could not be deleted ({_files.UndeletedReason}) The next file tries again; the recording goes on.";
+        $"An old file of the recording could not be deleted ({_files.UndeletedReason}) The recording continues and tries again with the next file.";
 
     string IFileOutput.DescribeEnd()
     {
         RecordingStatistics statistics = GetStatistics();
         return _failure is { } failure
-            ? Text($"The recording to {CurrentPath} failed: {failure.Message.TrimEnd('.')}. It holds {Number(statistics.Bytes, "byte")}; {Number(statistics.LostPieces, "piece")} that arrived are lost.")
+            ? Text($"The recording to {CurrentPath} failed: {failure.Message.TrimEnd('.')}. It holds {Number(statistics.Bytes, "byte")}; {Number(statistics.LostPieces, "piece")} could not be written.")
             : Text($"Recorded {Number(statistics.Bytes, "byte")} in {statistics.Duration.TotalSeconds:0.0} s to {CurrentPath}.");
     }
 
@@ -232,7 +238,7 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
         }
         catch (Exception exception)
         {
-            // Whatever it is, it may end neither the process nor the reader.
+            // The exception must not end the process or the reader.
             _failure = exception;
         }
         finally

@@ -93,7 +93,7 @@ public class BvhMirrorTests
             "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 0\nJOINT LeftArm\n{\nOFFSET 0 0 0\nCHANNELS 0\nJOINT LeftHand\n{\nOFFSET 0 0 0\nCHANNELS 0\n}\n}\n"
             + "JOINT RightArm\n{\nOFFSET 0 0 0\nCHANNELS 0\n}\n}\n");
         NeuronException failure = Assert.Throws<NeuronException>(take.Mirror);
-        Assert.Contains("LeftHand is a child of LeftArm, and RightArm has no child like it", failure.Message, StringComparison.Ordinal);
+        Assert.Contains("LeftHand is a child of LeftArm, but RightArm has no matching child", failure.Message, StringComparison.Ordinal);
     }
 
     internal static string OtherSide(string name) => name switch

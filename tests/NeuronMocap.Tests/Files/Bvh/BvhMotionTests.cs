@@ -89,7 +89,7 @@ public class BvhMotionTests
         BvhDocument document = Parse($"{Hierarchy}MOTION\nFrames: {frames}\nFrame Time: 0.008\n{Row}{Row}");
 
         Assert.Equal(2, document.FrameCount);
-        Assert.Equal(new BvhRepair(17, frames.Length == 0 ? 1 : 9, $"'{frames}' frames are announced and 2 rows are there; the rows count."), OnlyRepair(document));
+        Assert.Equal(new BvhRepair(17, frames.Length == 0 ? 1 : 9, $"'{frames}' frames are declared, but there are 2 rows; the rows count."), OnlyRepair(document));
     }
 
     [Fact]
@@ -98,7 +98,7 @@ public class BvhMotionTests
         BvhDocument document = Parse($"{Hierarchy}MOTION\nFrame Time: 0.008\n{Row}");
 
         Assert.Equal(1, document.FrameCount);
-        Assert.Equal(new BvhRepair(16, 1, "The number of frames is missing; 1 are there."), OnlyRepair(document));
+        Assert.Equal(new BvhRepair(16, 1, "The number of frames is missing; rows found: 1."), OnlyRepair(document));
     }
 
     [Theory]
@@ -195,7 +195,7 @@ public class BvhMotionTests
                 new BvhRepair(22, 1, "Another MOTION begins here; its rows follow those before it."),
                 new BvhRepair(25, 13, "Another frame time is given, '0.017'; it is ignored."),
                 new BvhRepair(27, 1, "Another MOTION begins here; its rows follow those before it."),
-                new BvhRepair(27, 1, "The number of frames is missing; 0 are there."),
+                new BvhRepair(27, 1, "The number of frames is missing; rows found: 0."),
             ],
             document.Repairs);
     }

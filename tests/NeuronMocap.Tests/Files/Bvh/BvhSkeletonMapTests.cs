@@ -121,13 +121,13 @@ public class BvhSkeletonMapTests
     [InlineData(Bone.Neck1, "Neck1", "Neck2", "no joint named Neck1")]
     [InlineData(Bone.Spine2, "Spine2", "Spine3", "no joint named Spine2")]
     [InlineData(Bone.LeftLeg, "LeftLeg", "LeftFoot", "two joints named LeftFoot")]
-    [InlineData(Bone.LeftLeg, "Xrotation Zrotation", "Zrotation Xrotation", "rotation order of joint LeftLeg is YZX, that of the hips YXZ")]
+    [InlineData(Bone.LeftLeg, "Xrotation Zrotation", "Zrotation Xrotation", "rotation order of joint LeftLeg is YZX, but that of the hips is YXZ")]
     [InlineData(Bone.LeftLeg, "Zrotation", "Xrotation", "Joint LeftLeg does not have one rotation channel for each")]
     [InlineData(Bone.LeftLeg, "3 Yrotation", "2", "Joint LeftLeg does not have one rotation channel for each")]
     [InlineData(Bone.LeftLeg, "3 Y", "6 Xposition Yposition Zposition Y", "Joint LeftLeg has 3 position channels")]
     [InlineData(Bone.Spine, "3 Y", "6 Xposition Yposition Zposition Y", "Joint RightUpLeg has 0 position channels")]
     [InlineData(Bone.Hips, "6 Xposition", "5", "Joint Hips has 2 position channels")]
-    [InlineData(Bone.Hips, "Xposition", "Zposition", "Joint Hips has one of the position channels twice")]
+    [InlineData(Bone.Hips, "Xposition", "Zposition", "Joint Hips has the same position channel twice")]
     public void The_reason_names_the_joint_that_differs(Bone changed, string original, string replacement, string told)
     {
         string text = Neuron(edit: (bone, joint) => bone == changed ? joint.Replace(original, replacement, StringComparison.Ordinal) : joint);
@@ -171,7 +171,7 @@ public class BvhSkeletonMapTests
 
     [Theory]
     [InlineData("3 Yrotation Xrotation Zrotation", "Joint Reference has 0 position channels")]
-    [InlineData("6 Xposition Yposition Zposition Xrotation Yrotation Zrotation", "rotation order of joint Reference is XYZ, that of the hips YXZ")]
+    [InlineData("6 Xposition Yposition Zposition Xrotation Yrotation Zrotation", "rotation order of joint Reference is XYZ, but that of the hips is YXZ")]
     public void A_reference_node_of_other_channels_is_not_neurons(string channels, string told) =>
         Assert.Contains(told, Refuse(UnderRoot("Reference", channels)), StringComparison.Ordinal);
 

@@ -91,7 +91,7 @@ public sealed class BvhWriterTests : IDisposable
         }
 
         BvhDocument read = BvhDocument.Parse(memory.ToArray());
-        Assert.Contains("'0' frames are announced and 1 rows are there", OnlyRepair(read).Description, StringComparison.Ordinal);
+        Assert.Contains("'0' frames are declared, but there are 1 rows", OnlyRepair(read).Description, StringComparison.Ordinal);
         AssertBits(document.GetFrame(0), Values(read));
     }
 

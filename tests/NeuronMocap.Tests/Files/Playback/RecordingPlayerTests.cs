@@ -216,7 +216,7 @@ public sealed class RecordingPlayerTests
         player.Dispose();
         await reader.Completion.Soon();
         Assert.Equal(ConnectionReason.EndOfRecording, reader.Status.Reason);
-        Assert.Contains("disposed of", reader.Status.Message, StringComparison.Ordinal);
+        Assert.Contains("was disposed", reader.Status.Message, StringComparison.Ordinal);
         Assert.Throws<ObjectDisposedException>(() => new NeuronReader(player));
     }
 

@@ -37,7 +37,7 @@ public sealed class BlockOrderTests
                 using RecordingReader reader = Open(order);
                 Assert.Equal(All, Recordings.Numbers(reader, Size));
                 Assert.True(reader.IsComplete);
-                Assert.Contains(reader.Problems, problem => Says(problem, $"Block {first} stands behind block {second}"));
+                Assert.Contains(reader.Problems, problem => Says(problem, $"Block {first} follows block {second}"));
                 Assert.DoesNotContain(reader.Problems, problem => Says(problem, "missing") || Says(problem, "twice"));
             }
         }
@@ -55,7 +55,7 @@ public sealed class BlockOrderTests
                 using RecordingReader reader = Open(order);
                 Assert.Equal(All, Recordings.Numbers(reader, Size));
                 Assert.True(reader.IsComplete);
-                Assert.Contains($"Block {block} is there twice", Assert.Single(reader.Problems).Description, StringComparison.Ordinal);
+                Assert.Contains($"Block {block} exists twice", Assert.Single(reader.Problems).Description, StringComparison.Ordinal);
             }
         }
     }

@@ -1,20 +1,20 @@
 namespace NeuronMocap.Bvh;
 
-/// <summary>Where the OFFSETs of an exported file come from.</summary>
+/// <summary>Specifies where the OFFSETs of an exported file come from.</summary>
 public enum BvhBodyOrigin
 {
-    /// <summary>The default body's, of the manual's Appendix B: right in direction, not in length.</summary>
+    /// <summary>The default body of the manual's Appendix B. Its directions are right, its lengths are not.</summary>
     Default,
 
-    /// <summary>The stream's own positions: it has displacement.</summary>
+    /// <summary>The positions of the stream, which has displacement.</summary>
     Stream,
 
-    /// <summary>The export's options.</summary>
+    /// <summary>The options of the export.</summary>
     Options,
 
-    /// <summary>The BVH header that the command channel answered.</summary>
+    /// <summary>The BVH header from the command channel.</summary>
     Header,
 
-    /// <summary>The bone sizes that the command channel answered, on the default body's proportions.</summary>
+    /// <summary>The bone sizes from the command channel, with the proportions of the default body.</summary>
     Dimensions,
 }

@@ -5,11 +5,18 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// A reader's frames on their way into BVH files: <see cref="NeuronReader.ExportBvh"/>. A thread of its own writes; the receive thread puts frames into a queue
-/// without ever waiting, and where the disk is too slow the frames that do not fit are dropped and counted here. A process that is killed leaves files that open, with
-/// all rows but those of the last quarter of a second. A full disk ends the export (<see cref="Failure"/>), not the reader, and the files hold what is told here.
-/// All members may be called from any thread.
+/// Writes the frames of a reader to BVH files: <see cref="NeuronReader.ExportBvh"/>. Thread-safe.
 /// </summary>
+/// <remarks>
+/// <para>
+/// A separate thread writes. The receive thread adds frames to a queue and never waits. If the disk is too slow, frames that do not fit are dropped
+/// and counted here.
+/// </para>
+/// <para>
+/// If the process is killed, the files can be opened and hold all rows except those of the last quarter of a second. A full disk ends the export
+/// (<see cref="Failure"/>) but not the reader. The counters here then match the content of the files.
+/// </para>
+/// </remarks>
 public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
 {
     private const int FramesAtOnce = 256;
@@ -38,30 +45,34 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
         _threadEnd = DedicatedThread.RunAsync("NeuronMocap BVH export", Run, TaskCreationOptions.None);
     }
 
-    /// <summary>The file as it was asked for. Where there is one for each avatar, or several parts, what their names are made of: see <see cref="Files"/>.</summary>
+    /// <summary>
+    /// The path as the caller gave it. If there are several avatars or parts, the file names derive from it: see <see cref="Files"/>.
+    /// </summary>
     public string Path { get; }
 
-    /// <summary>The files that were begun, in that order, with what was handed to the system of each, at most a quarter of a second ago.</summary>
+    /// <summary>
+    /// The files in the order of creation. The counters describe the data passed to the operating system, at most a quarter of a second ago.
+    /// </summary>
     public IReadOnlyList<BvhExportFile> Files => _files.Snapshot;
 
-    /// <summary>Number of rows in all files together, repeated ones included.</summary>
+    /// <summary>Number of rows in all files, including repeated rows.</summary>
     public long FramesWritten => Files.Sum(static file => (long)file.FrameCount);
 
     /// <summary>
-    /// Number of frames that are missing because of the disk: it was too slow and the queue full, or it took no more before they were written
+    /// Number of frames dropped because of the disk. Either the queue was full because the disk was too slow, or writing failed
     /// (<see cref="Failure"/>).
     /// </summary>
     public long FramesDropped => _queue.Dropped + Volatile.Read(ref _lostAtFailure);
 
-    /// <summary>Number of frames that belong to no file: of other avatars, or with other values than those of the 59 bones.</summary>
+    /// <summary>Number of frames that do not belong to any file: frames of other avatars, or frames without the values of the 59 bones.</summary>
     public long FramesIgnored => _files.Ignored;
 
-    /// <summary>Why the export ended before it was asked to; null while it goes on, and when it ended as it should.</summary>
+    /// <summary>The exception that ended the export early; null while it runs and after a normal end.</summary>
     public Exception? Failure => Volatile.Read(ref _failure);
 
     /// <summary>
-    /// Completes when the files are: after <see cref="Dispose"/>, after the reader's end, after <see cref="BvhExportOptions.MaxFrames"/>, or with a
-    /// <see cref="Failure"/>. Never faults.
+    /// Completes when the files are complete: after <see cref="Dispose"/>, after the reader ends, after <see cref="BvhExportOptions.MaxFrames"/>,
+    /// or with a <see cref="Failure"/>. The task never faults.
     /// </summary>
     public Task Completion => _completion.Task;
 
@@ -71,9 +82,11 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
 
     int IFileOutput.UndeletedFiles => 0;
 
-    /// <summary>Ends the export without blocking: the frames that wait are written, and the files completed and closed. Any number of times.</summary>
-    /// <param name="cancellationToken">Ends the wait; the export ends all the same.</param>
-    /// <returns>A task that completes when the files are closed, however long the disk takes. See <see cref="Failure"/> then.</returns>
+    /// <summary>
+    /// Ends the export without blocking. Queued frames are written, and the files are completed and closed. Further calls have no effect.
+    /// </summary>
+    /// <param name="cancellationToken">Cancels the wait, but not the end of the export.</param>
+    /// <returns>A task that completes when the files are closed, however long the disk takes. Check <see cref="Failure"/> afterwards.</returns>
     /// <exception cref="OperationCanceledException">The wait was cancelled.</exception>
     public Task StopAsync(CancellationToken cancellationToken = default)
     {
@@ -81,7 +94,7 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
         return TaskWaiting.WaitAsync(Completion, cancellationToken);
     }
 
-    /// <summary>As <see cref="Dispose"/>, without blocking the thread.</summary>
+    /// <summary>Ends the export like <see cref="Dispose"/>, without blocking the thread.</summary>
     /// <returns>A task that completes when the files are closed, or after 10 s.</returns>
     public ValueTask DisposeAsync()
     {
@@ -90,8 +103,8 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
     }
 
     /// <summary>
-    /// Writes the frames that wait, completes the files and closes them. Blocks until then, 10 s at most; a disk that takes longer is left behind. Again:
-    /// nothing. <see cref="StopAsync"/> and <see cref="DisposeAsync"/> do not block.
+    /// Writes the queued frames, and completes and closes the files. This blocks for at most 10 s; a slower disk continues in the background.
+    /// Further calls have no effect. <see cref="StopAsync"/> and <see cref="DisposeAsync"/> do not block.
     /// </summary>
     public void Dispose()
     {
@@ -104,12 +117,12 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
     string IFileOutput.DescribeStart() => $"Exporting BVH to {Path}.";
 
     string IFileOutput.DescribeLoss(long count) =>
-        Text($"The export to {Path} lacks {Number(count, "frame")} that arrived faster than the disk took them; {FramesDropped} in all.");
+        Text($"The export to {Path} dropped {Number(count, "frame")} because the disk is too slow; {FramesDropped} in total.");
 
     string IFileOutput.DescribeUndeleted() => string.Empty;
 
     string IFileOutput.DescribeEnd() => Failure is { } failure
-        ? Text($"The export to {Path} failed: {failure.Message.TrimEnd('.')}. It holds {Number(FramesWritten, "frame")}; {Number(FramesDropped, "frame")} that arrived are lost.")
+        ? Text($"The export to {Path} failed: {failure.Message.TrimEnd('.')}. It holds {Number(FramesWritten, "frame")}; {Number(FramesDropped, "frame")} could not be written.")
         : Text($"Exported {Number(FramesWritten, "frame")} to {(Files is [var only] ? only.Path : Text($"{Files.Count} files, named after {Path}"))}.");
 
     private void Stop()
@@ -159,7 +172,7 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
         }
     }
 
-    // The end is looked at before the queue: what came before the end is still written.
+    // The end is checked before the queue. Frames queued before the end are therefore still written.
     private void Write()
     {
         Action<MotionFrame> onMotion = _files.Write;

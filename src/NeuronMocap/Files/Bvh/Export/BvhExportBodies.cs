@@ -7,15 +7,15 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Bvh;
 
-// Finds out what the hierarchies of an export's files are made of. The export's thread, which may wait.
+// Finds the bodies for the hierarchies of an export. Runs on the export's thread, which may wait.
 internal sealed class BvhExportBodies(BvhExportOptions options, ServerInquiry? inquiry, FrameFormat format)
 {
     private static readonly TimeSpan PollPeriod = TimeSpan.FromMilliseconds(10);
 
     private bool _hasGivenUp;
 
-    // Frames that are taken out of the queue are understood as the command channel says by then; a first part of a file in a rotation order that was only
-    // assumed is of no use to anybody.
+    // Waits until the command channel has reported the format, because frames are decoded with the format known when they are taken from the queue.
+    // Without the wait, the first part of a file could have a rotation order that was only assumed.
     public void WaitForFormat(ManualResetEventSlim stop)
     {
         var waited = Stopwatch.StartNew();
@@ -24,7 +24,7 @@ internal sealed class BvhExportBodies(BvhExportOptions options, ServerInquiry? i
         }
     }
 
-    // Of a stream with displacement only the End Sites of the body are of use.
+    // If the stream has displacement, only the End Sites of the body are used.
     public (SkeletonBody? Body, BvhBodyOrigin Source) Find(MotionFrame frame)
     {
         (SkeletonBody? body, BvhBodyOrigin source) = options.Body is { } given
@@ -53,7 +53,7 @@ internal sealed class BvhExportBodies(BvhExportOptions options, ServerInquiry? i
         }
         catch (Exception exception) when (exception is NeuronCommandException or OperationCanceledException or ObjectDisposedException)
         {
-            // Whoever does not answer for one avatar is not asked for the next: its frames wait.
+            // A server that does not answer for one avatar is not asked again for the next, because the frames of that avatar wait.
             _hasGivenUp = true;
             return default;
         }

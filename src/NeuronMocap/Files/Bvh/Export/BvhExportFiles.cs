@@ -4,10 +4,10 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Bvh;
 
-// The files of an export: which frame goes into which. The export's thread; the snapshot and the number of those ignored are for anyone.
+// Assigns frames to the files of an export. Runs on the export's thread; any thread may read Snapshot and Ignored.
 internal sealed class BvhExportFiles
 {
-    // Nobody has more, and a stream that means harm shall not fill a folder.
+    // A limit above any real number of avatars. A malicious stream must not fill a folder.
     private const int MaxAvatars = 64;
     private const int MaxParts = 100;
 
@@ -18,7 +18,7 @@ internal sealed class BvhExportFiles
     private readonly Dictionary<(int Sender, int Avatar), Take> _takes = [];
     private readonly List<Take> _begun = [];
 
-    // What was there before may be anything, a device for example, and is not deleted.
+    // Only files created here may be deleted. A path that existed before may be anything, for example a device.
     private readonly HashSet<string> _made = new(StringComparer.Ordinal);
     private Stream? _first;
     private volatile BvhExportFile[] _snapshot = [];
@@ -26,7 +26,7 @@ internal sealed class BvhExportFiles
     private long _received;
     private long _taken;
 
-    /// <summary>Opens the file, where there is one only: who gave a wrong name shall know at once.</summary>
+    /// <summary>Opens the file immediately if there is only one. The caller then learns of a wrong name at once.</summary>
     public BvhExportFiles(string path, BvhExportOptions options, BvhExportBodies bodies, Func<string, Stream>? open = null)
     {
         _path = path;
@@ -40,7 +40,7 @@ internal sealed class BvhExportFiles
 
     public long Ignored => Volatile.Read(ref _ignored);
 
-    // Frames that came and are in no file, once Close was called: the disk took no more.
+    // Valid after Close: the number of received frames that are in no file because the disk failed.
     public long Cut { get; private set; }
 
     public bool IsFull => _taken >= _options.MaxFrames;
@@ -79,8 +79,8 @@ internal sealed class BvhExportFiles
         _snapshot = [.. _begun.Select(static take => take.Describe())];
     }
 
-    /// <summary>Completes all files. A file for which nothing came, or of which the disk took nothing, is not left behind.</summary>
-    /// <returns>Why one could not be completed.</returns>
+    /// <summary>Completes all files. A file without frames, or of which nothing could be written, is deleted.</summary>
+    /// <returns>The failure to complete a file; null if all files are complete.</returns>
     public Exception? Close()
     {
         Exception? failure = null;
@@ -92,7 +92,7 @@ internal sealed class BvhExportFiles
             }
             catch (Exception exception)
             {
-                // Whatever it is, the other files are closed, too.
+                // The other files are closed whatever the exception is.
                 failure = exception;
             }
         }
@@ -113,7 +113,7 @@ internal sealed class BvhExportFiles
         return failure;
     }
 
-    // Again: nothing.
+    // Further calls have no effect.
     private void CloseWriter(Take take)
     {
         if (take.IsClosed)
@@ -137,7 +137,7 @@ internal sealed class BvhExportFiles
         stream.Dispose();
     }
 
-    // While the file is still open, and so nobody else's.
+    // Deletes while the file is still open. No other writer can have it then.
     private bool DeleteIfEmpty(string path)
     {
         var file = new FileInfo(path);
@@ -165,7 +165,7 @@ internal sealed class BvhExportFiles
         return stream;
     }
 
-    // A file that is replaced stays what it was until there is a first frame.
+    // A file that is to be replaced keeps its content until the first frame.
     private FileStream OpenFile(string path) => _options.Overwrite ? WritableFile.OpenOrCreate(path) : WritableFile.CreateNew(path);
 
     private Take? FindTake(MotionFrame frame)
@@ -185,7 +185,7 @@ internal sealed class BvhExportFiles
     {
         CloseWriter(take);
         if (take.Part == MaxParts)
-            throw new NeuronException($"The server changed layout or rotation order of avatar {frame.AvatarIndex} {MaxParts} times; the export ends.");
+            throw new NeuronException($"The server changed the layout or rotation order of avatar {frame.AvatarIndex} {MaxParts} times. The export ends.");
 
         return Begin(frame, take.Part + 1);
     }
@@ -249,7 +249,7 @@ internal sealed class BvhExportFiles
 
         public int Part => part;
 
-        // Frames that are in the file, and those that were late for it.
+        // Number of frames in the file plus the frames that arrived out of order.
         public int Received => writer.FrameCount - writer.RepeatedFrames + writer.LateFrames;
 
         public bool IsChanged { get; set; }

@@ -2,50 +2,62 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Bvh;
 
-/// <summary>How a reader's frames become BVH files: <see cref="NeuronReader.ExportBvh"/>. Copied when used; later changes have no effect.</summary>
+/// <summary>
+/// Options for exporting frames to BVH files: <see cref="NeuronReader.ExportBvh"/>. The values are copied when used; later changes have no effect.
+/// </summary>
 public sealed class BvhExportOptions
 {
-    /// <summary>Largest number of frames that are kept waiting unless another is asked for: 34 s of one avatar at 120 Hz, 6 MB.</summary>
+    /// <summary>Default maximum number of queued frames: 34 s of one avatar at 120 Hz, 6 MB.</summary>
     public const int DefaultCapacity = 4096;
 
-    /// <summary>The avatar to export, by its number on the server; null, the default, for the one whose frame comes first.</summary>
+    /// <summary>The number of the avatar to export. Null, the default, selects the avatar of the first frame.</summary>
     public int? AvatarIndex { get; set; }
 
     /// <summary>
-    /// Whether every avatar gets a file of its own: for "take.bvh" these are "take-avatar0.bvh", "take-avatar1.bvh" and so on; over UDP those of the second server
-    /// "take-sender1-avatar0.bvh". At most 64.
+    /// Whether every avatar has its own file, up to 64. For "take.bvh", the files are "take-avatar0.bvh", "take-avatar1.bvh" and so on. Over UDP,
+    /// those of the second sender are named like "take-sender1-avatar0.bvh".
     /// </summary>
     public bool FilePerAvatar { get; set; }
 
-    /// <summary>Whether files that are there already are replaced; unless set they are an error.</summary>
+    /// <summary>Whether existing files are replaced. By default, an existing file is an error.</summary>
     public bool Overwrite { get; set; }
 
     /// <summary>
-    /// The actor's body; null, the default, to find it out. The OFFSETs are, in this order: the positions of the stream, where it has displacement; this body; those
-    /// of the BVH header that the command channel answers (<see cref="NeuronReaderOptions.CommandPort"/>); those of the bone sizes that it answers; the
-    /// default body's of the manual's Appendix B.
+    /// The body of the actor. Null, the default, finds it automatically.
     /// </summary>
+    /// <remarks>
+    /// The OFFSETs come from the first of these sources that is available:
+    /// <list type="number">
+    /// <item>the positions of a stream with displacement;</item>
+    /// <item>this body;</item>
+    /// <item>the BVH header from the command channel (<see cref="NeuronReaderOptions.CommandPort"/>);</item>
+    /// <item>the bone sizes from the command channel;</item>
+    /// <item>the default body of the manual's Appendix B.</item>
+    /// </list>
+    /// </remarks>
     public SkeletonBody? Body { get; set; }
 
     /// <summary>
-    /// How long the first row of an avatar waits for what the command channel answers, because the hierarchy stands in front of it; 2 s unless set. Frames
-    /// wait in the queue meanwhile. Without <see cref="NeuronReaderOptions.CommandPort"/> there is nothing to wait for.
+    /// How long the first row of an avatar waits for answers from the command channel. The default is 2 s. The wait is needed because the hierarchy
+    /// precedes the rows; frames stay in the queue meanwhile. Without <see cref="NeuronReaderOptions.CommandPort"/>, there is no wait.
     /// </summary>
     public TimeSpan HeaderTimeout { get; set; } = TimeSpan.FromSeconds(2);
 
-    /// <summary>Time from one frame to the next; null, the default, to measure it: <see cref="BvhTakeOptions.FrameTime"/>.</summary>
+    /// <summary>Time from one frame to the next. Null, the default, measures it: see <see cref="BvhTakeOptions.FrameTime"/>.</summary>
     public BvhFrameTime? FrameTime { get; set; }
 
-    /// <summary>What becomes of frames that were lost on the way; they are repeated unless set.</summary>
+    /// <summary>Specifies how lost frames are written. The default repeats the previous row.</summary>
     public BvhGapHandling GapHandling { get; set; }
 
-    /// <summary>How the text is laid out; as in Axis Neuron's files unless set.</summary>
+    /// <summary>The text layout. The default is that of Axis Neuron.</summary>
     public BvhTextFormat TextFormat { get; set; } = BvhTextFormat.AxisNeuron;
 
-    /// <summary>Largest number of frames that can wait for the disk, 1 to 1,048,576: <see cref="FrameQueue.Capacity"/>.</summary>
+    /// <summary>Maximum number of frames that can wait for the disk, 1 to 1,048,576: <see cref="FrameQueue.Capacity"/>.</summary>
     public int Capacity { get; set; } = DefaultCapacity;
 
-    /// <summary>Number of frames received, of all avatars that are exported, to end after; null, the default, for no end.</summary>
+    /// <summary>
+    /// Number of received frames, of all exported avatars together, after which the export ends. Null, the default, means no limit.
+    /// </summary>
     public long? MaxFrames { get; set; }
 
     internal static BvhExportOptions CopyChecked(BvhExportOptions? options)
