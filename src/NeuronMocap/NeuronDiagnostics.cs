@@ -15,13 +15,12 @@ public static class NeuronDiagnostics
     /// </summary>
     /// <remarks>
     /// The diagnosis makes its own connections and does not use those of a reader. Over UDP it binds the port. Stop a reader of the same port first, or
-    /// let it
-    /// share the port. While a diagnosis runs on a shared port, it takes the datagrams that are sent to this computer alone; the reader does not get them.
+    /// let it share the port. While a diagnosis runs on a shared port, it takes the datagrams that are sent to this computer alone; the reader does not
+    /// get them.
     /// </remarks>
     /// <param name="options">
     /// The options of the reader that receives no data. Over UDP, Host is the computer on which to look for a TCP server. The time-outs of these options
-    /// are
-    /// ignored; <see cref="DiagnosisOptions.Timeout"/> applies instead.
+    /// are ignored; <see cref="DiagnosisOptions.Timeout"/> applies instead.
     /// </param>
     /// <param name="diagnosis">Options of the diagnosis. Null for the defaults, which take at most 10 s, and 2 s if frames arrive.</param>
     /// <param name="progress">

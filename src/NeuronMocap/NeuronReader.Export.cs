@@ -14,8 +14,7 @@ public sealed partial class NeuronReader
     /// </summary>
     /// <remarks>
     /// The rows hold the values of the frames, bit for bit, in the rotation order of the stream. If the layout or the rotation order changes, a new file
-    /// begins,
-    /// with "-part2", "-part3" and so on in its name. Other consumers of the reader never wait for the disk.
+    /// begins, with "-part2", "-part3" and so on in its name. Other consumers of the reader never wait for the disk.
     /// </remarks>
     /// <param name="path">The file. If each avatar gets its own file, the file names are derived from this path.</param>
     /// <param name="options">Which avatars to export, and facts that the stream does not contain; null for the defaults.</param>

@@ -11,8 +11,7 @@ public sealed partial class NeuronReader
     /// </summary>
     /// <remarks>
     /// The reader receives nothing while a handler runs. Over TCP the server then waits and no frame is lost; over UDP, datagrams can be lost. Use a queue
-    /// for
-    /// work that takes long.
+    /// for work that takes long.
     /// </remarks>
     public event Action<MotionFrame>? MotionReceived
     {

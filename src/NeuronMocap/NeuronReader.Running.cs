@@ -48,8 +48,7 @@ public sealed partial class NeuronReader
     /// <returns>A task that completes when the connection is established.</returns>
     /// <exception cref="NeuronConnectionException">
     /// There was no connection within this time; the message says why the last attempt failed. Also thrown if reconnecting is off and the connection
-    /// failed, or if
-    /// the reader was disposed during the wait.
+    /// failed, or if the reader was disposed during the wait.
     /// </exception>
     /// <exception cref="ArgumentOutOfRangeException">The time is not more than zero, or is more than 24 days.</exception>
     /// <exception cref="ObjectDisposedException">The reader was disposed before the call.</exception>
@@ -92,8 +91,7 @@ public sealed partial class NeuronReader
     /// </summary>
     /// <remarks>
     /// There are two exceptions. When a handler calls this method, the method returns before that handler does. A handler that is still busy after 2 s is
-    /// left
-    /// running. Queues and statistics stay readable.
+    /// left running. Queues and statistics stay readable.
     /// </remarks>
     public void Dispose()
     {
@@ -148,8 +146,7 @@ public sealed partial class NeuronReader
     }
 
     // Runs as many continuations as possible here, down to the handlers of the last status. An end then needs no pool thread, which a busy process may not
-    // have for
-    // a while. End has its own thread, because those handlers can take longer than a stop.
+    // have for a while. End has its own thread, because those handlers can take longer than a stop.
     private void End()
     {
         _stopSource.Cancel();

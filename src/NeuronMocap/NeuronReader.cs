@@ -20,8 +20,7 @@ namespace NeuronMocap;
 /// <item><description><see cref="OpenLatest"/> delivers the newest frame of each avatar, as for a renderer.</description></item>
 /// <item><description>
 /// <see cref="MotionReceived"/>, <see cref="CalculationReceived"/> and <see cref="StudioCalculationReceived"/> call a handler on the receive thread. This
-/// is the
-/// shortest way.
+/// is the shortest way.
 /// </description></item>
 /// <item><description><see cref="ReadMotionAsync"/> and its variants are for code that awaits.</description></item>
 /// </list>
@@ -30,13 +29,11 @@ namespace NeuronMocap;
 /// </para>
 /// <para>
 /// A reader has one connection or one UDP port, and a second one if <see cref="NeuronReaderOptions.CalculationPort"/> is set. A program can have any
-/// number of
-/// readers. All members are thread-safe.
+/// number of readers. All members are thread-safe.
 /// </para>
 /// <para>
 /// A running reader stays alive, with its connection and its handlers, even if nothing in the program refers to it. It ends when it is disposed. If
-/// reconnecting
-/// is off, it also ends with its connection. A reader that was never started, or has ended, is garbage-collected like any object.
+/// reconnecting is off, it also ends with its connection. A reader that was never started, or has ended, is garbage-collected like any object.
 /// </para>
 /// </remarks>
 public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
@@ -93,8 +90,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     /// </param>
     /// <param name="options">
     /// How to receive; copied; null for the defaults. Options of a connection have no effect: server, port, senders, reconnecting and command port. The
-    /// largest
-    /// number of values is that of the player. The rotation order and the skeleton variant override those of the player.
+    /// largest number of values is that of the player. The rotation order and the skeleton variant override those of the player.
     /// </param>
     /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
     /// <exception cref="InvalidOperationException">The player already has a reader.</exception>
@@ -159,8 +155,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     /// <summary>Occurs when the state of the connection changes; calls are in order and one at a time.</summary>
     /// <remarks>
     /// Handlers run on a thread of the reader or of the pool. If a reader was never started, they run on the thread that disposes it. A handler can call
-    /// any member,
-    /// <see cref="Dispose"/> included, but should not take long.
+    /// any member, <see cref="Dispose"/> included, but should not take long.
     /// </remarks>
     public event Action<ConnectionStatus>? StatusChanged
     {
@@ -188,16 +183,14 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     /// <item><description>Changes of the connection's state are reported at once, on the thread that publishes them.</description></item>
     /// <item><description>
     /// Lost and dropped frames, skipped bytes and failed handlers are reported on a pool thread. The first of each kind is reported within half a second;
-    /// later ones
-    /// are combined into one event every 10 s.
+    /// later ones are combined into one event every 10 s.
     /// </description></item>
     /// <item><description>Starts and losses of recordings and exports are reported on a pool thread too.</description></item>
     /// <item><description>Ends of recordings and exports are reported at once, on their own thread.</description></item>
     /// </list>
     /// <para>
     /// These threads may call handlers at the same time, but each of them makes one call at a time. On .NET, <c>NeuronReaderOptions.LoggerFactory</c> gets
-    /// the
-    /// same events.
+    /// the same events.
     /// </para>
     /// </remarks>
     public event Action<ReaderEvent>? EventReported
@@ -223,8 +216,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 
     /// <summary>
     /// State of the connection to <see cref="NeuronReaderOptions.CalculationPort"/>; null if the reader has no such connection. <see cref="Status"/>
-    /// describes
-    /// it in words, and <see cref="StatusChanged"/> reports its changes.
+    /// describes it in words, and <see cref="StatusChanged"/> reports its changes.
     /// </summary>
     public ConnectionStatus? CalculationStatus => _calculation?.Status;
 
@@ -252,8 +244,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     /// <summary>Gets the sizes of an avatar's body from the server's command channel. A stream without displacement does not carry them.</summary>
     /// <remarks>
     /// The first call makes the reader ask in the background. The reader asks again on every new connection, and after a failure. Thread-safe. The method
-    /// returns at
-    /// once, and allocates nothing once the avatar is known.
+    /// returns at once, and allocates nothing once the avatar is known.
     /// </remarks>
     /// <param name="avatarIndex">Index of the avatar, from 0, as in its frames.</param>
     /// <param name="body">The body, in centimetres, with the skeleton variant that the server uses.</param>

@@ -22,8 +22,7 @@ public sealed partial class NeuronReaderOptions
 
     /// <summary>
     /// Name or address of the computer that runs Axis Neuron. The default is this computer. If a name has several addresses, the reader tries them one
-    /// after
-    /// another. Not used for UDP.
+    /// after another. Not used for UDP.
     /// </summary>
     public string Host { get; set; } = "127.0.0.1";
 
@@ -40,17 +39,14 @@ public sealed partial class NeuronReaderOptions
 
     /// <summary>
     /// Lets other programs bind the same UDP port. All of them then get broadcast and multicast datagrams; other datagrams reach only the one program that
-    /// the
-    /// system chooses. The default is off: a port in use is then an error with a clear reason.
+    /// the system chooses. The default is off: a port in use is then an error with a clear reason.
     /// </summary>
     public bool SharePort { get; set; }
 
     /// <summary>
     /// Addresses of the computers that may send over UDP. If it is empty, the default, all may send. The reader counts datagrams of other computers, and
-    /// drops
-    /// them unread. Set it if you share the network with others: any computer on it can send to the port. Not used for TCP, where <see cref="Host"/>
-    /// determines the
-    /// sender.
+    /// drops them unread. Set it if you share the network with others: any computer on it can send to the port. Not used for TCP, where <see cref="Host"/>
+    /// determines the sender.
     /// </summary>
     public IReadOnlyList<IPAddress> AllowedSenders { get; set; } = [];
 
@@ -74,8 +70,7 @@ public sealed partial class NeuronReaderOptions
 
     /// <summary>
     /// Order of the rotation values, which is a setting of the server. If it is null, the default, the reader detects it. Each frame of Axis Studio
-    /// contains it, and
-    /// the command channel reports it; otherwise it is YXZ, the default of Axis Neuron.
+    /// contains it, and the command channel reports it; otherwise it is YXZ, the default of Axis Neuron.
     /// </summary>
     /// <remarks>
     /// A value applies to all frames. If a stream contains another order, the reader reports it once per connection, with
@@ -85,8 +80,7 @@ public sealed partial class NeuronReaderOptions
 
     /// <summary>
     /// Names of the spine and neck bones on the server. If it is null, the default, the reader takes them from the BVH header that the command channel
-    /// returns.
-    /// Without a header it uses those of the manual's Appendix A.
+    /// returns. Without a header it uses those of the manual's Appendix A.
     /// </summary>
     public SkeletonVariant? SkeletonVariant { get; set; }
 
@@ -96,37 +90,31 @@ public sealed partial class NeuronReaderOptions
     /// </summary>
     /// <remarks>
     /// On this port the reader asks for the rotation order, the skeleton variant and the bodies of <see cref="NeuronReader.TryGetBody"/>. It asks on every
-    /// new
-    /// connection. Without an answer it asks again after 5, 10 and 20 s, and then every 40 s. Frames do not wait for the answer. Until it arrives, they
-    /// are
-    /// interpreted as without this option.
+    /// new connection. Without an answer it asks again after 5, 10 and 20 s, and then every 40 s. Frames do not wait for the answer. Until it arrives,
+    /// they are interpreted as without this option.
     /// </remarks>
     public int? CommandPort { get; set; }
 
     /// <summary>
     /// Port on which the server broadcasts calculation data, if it differs from <see cref="Port"/>: 1 to 65535; for UDP also 0 for any free port. Null,
-    /// the default,
-    /// for none. The usual port is <see cref="ProtocolConstants.DefaultCalculationPort"/>.
+    /// the default, for none. The usual port is <see cref="ProtocolConstants.DefaultCalculationPort"/>.
     /// </summary>
     /// <remarks>
     /// <para>
     /// With this option the reader has a second connection to <see cref="Host"/> over TCP, or a second port over UDP. Each one reconnects independently.
-    /// Consumers get
-    /// the frames of both alike; frames of one server have the same <see cref="AvatarFrame.Sender"/>. If both ports have the same value, one connection
-    /// serves both.
+    /// Consumers get the frames of both alike; frames of one server have the same <see cref="AvatarFrame.Sender"/>. If both ports have the same value, one
+    /// connection serves both.
     /// </para>
     /// <para>
     /// If the second connection fails, motion continues, and the status reports <see cref="ConnectionReason.CalculationUnavailable"/>. Motion that arrives
-    /// on the
-    /// second connection is skipped and counted.
+    /// on the second connection is skipped and counted.
     /// </para>
     /// </remarks>
     public int? CalculationPort { get; set; }
 
     /// <summary>
     /// Largest number of values that a packet may announce, 1 to 1,000,000. Larger packets are skipped and counted. The default is 10,224, the most that
-    /// the
-    /// vendor's library delivers.
+    /// the vendor's library delivers.
     /// </summary>
     public int MaxValues { get; set; } = ProtocolConstants.DefaultMaxValues;
 
