@@ -10,9 +10,10 @@ namespace NeuronMocap.Commands;
 // One TCP connection of a client. Only the client's thread uses it, except for Close, which any thread may call.
 //
 // A reply does not say which request it answers; it has only the command's number, if the server repeats it. A late or repeated reply must therefore never
-// reach a later request that it could seem to answer. A new connection is cheap, so three rules ensure this: 1. A connection carries each command at most
-// once. 2. The client closes a connection after anything but a plain exchange: a failure, an extra byte, or a number that is not repeated or not checked.
-// 3. The client closes a connection that holds unread bytes before it sends a request.
+// reach a later request that it could seem to answer. A new connection is cheap, so three rules ensure this:
+// - A connection carries each command at most once.
+// - The client closes a connection after anything but a plain exchange: a failure, an extra byte, or a number that is not repeated or not checked.
+// - The client closes a connection that holds unread bytes before it sends a request.
 internal sealed class CommandConnection(NeuronCommandOptions options, LinkOptions link, Func<string, IPAddress[]> resolve)
 {
     private readonly object _lock = new();

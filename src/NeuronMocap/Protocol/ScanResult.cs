@@ -29,7 +29,7 @@ public enum SkipReason
     Incomplete,
 
     /// <summary>
-    /// A line of the text stream does not have the number of values of the 59 bones, or contains a word that is not a number (protocol.md section 8).
+    /// A line of the text stream lacks the values of the 59 bones, or contains a word that is not a number: protocol.md section 8.
     /// </summary>
     MalformedLine,
 
