@@ -14,7 +14,6 @@ namespace NeuronMocap.Commands;
 /// value with <see cref="GetAvatarCountAsync"/> and similar methods. All members are thread-safe.
 /// </para>
 /// </remarks>
-/// </summary>
 public sealed class DataCommands
 {
     private static readonly TimeSpan ShortestTimeout = TimeSpan.FromMilliseconds(1);

@@ -13,7 +13,6 @@ namespace NeuronMocap;
 /// The bones are in another order than in the BVH stream, and two contact flags lie between body and fingers. The members of this class handle both.
 /// <see cref="AvatarFrame"/> describes how long a frame is valid.
 /// </remarks>
-/// </summary>
 public sealed class CalculationFrame : AvatarFrame
 {
     /// <summary>Number of values in a frame of 21 bones, the form before b15.</summary>

@@ -14,7 +14,6 @@ namespace NeuronMocap.Protocol;
 /// NaN, Infinity or -Infinity.
 /// </para>
 /// </remarks>
-/// </summary>
 internal static class TextDigits
 {
     /// <summary>Largest number of decimals that can be requested.</summary>

@@ -20,7 +20,6 @@ namespace NeuronMocap.Protocol;
 /// fraction (7.115569763501211648000000E+19, .NET 10).
 /// </para>
 /// </remarks>
-/// </summary>
 internal static class TextNumber
 {
     private const ulong ExactIntegers = 1UL << 53;
