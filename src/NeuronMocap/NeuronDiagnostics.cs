@@ -15,11 +15,10 @@ public static class NeuronDiagnostics
     /// </summary>
     /// <remarks>
     /// The diagnosis makes its own connections and does not use those of a reader. Over UDP it binds the port. Stop a reader of the same port first, or
-    /// let it share the port. While a diagnosis runs on a shared port, it takes the datagrams that are sent to this computer alone; the reader does not
-    /// get them.
+    /// let it share the port. While a diagnosis runs on a shared port, it takes the unicast datagrams; the reader does not get them.
     /// </remarks>
     /// <param name="options">
-    /// The options of the reader that receives no data. Over UDP, Host is the computer on which to look for a TCP server. The time-outs of these options
+    /// The options of the reader that receives no data. Over UDP, Host is the computer on which to look for a TCP server. The timeouts of these options
     /// are ignored; <see cref="DiagnosisOptions.Timeout"/> applies instead.
     /// </param>
     /// <param name="diagnosis">Options of the diagnosis. Null for the defaults, which take at most 10 s, and 2 s if frames arrive.</param>
@@ -73,6 +72,6 @@ public static class NeuronDiagnostics
         ? await new TcpExamination(context).RunAsync().ConfigureAwait(false)
         : await new UdpExamination(context, options.AllowedSenders).RunAsync().ConfigureAwait(false);
 
-    // The threads that connections share are for readers. The diagnosis of a dozen ports is over in a moment, so it uses its own.
+    // The threads that connections share are for readers. The diagnosis of a dozen ports is short, so it uses its own threads.
     private static LinkOptions ForDiagnosis(LinkOptions link) => link with { TakeReceiver = static _ => new BlockingTcpReceiver() };
 }

@@ -22,7 +22,7 @@ public sealed partial class NeuronReader
     /// </remarks>
     /// <param name="path">The file, usually with the extension ".nmrec". With a limit of size or time, a number is inserted before the extension.</param>
     /// <param name="options">How to record; copied. Null for the defaults.</param>
-    /// <returns>The recording. You need not keep it: it then ends with the reader.</returns>
+    /// <returns>The recording. You can discard it; it then ends with the reader.</returns>
     /// <exception cref="ArgumentException">The path is empty, or an option is out of range; the message names it.</exception>
     /// <exception cref="IOException">
     /// The file exists and <see cref="RecordingOptions.Overwrite"/> is off, or the file is already being written, or it cannot be created.

@@ -74,7 +74,7 @@ public sealed partial class NeuronReader
     private NeuronConnectionException NotConnected(TimeSpan timeout)
     {
         ConnectionStatus last = _status.LastFailure ?? _status.Current with { Reason = ConnectionReason.TimedOut, Message = ConnectionMessages.NotYetAnswered(_status.Current.Message) };
-        string message = FormattableString.Invariant($"There was no connection within {timeout.TotalSeconds:0.###} s. The reader goes on trying. {last.Message}");
+        string message = FormattableString.Invariant($"There was no connection within {timeout.TotalSeconds:0.###} s. The reader continues to try. {last.Message}");
         return new NeuronConnectionException(last.Reason, message, last);
     }
 
@@ -128,7 +128,7 @@ public sealed partial class NeuronReader
         }
     }
 
-    // The first part of Dispose, which then waits for the end.
+    // The first part of Dispose; the second part waits for the end.
     internal void Stop(bool keepsMetrics = false)
     {
         if (!keepsMetrics)
@@ -187,7 +187,7 @@ public sealed partial class NeuronReader
         }
         catch (Exception exception)
         {
-            // Network errors never arrive here, only faults of the library. A caller that waits for the end must not wait forever because of one.
+            // Network errors never arrive here, only errors in the library. They must not make a caller wait forever for the end.
             last = new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.NetworkError, ConnectionMessages.Failed("the server", exception));
         }
 
@@ -233,7 +233,7 @@ public sealed partial class NeuronReader
         _stopped.TrySetResult(true);
     }
 
-    // Called for the first connection only. A change of status on the calculation port is not a new connection that needs questions.
+    // Called for the first connection only. A change of status on the calculation port is not a new connection, so it causes no questions to the server.
     private void OnFirstStatusChanged(ConnectionStatus status)
     {
         if (status.State == ConnectionState.Connected)

@@ -38,8 +38,8 @@ public sealed partial class NeuronReaderOptions
     public IPAddress? LocalAddress { get; set; }
 
     /// <summary>
-    /// Lets other programs bind the same UDP port. All of them then get broadcast and multicast datagrams; other datagrams reach only the one program that
-    /// the system chooses. The default is off: a port in use is then an error with a clear reason.
+    /// Allows other programs to bind the same UDP port. All of them then get broadcast and multicast datagrams; other datagrams reach only the one program
+    /// that the system chooses. The default is off: a port in use is then an error with a clear reason.
     /// </summary>
     public bool SharePort { get; set; }
 

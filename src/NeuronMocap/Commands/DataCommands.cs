@@ -10,8 +10,8 @@ namespace NeuronMocap.Commands;
 /// <see cref="NeuronCommandClient"/>.
 /// </para>
 /// <para>
-/// Each call sends its request at once. Replies arrive at any time between frames. Handle <see cref="Received"/> to get all of them, or await a single
-/// value with <see cref="GetAvatarCountAsync"/> and similar methods. All members are thread-safe.
+/// A request is sent when you call a method. Replies arrive at any time, between frames. Handle <see cref="Received"/> to get all of them, or await a
+/// single value with <see cref="GetAvatarCountAsync"/> and similar methods. All members are thread-safe.
 /// </para>
 /// </remarks>
 public sealed class DataCommands

@@ -7,11 +7,11 @@ namespace NeuronMocap.Delivery;
 // One tracker for each kind of frame, of each avatar, of each sender. The receive thread writes, any thread reads.
 internal sealed class AvatarTrackers(IDurationRecorder? intervals)
 {
-    // A sender can invent avatar numbers, and senders can be forged. At this limit, a new tracker replaces a stale one. If none is stale, the frames are
-    // delivered but counted in the totals only.
+    // A sender can invent avatar numbers, and the addresses of senders can be forged. At this limit, a new tracker replaces a stale one. If none is stale,
+    // the frames are delivered but counted in the totals only.
     public const int MaxTrackers = 1024;
 
-    // Each sender gets this many trackers, whatever others send. The number of senders is limited by UdpSenders.
+    // Each sender can have at least this many trackers, whatever others send. The number of senders is limited by UdpSenders.
     public const int TrackersOfSender = 16;
     private const int TrackerLimit = 2 * MaxTrackers;
 

@@ -11,8 +11,8 @@ namespace NeuronMocap;
 /// </summary>
 /// <remarks>
 /// <para>
-/// When the queue is full, arriving frames are dropped and counted in <see cref="Dropped"/>; waiting frames are kept. This affects no other queue and not
-/// the connection. Only one thread at a time may pump.
+/// When the queue is full, arriving frames are dropped and counted in <see cref="Dropped"/>; waiting frames are kept. Other queues and the connection are
+/// not affected. Only one thread at a time may pump.
 /// </para>
 /// <para>
 /// The queue allocates its memory when it is opened: 1.5 KB for each frame of its capacity. A slot grows once when it first holds a larger packet, such as

@@ -10,7 +10,7 @@ namespace NeuronMocap.Delivery;
 // the filled slot. The consumer finishes with a slot before it publishes the head with a release. The producer fills that slot only after it reads the
 // head with an acquire. Each side keeps a copy of the other's index and reads it again only when the copy says full or empty. The indices are ints,
 // because 32-bit processors read an int in one piece. The indices of the two sides lie 128 bytes apart, so the two cores do not compete for a cache line.
-// Some processors fetch cache lines in pairs.
+// One line would not be enough, because some processors fetch lines in pairs.
 internal sealed class PacketRing
 {
     private readonly PacketSlots _slots;

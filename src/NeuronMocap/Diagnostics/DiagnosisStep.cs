@@ -9,7 +9,7 @@ public enum StepOutcome
     /// <summary>The step succeeded, but its detail deserves attention.</summary>
     Warning,
 
-    /// <summary>The step failed; frames cannot arrive beyond it.</summary>
+    /// <summary>The step failed: the stream is interrupted here.</summary>
     Failed,
 }
 

@@ -2,8 +2,9 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Frames;
 
-// Turns packets into the frames of a consumer; all consumers use it. Frames of one kind take turns: only the frame lent last is valid, and a consumer that
-// kept an earlier one gets exceptions from it. After such an exception a frame is not lent again, so it never becomes valid again. One thread at a time.
+// Turns packets into the frames of a consumer; all consumers use it. Frames of one kind are reused in turn. Only the newest of them is valid; a consumer
+// that kept an earlier frame gets exceptions from it. After such an exception a frame is not reused, so it never becomes valid again. One thread at a
+// time.
 internal sealed class FramePool(FrameFormat format, int count)
 {
     // A prime. If the number were a multiple of the number of avatars, each avatar would always get the same frames.

@@ -39,7 +39,7 @@ internal sealed class IndexTracker
 
     public long Lost => Volatile.Read(ref _lost);
 
-    // The number of lost frames that will be subtracted if the steps continue as evenly as so far.
+    // The number of lost frames that will be subtracted if the next steps are as even as the last ones.
     public long Unsettled => Volatile.Read(ref _unsettled);
 
     public long Gaps => Volatile.Read(ref _gaps);

@@ -77,8 +77,8 @@ public sealed class MotionFrame : AvatarFrame
     public BoneTransform this[Bone bone] => new(GetPosition(bone), GetRotation(bone));
 
     /// <summary>
-    /// Gets the position of a bone relative to its parent. The stream contains only that of the hips if displacement is off. Other bones then have their
-    /// positions in the default body, which are right in direction but not in length: see <see cref="DefaultOffsets"/>.
+    /// Gets the position of a bone relative to its parent. If displacement is off, the stream contains only the position of the hips. Other bones then
+    /// have the positions of the default body, which are right in direction but not in length: see <see cref="DefaultOffsets"/>.
     /// </summary>
     /// <param name="bone">A bone.</param>
     /// <returns>Centimetres.</returns>

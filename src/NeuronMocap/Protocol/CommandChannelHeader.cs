@@ -4,8 +4,7 @@ namespace NeuronMocap.Protocol;
 
 /// <summary>The header of a request or a reply on the command channel, which is a separate TCP connection (protocol.md sections 2.5 and 6).</summary>
 /// <remarks>
-/// Requests and replies look the same. Only the order of the packets shows which request a reply answers, and the command's number if the server repeats
-/// it.
+/// Requests and replies look the same. Only the order of the packets shows which request a reply answers. Some servers also repeat the command's number.
 /// </remarks>
 public readonly record struct CommandChannelHeader
 {

@@ -47,9 +47,12 @@ public readonly record struct MotionHeader
     public uint Reserved2 { get; init; }
 
     /// <summary>
-    /// The timecode that Axis Studio writes into the reserved fields; null for data versions other than 1.1.0.1, whose fields do not hold a time of day.
+    /// The timecode that Axis Studio writes into the reserved fields; null for data versions other than 1.1.0.1.
     /// </summary>
-    /// <remarks>The timecode is also null if both fields are 0, as a server without a clock leaves them.</remarks>
+    /// <remarks>
+    /// In other data versions, the fields do not hold a time of day. The timecode is also null if both fields are 0, as a server without a clock leaves
+    /// them.
+    /// </remarks>
     public Timecode? Timecode => Version == DataVersion.Studio ? NeuronMocap.Timecode.Read(Reserved1, Reserved2) : null;
 
     /// <summary>The layout that corresponds to <see cref="Version"/>.</summary>

@@ -4,10 +4,10 @@ namespace NeuronMocap.Protocol;
 
 // Passes every piece of bytes to recordings as it arrived, before it is parsed. Without a recording, a piece costs one comparison.
 //
-// Opening, pieces and closing are sequential; the threads that call hand over to each other. Other threads can add and remove listeners at any time. The
-// lock ensures that a listener sees a connection either as already open or as opening. A reader with two connections has a tap for each. The taps share
-// their listeners, and the receive lock of the reader separates their threads. Handlers hold the receive lock when they add a listener, so it is always
-// taken before the lock.
+// Open, OnBytes and Close are called one after another, on threads that hand over to each other. Other threads can add and remove listeners at any time.
+// The lock ensures that a listener sees a connection either as already open or as opening. A reader with two connections has a tap for each. The taps
+// share their listeners, and the receive lock of the reader separates their threads. Handlers hold the receive lock when they add a listener, so it is
+// always taken before the lock.
 internal sealed class StreamTap
 {
     private readonly object? _receiveLock;
@@ -42,7 +42,7 @@ internal sealed class StreamTap
     // For the connection of a calculation port. Called before anything is received.
     public StreamTap AddCalculation() => new(this);
 
-    // Receive thread. The sender is the address of the datagram's sender in the form of the system, or empty for TCP. Its number stands for exactly this
+    // Receive thread. The sender is the address of the datagram's sender, in the format of the system, or empty for TCP. Its number identifies this
     // address and port.
     public void OnBytes(int number, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
     {

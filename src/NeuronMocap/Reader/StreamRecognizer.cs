@@ -99,12 +99,12 @@ internal sealed class StreamRecognizer(FrameFormat format)
         {
             return (
                 ConnectionReason.SkeletonVariantMismatch,
-                $" The options say bones with {variant}, which is used, but {format.FormatOrigin} says {learnt}: one of them is wrong. Leave "
+                $" The options say bones with {variant}, which the reader uses, but {format.FormatOrigin} says {learnt}: one of them is wrong. Leave "
                 + $"SkeletonVariant out to use {learnt}.");
         }
 
         return discovered.Failure is { } failure
-            ? (ConnectionReason.NotDiscovered, $" What the stream does not say could not be asked for (CommandPort): {failure}")
+            ? (ConnectionReason.NotDiscovered, $" The command channel (CommandPort) did not provide the missing format settings: {failure}")
             : (ConnectionReason.None, string.Empty);
     }
 

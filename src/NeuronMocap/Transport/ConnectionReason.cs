@@ -61,7 +61,8 @@ public enum ConnectionReason
     SkeletonVariantMismatch,
 
     /// <summary>
-    /// Frames arrive, but the command channel did not report what they do not contain. The assumed rotation order or skeleton variant may be wrong.
+    /// Frames arrive, but the command channel did not report the settings that they do not contain. The assumed rotation order or skeleton variant may be
+    /// wrong.
     /// </summary>
     NotDiscovered,
 

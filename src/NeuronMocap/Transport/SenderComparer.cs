@@ -2,8 +2,8 @@ using System.Net;
 
 namespace NeuronMocap.Transport;
 
-// Compares addresses by their bytes. SocketAddress also does this. On Mono, and therefore in Unity, an address that the system filled in has the hash code
-// zero, but its copy has another hash code.
+// Compares addresses by their bytes. SocketAddress also does this, but has a fault on Mono, and therefore in Unity. There, an address that the system
+// filled in has the hash code zero, but its copy has another.
 internal sealed class SenderComparer : IEqualityComparer<SocketAddress>
 {
     public static SenderComparer Instance { get; } = new();

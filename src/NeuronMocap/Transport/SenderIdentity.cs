@@ -1,6 +1,6 @@
 namespace NeuronMocap.Transport;
 
-// The identity of a sender, from its first header. The kind is None if only the start of a text line, which does not show it, has arrived.
+// The identity of a sender, from its first header. The kind is None if only the start of a text line has arrived, which does not show the kind.
 internal readonly record struct SenderIdentity(PacketKind Kind, uint Avatar, AvatarName Name)
 {
     public bool IsCalculation => Kind is PacketKind.Calculation or PacketKind.StudioCalculation;

@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Transport;
 
-// Delivers datagrams that wait until their server is identified, when no more datagrams arrive that would identify it. Takes turns with the receive loop.
+// Delivers waiting datagrams if no more datagrams arrive that would identify their server. Takes turns with the receive loop.
 internal sealed class UdpPendingTimer : IDisposable
 {
     private static readonly TimeSpan Period = TimeSpan.FromMilliseconds(50);
@@ -23,8 +23,8 @@ internal sealed class UdpPendingTimer : IDisposable
         senders.Waits = Arm;
     }
 
-    // After this method returns, no held datagram is being delivered or will be. The code that awaits the end of the receive loop calls it. It delivers
-    // the remaining datagrams, unless a delivery failed: the state after that is unknown.
+    // Called by the code that awaits the end of the receive loop. Delivers the remaining datagrams, unless a delivery failed: the state after that is
+    // unknown. After this method returns, no more held datagrams are delivered.
     public void Dispose()
     {
         lock (_lock)

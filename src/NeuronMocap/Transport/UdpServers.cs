@@ -27,8 +27,8 @@ internal sealed class UdpServers
 
     public bool Knows(HostKey host) => _servers.Exists(server => server.Host == host);
 
-    // Returns false if the sender cannot be identified yet. With isLast it always decides, because no more time is left. replaced: the earlier sender of
-    // this number.
+    // Returns false if the sender cannot be identified yet. With isLast it always decides, because no more datagrams can wait. replaced: the earlier
+    // sender of this number.
     public bool TryPlace(UdpSender sender, bool isCalculation, long clock, bool isLast, out UdpSender? replaced)
     {
         replaced = null;

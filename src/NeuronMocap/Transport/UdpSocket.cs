@@ -33,7 +33,7 @@ internal static class UdpSocket
         }
     }
 
-    // The size that the system granted of WantedBuffer; null if it is unknown. Linux reports twice the size, which includes its own overhead.
+    // The part of WantedBuffer that the system granted; null if it is unknown. Linux reports twice the size, which includes its own overhead.
     public static int? ReadBuffer(Socket socket)
     {
         try

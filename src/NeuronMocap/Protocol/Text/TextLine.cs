@@ -15,7 +15,7 @@ internal sealed class TextLine(int maxValues)
 
     private const int MinWords = 3;
 
-    // Up to this many words more than a frame has probably belong to the name, not to the values.
+    // If a line has up to this many extra words, they probably belong to the name, not to the values.
     private const int MaxNameExcess = 5;
 
     private byte[] _image = [];
@@ -27,7 +27,7 @@ internal sealed class TextLine(int maxValues)
 
     public static bool IsImage(ReadOnlySpan<byte> packet) => packet[ProtocolConstants.HeaderSize - 1] == 0;
 
-    // Separates two words. A zero byte does not separate words: it is ignored everywhere.
+    // Whether a byte separates two words. A zero byte does not separate words: it is ignored everywhere.
     public static bool IsSeparator(byte value) => value is (byte)' ' or (byte)'\t' or (byte)'\r' or (byte)'\n' or (byte)'|';
 
     // Whether the bytes begin as only a complete line can: a number, a name without numbers, and a number. If it is not known whether the beginning is
