@@ -12,7 +12,7 @@ public enum DiagnosisVerdict
     /// <summary>Frames arrive as lines of text ("String"), which have no frame index and few digits. Lost frames cannot be detected.</summary>
     TextFormat,
 
-    /// <summary>Frames arrive, but their number of values is unusual for the 59-bone skeleton.</summary>
+    /// <summary>Frames arrive, but their number of values does not match the 59-bone skeleton.</summary>
     UnusualValueCount,
 
     /// <summary>Frames arrive, with bytes between them that belong to no packet.</summary>
@@ -110,6 +110,6 @@ public enum DiagnosisVerdict
     /// <summary>Another network error; the summary contains the system's text.</summary>
     NetworkError,
 
-    /// <summary>Axis Studio's "Advanced BVH" arrives. It is not its BVH broadcasting, and this library does not support it.</summary>
+    /// <summary>Axis Studio's "Advanced BVH" arrives. This stream differs from its BVH broadcasting, and this library does not support it.</summary>
     AdvancedBvh,
 }

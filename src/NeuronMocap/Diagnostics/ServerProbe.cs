@@ -6,7 +6,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
-// Identifies a server that accepts connections but sends nothing, by two requests: many servers only answer.
+// Identifies a server that accepts connections but sends nothing. It sends two requests, because many servers only answer.
 internal static class ServerProbe
 {
     // The command that reads the rotation order, number 1003 (protocol.md sections 2.5 and 6). It changes nothing.

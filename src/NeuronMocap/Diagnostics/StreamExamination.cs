@@ -53,7 +53,7 @@ internal static class StreamExamination
             (_, true) => DiagnosisVerdict.CalculationOnly,
             _ => DiagnosisVerdict.StudioCalculationOnly,
         };
-        string text = $"Frames arrive on {endpoint}, but they are {StreamPhrases.KindsOf(sample)}, not {StreamPhrases.NameOf(context.Expected)}.";
+        string text = $"Frames arrive on {endpoint}, but they are {StreamPhrases.KindsOf(sample)}; none are {StreamPhrases.NameOf(context.Expected)}.";
         string advice = ServerSettings.Enable(context.Expected);
         if (context.Expected == PacketKind.Motion)
             advice += $" To receive this calculation data in addition to motion, set CalculationPort to {endpoint.Port}.";

@@ -221,10 +221,10 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
     {
         SkipReason.UnknownVersion => "a data version other than 1.0 and 1.1",
         SkipReason.TooLarge => "more values than MaxValues allows",
-        SkipReason.Incomplete => "packets whose rest never came",
+        SkipReason.Incomplete => "packets whose rest never arrived",
         SkipReason.MalformedLine => "lines of text that are not frames of 59 bones",
-        SkipReason.AmbiguousName => "lines of text whose avatar's name has spaces and numbers in it",
-        SkipReason.TooManySenders => "more senders than 64 at a time",
+        SkipReason.AmbiguousName => "lines of text whose avatar name contains spaces and numbers",
+        SkipReason.TooManySenders => "more than 64 senders at a time",
         SkipReason.NotCalculation => "motion data on the port of calculation data",
         SkipReason.MissingAvatar => "lines of text without the avatar's number and name",
         _ => "no tokens of a packet",

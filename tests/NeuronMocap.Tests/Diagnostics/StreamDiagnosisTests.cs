@@ -166,7 +166,7 @@ public sealed class StreamDiagnosisTests
     {
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Studio(i));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { OtherPorts = 0.002 });
-        diagnosis.AssertFault(DiagnosisVerdict.StudioCalculationOnly, "token", "Axis Studio's calculation data, not motion (BVH) data");
+        diagnosis.AssertFault(DiagnosisVerdict.StudioCalculationOnly, "token", "Axis Studio's calculation data; none are motion (BVH) data");
 
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient);
         how.Expected = PacketKind.StudioCalculation;
