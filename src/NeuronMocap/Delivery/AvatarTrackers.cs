@@ -26,7 +26,7 @@ internal sealed class AvatarTrackers(IDurationRecorder? intervals)
 
     public AvatarTracker[] All => _published;
 
-    // Avatars take turns: the tracker that came after the last one before is nearly always the next one now.
+    // A server sends its avatars in a fixed order. The tracker that followed the last one in the previous round is therefore nearly always the next.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public AvatarTracker? Find(in ReceivedPacket packet, uint avatar)
     {

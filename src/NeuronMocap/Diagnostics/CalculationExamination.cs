@@ -5,7 +5,7 @@ namespace NeuronMocap.Diagnostics;
 // Examines the port of calculation data after the first port, in the remaining time.
 internal static class CalculationExamination
 {
-    // Applies however long the first port took. A server on the network answers in less time.
+    // The second port gets at least this time, however long the first port took. A server on the network answers in less time.
     private static readonly TimeSpan Least = TimeSpan.FromSeconds(1);
 
     public static async Task<Conclusion> AddAsync(

@@ -19,7 +19,7 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
     private readonly Dictionary<(PacketKind Kind, int Sender, uint Avatar), AvatarSample> _avatars = [];
     private readonly Dictionary<SkipReason, (long Bytes, List<byte> Start)> _skipped = [];
 
-    // Completes when the first bytes have arrived. Bytes that may begin a packet count only when the rest of it is there.
+    // Completes when the first bytes have arrived. Bytes that may begin a packet count only when the packet is complete.
     public Task Started => _started.Task;
 
     public Task WantedFrame => _wantedFrame.Task;

@@ -2,10 +2,10 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Telemetry;
 
-// Determines the log level for a change of the connection's state. A server that is down for an hour is one warning, not one for every attempt: a problem
-// is reported again only if frames arrived in between. A server that repeatedly sends a frame and closes is one warning in ten seconds. The last line
-// above Debug always shows the current situation. An outage gets a line at the first attempt after the ten seconds at the latest, and Receiving follows
-// any reported problem. One thread at a time.
+// Determines the log level for a change of the connection's state. A server that is down for an hour causes one warning, not one for every attempt: a
+// problem is reported again only if frames arrived in between. A server that repeatedly sends a frame and closes causes one warning in ten seconds. The
+// last line above Debug always shows the current situation. An outage gets a line at the first attempt after the ten seconds at the latest, and Receiving
+// follows any reported problem. One thread at a time.
 internal sealed class StatusLevels
 {
     private static readonly long Period = 10 * Stopwatch.Frequency;

@@ -24,7 +24,7 @@ internal sealed class ConnectionSupervisor(
         {
             (LinkEnd end, bool delivered) = await RunLinkAsync(receiver, listener, failures + 1, cancellationToken).ConfigureAwait(false);
 
-            // The first reason is decisive. If a link ended without a request and no retry would follow, a later stop does not replace the reason.
+            // If a link ended without a request and no retry would follow, a later stop does not replace the first reason.
             if (end.Reason != ConnectionReason.Requested && (end.IsFinal || !policy.Enabled))
                 return new ConnectionStatus(ConnectionState.Stopped, end.Reason, end.Message) { Attempt = failures + 1 };
             if (cancellationToken.IsCancellationRequested)

@@ -10,8 +10,8 @@ namespace NeuronMocap.Transport;
 // If a sender cannot be identified yet, the caller keeps its datagrams and asks again later. Not thread-safe.
 internal sealed class UdpServers
 {
-    // A live server can pause for this many of its own pauses, within bounds. Networks and busy computers delay datagrams by up to a tenth of a second. No
-    // datagram waits longer than the upper bound.
+    // A live server can be silent for this many times its longest recent pause, within bounds. Networks and busy computers delay datagrams by up to a
+    // tenth of a second. No datagram waits longer than the upper bound.
     private const int Pauses = 4;
     private static readonly long ShortestSilence = Stopwatch.Frequency / 4;
     private static readonly long LongestSilence = Stopwatch.Frequency;
@@ -103,8 +103,8 @@ internal sealed class UdpServers
     private static int RankOf(UdpServer server, UdpSender? holder, UdpSender sender) =>
         (server.Any!.Identity.IsOfSameAvatar(sender.Identity) ? 2 : 0) + (holder is null ? 0 : 1);
 
-    // A holder that sent after the other sender began is alive beside it. At the end, several datagrams of the other sender without one of the holder are
-    // enough.
+    // A holder that sent after the other sender began is alive beside it. At the end, several datagrams of the other sender without one of the holder show
+    // that the holder is gone.
     private static bool IsGone(UdpSender holder, UdpSender sender, long clock, bool isLast) => holder.Turn < sender.Began
         && (clock - holder.Heard > SilenceOf(holder, isLast) || (isLast && sender.Held.Count > Pauses));
 

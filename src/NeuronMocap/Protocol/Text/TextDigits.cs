@@ -6,8 +6,8 @@ namespace NeuronMocap.Protocol;
 /// It uses only integers, so all runtimes and cultures give the same result. float.ToString rounds twice on Mono.
 /// </para>
 /// <para>
-/// The text has the requested number of decimals if it is then read back as the value. It is the exact expansion of the value, rounded to the nearest,
-/// halves away from zero. Otherwise the text has the smallest sufficient number of decimals.
+/// The text has the requested number of decimals if that text is read back as the value. It is then the exact expansion of the value, rounded to the
+/// nearest, halves away from zero. Otherwise the text has the smallest sufficient number of decimals.
 /// </para>
 /// <para>
 /// The text never has an exponent, because not every program that reads motion files supports one. Zero keeps its sign. Values that are not finite are

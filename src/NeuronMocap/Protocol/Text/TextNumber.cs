@@ -25,7 +25,7 @@ internal static class TextNumber
     private const ulong ExactIntegers = 1UL << 53;
     private const ulong RoomForADigit = (ulong.MaxValue - 9) / 10;
 
-    // Number of bytes of a number that always fits into 64 bits, and number of bytes that are examined with it.
+    // A number of at most LongestPlain bytes always fits into 64 bits. PlainRoom is the number of bytes that must be readable.
     private const int LongestPlain = 16;
     private const int PlainRoom = 32;
 
