@@ -1,6 +1,6 @@
 namespace NeuronMocap;
 
-/// <summary>A reader could not connect, or lost its connection, and does not try again; or it had no connection in the time that was given to it.</summary>
+/// <summary>A reader has no connection: it could not connect in the given time, or the connection failed and reconnecting is off.</summary>
 public sealed class NeuronConnectionException : NeuronException
 {
     /// <summary>Makes an exception without a reason.</summary>
@@ -15,7 +15,7 @@ public sealed class NeuronConnectionException : NeuronException
     {
     }
 
-    /// <summary>Makes an exception that another one caused.</summary>
+    /// <summary>Makes an exception that wraps its cause.</summary>
     /// <param name="message">What happened and which setting to look at.</param>
     /// <param name="innerException">The cause.</param>
     public NeuronConnectionException(string message, Exception innerException)
@@ -32,7 +32,7 @@ public sealed class NeuronConnectionException : NeuronException
     internal NeuronConnectionException(ConnectionReason reason, string message, ConnectionStatus lastStatus)
         : this(reason, message) => LastStatus = lastStatus;
 
-    /// <summary>The status that tells how the last attempt ended, where a time to wait ran out; else null.</summary>
+    /// <summary>The last status before a wait timed out, which says how the last attempt ended; null in all other cases.</summary>
     public ConnectionStatus? LastStatus { get; }
 
     /// <summary>Why there is no connection.</summary>

@@ -5,25 +5,29 @@ using NeuronMocap.Transport;
 namespace NeuronMocap;
 
 /// <summary>
-/// Answers "no data": walks the chain from the server's name to the rate of its frames, and says where it breaks and which setting of Axis
-/// Neuron or Axis Studio to change.
+/// Finds out why a reader receives no data. It checks every step from the server's name to the frame rate. It reports which step fails, and which
+/// setting of Axis Neuron or Axis Studio to change.
 /// </summary>
 public static class NeuronDiagnostics
 {
     /// <summary>
-    /// Tries to receive as a reader with these options would, looks at what arrives, and elsewhere where nothing does. It connects on its
-    /// own, beside any reader; over UDP it binds the port, so a reader of the same port has to be stopped before, or to share it. Of a shared
-    /// port it takes the datagrams that are sent to this computer alone, and the reader gets none of them meanwhile.
+    /// Receives as a reader with these options would, and examines what arrives. If nothing arrives, it looks at other ports and transports.
     /// </summary>
+    /// <remarks>
+    /// The diagnosis makes its own connections and does not use those of a reader. Over UDP it binds the port. Stop a reader of the same port first, or
+    /// let it share the port. While a diagnosis runs on a shared port, it takes the unicast datagrams; the reader does not get them.
+    /// </remarks>
     /// <param name="options">
-    /// The options of the reader that gets no data. Over UDP, Host is the computer to look at for a TCP server. The time outs do not count:
-    /// <see cref="DiagnosisOptions.Timeout"/> does.
+    /// The options of the reader that receives no data. Over UDP, Host is the computer on which to look for a TCP server. The timeouts of these options
+    /// are ignored; <see cref="DiagnosisOptions.Timeout"/> applies instead.
     /// </param>
-    /// <param name="diagnosis">How to look; null for the defaults, which take 10 s at most and 2 s where frames arrive.</param>
-    /// <param name="progress">Told every step as it ends, on a pool thread, one at a time; what it throws ends the diagnosis.</param>
+    /// <param name="diagnosis">Options of the diagnosis. Null for the defaults, which take at most 10 s, and 2 s if frames arrive.</param>
+    /// <param name="progress">
+    /// Receives every step when it ends, on a pool thread, one at a time. An exception from it ends the diagnosis. May be null.
+    /// </param>
     /// <param name="cancellationToken">Ends the diagnosis with an <see cref="OperationCanceledException"/>.</param>
-    /// <returns>What was found. Whatever the network does is a result, never an exception.</returns>
-    /// <exception cref="ArgumentException">An option is out of its range; the message names it.</exception>
+    /// <returns>The result. A network problem is part of the result, never an exception.</returns>
+    /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
     public static Task<StreamDiagnosis> DiagnoseAsync(
         NeuronReaderOptions options,
         DiagnosisOptions? diagnosis = null,
@@ -68,6 +72,6 @@ public static class NeuronDiagnostics
         ? await new TcpExamination(context).RunAsync().ConfigureAwait(false)
         : await new UdpExamination(context, options.AllowedSenders).RunAsync().ConfigureAwait(false);
 
-    // The threads that connections share out among them are for readers; a look at a dozen ports is over in a moment.
+    // The threads that connections share are for readers. The diagnosis of a dozen ports is short, so it uses its own threads.
     private static LinkOptions ForDiagnosis(LinkOptions link) => link with { TakeReceiver = static _ => new BlockingTcpReceiver() };
 }

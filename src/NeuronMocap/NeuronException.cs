@@ -1,6 +1,6 @@
 namespace NeuronMocap;
 
-/// <summary>Base of the exceptions that the library throws for reasons outside the program: the network, a server, a file.</summary>
+/// <summary>Base class of the exceptions for causes outside the program: the network, a server, a file.</summary>
 public class NeuronException : Exception
 {
     /// <summary>Makes an exception without a message.</summary>
@@ -15,7 +15,7 @@ public class NeuronException : Exception
     {
     }
 
-    /// <summary>Makes an exception that another one caused.</summary>
+    /// <summary>Makes an exception that wraps its cause.</summary>
     /// <param name="message">What happened and what to do about it.</param>
     /// <param name="innerException">The cause.</param>
     public NeuronException(string message, Exception innerException)

@@ -2,33 +2,33 @@ using NeuronMocap.Bvh;
 
 namespace NeuronMocap;
 
-/// <content>Motion that is kept.</content>
+/// <content>Export to BVH files.</content>
 public sealed partial class NeuronReader
 {
-    // Also of the events that tell what it lost.
+    // The events about frames that an export lost use this name too.
     internal const string ExportQueueName = "bvh export";
 
     /// <summary>
-    /// Writes the motion frames that arrive from now on into a BVH file, until the export or the reader is disposed of. To get the first frame too, call it
-    /// before the reader is started.
-    /// <para>
-    /// Rows are the frames' values, bit for bit, in the rotation order in which they are received. Where layout or rotation order change in the middle a new
-    /// file begins, with "-part2", "-part3" and so on in its name. The reader's other consumers never wait for the disk.
-    /// </para>
+    /// Writes all motion frames that arrive from now on to a BVH file, until the export or the reader is disposed. To get the first frame too, call this
+    /// method before you start the reader.
     /// </summary>
-    /// <param name="path">The file; where there is one for each avatar, what their names are made of.</param>
-    /// <param name="options">Which avatars, and what the stream does not say; null for the defaults.</param>
-    /// <returns>The export; dispose of it to complete the file.</returns>
-    /// <exception cref="ArgumentException">The path is empty, or an option is out of its range.</exception>
-    /// <exception cref="IOException">The file is there already and shall not be replaced, or it cannot be written, or is being written already.</exception>
-    /// <exception cref="UnauthorizedAccessException">This user may not write it.</exception>
+    /// <remarks>
+    /// The rows hold the values of the frames, bit for bit, in the rotation order of the stream. If the layout or the rotation order changes, a new file
+    /// begins, with "-part2", "-part3" and so on in its name. Other consumers of the reader never wait for the disk.
+    /// </remarks>
+    /// <param name="path">The file. If each avatar gets its own file, the file names are derived from this path.</param>
+    /// <param name="options">Which avatars to export, and facts that the stream does not contain; null for the defaults.</param>
+    /// <returns>The export; dispose it to complete the file.</returns>
+    /// <exception cref="ArgumentException">The path is empty, or an option is out of range.</exception>
+    /// <exception cref="IOException">The file exists and must not be replaced, or is already being written, or cannot be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user has no permission to write the file.</exception>
     public BvhExport ExportBvh(string path, BvhExportOptions? options = null) => ExportBvhTo(path, options, open: null);
 
-    // Tests put something else in a file's place.
+    // Tests replace the file with another stream.
     internal BvhExport ExportBvhTo(string path, BvhExportOptions? options, Func<string, Stream>? open)
     {
         if (string.IsNullOrWhiteSpace(path))
-            throw new ArgumentException("A file has a name.", nameof(path));
+            throw new ArgumentException("The path must not be empty.", nameof(path));
 
         options = BvhExportOptions.CopyChecked(options);
         var bodies = new BvhExportBodies(options, _discovery?.Inquiry, _format);
@@ -43,7 +43,7 @@ public sealed partial class NeuronReader
         }
         catch
         {
-            // The file cannot be opened, or there is no memory for the queue, or no thread.
+            // The file cannot be opened, or the system has no memory for the queue or no thread left.
             queue?.Dispose();
             files?.Close();
             throw;

@@ -3,40 +3,42 @@ using NeuronMocap.Delivery;
 
 namespace NeuronMocap;
 
-/// <content>The ways in which frames reach the application.</content>
+/// <content>The ways to receive frames.</content>
 public sealed partial class NeuronReader
 {
     /// <summary>
-    /// Called with every motion frame, on the receive thread. The frame lies in the receive buffer and is valid during the call. While a
-    /// handler runs, nothing more is received: over TCP the server then waits and nothing is lost, over UDP datagrams may be. For work
-    /// that takes long, open a queue.
+    /// Occurs for every motion frame, on the receive thread. The frame lies in the receive buffer and is valid only during the call.
     /// </summary>
+    /// <remarks>
+    /// The reader receives nothing while a handler runs. Over TCP the server then waits and no frame is lost; over UDP, datagrams can be lost. Use a queue
+    /// for work that takes long.
+    /// </remarks>
     public event Action<MotionFrame>? MotionReceived
     {
         add => _pipeline.Callbacks.Motion.Add(value);
         remove => _pipeline.Callbacks.Motion.Remove(value);
     }
 
-    /// <summary>Called with every calculation frame; otherwise as <see cref="MotionReceived"/>.</summary>
+    /// <summary>Occurs for every calculation frame; otherwise the same as <see cref="MotionReceived"/>.</summary>
     public event Action<CalculationFrame>? CalculationReceived
     {
         add => _pipeline.Callbacks.Calculation.Add(value);
         remove => _pipeline.Callbacks.Calculation.Remove(value);
     }
 
-    /// <summary>Called with every calculation frame of Axis Studio; otherwise as <see cref="MotionReceived"/>.</summary>
+    /// <summary>Occurs for every calculation frame of Axis Studio; otherwise the same as <see cref="MotionReceived"/>.</summary>
     public event Action<StudioCalculationFrame>? StudioCalculationReceived
     {
         add => _pipeline.Callbacks.StudioCalculation.Add(value);
         remove => _pipeline.Callbacks.StudioCalculation.Remove(value);
     }
 
-    /// <summary>
-    /// Opens a queue of all frames that arrive from now on. To get the first one too, open it before the reader is started.
-    /// </summary>
+    /// <summary>Opens a queue of all frames that arrive from now on. To get the first frame too, open the queue before you start the reader.</summary>
     /// <param name="capacity">Largest number of frames that can wait, 1 to 1,048,576; rounded up to a power of two.</param>
-    /// <param name="name">What metrics and logs call the queue; those of one name are counted together. Names shall be few and lasting.</param>
-    /// <returns>A queue of its own; dispose of it when it is no longer pumped.</returns>
+    /// <param name="name">
+    /// Name of the queue in metrics and logs. Queues of the same name are counted together. Use few names, and keep them the same.
+    /// </param>
+    /// <returns>A new queue; dispose it when you no longer pump it.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The capacity is out of range.</exception>
     /// <exception cref="ArgumentException">The name is empty.</exception>
     public FrameQueue OpenQueue(int capacity = FrameQueue.DefaultCapacity, string name = FrameQueue.DefaultName)
@@ -47,30 +49,31 @@ public sealed partial class NeuronReader
         return _pipeline.OpenQueue(capacity, name);
     }
 
-    /// <summary>Opens a view of the newest frame of each avatar, from now on.</summary>
-    /// <returns>A view of its own, for one thread; dispose of it when it is no longer used.</returns>
+    /// <summary>Opens a view of the newest frame of each avatar, beginning now.</summary>
+    /// <returns>A new view, for one thread; dispose it when you no longer use it.</returns>
     public LatestFrames OpenLatest() => _pipeline.OpenLatest();
 
-    /// <summary>Enumerates motion frames as they arrive, starting the reader if it was not. Each frame is a copy that stays valid.</summary>
-    /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader goes on.</param>
+    /// <summary>Enumerates motion frames as they arrive. Starts the reader if it is not running. Each frame is a copy that stays valid.</summary>
+    /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
     /// <returns>
-    /// Frames until the reader stops. Up to 512 wait for a slow loop; more are dropped and counted in <see cref="ReaderStatistics.Dropped"/>.
+    /// All frames until the reader stops. Up to 512 frames wait for a slow loop; further frames are dropped and counted in
+    /// <see cref="ReaderStatistics.Dropped"/>.
     /// </returns>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was cut off.</exception>
+    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
     public IAsyncEnumerable<MotionFrame> ReadMotionAsync(CancellationToken cancellationToken = default) =>
         ReadAsync<MotionFrame>(PacketKind.Motion, cancellationToken);
 
-    /// <summary>Enumerates calculation frames as they arrive; otherwise as <see cref="ReadMotionAsync"/>.</summary>
-    /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader goes on.</param>
-    /// <returns>Frames until the reader stops.</returns>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was cut off.</exception>
+    /// <summary>Enumerates calculation frames as they arrive; otherwise the same as <see cref="ReadMotionAsync"/>.</summary>
+    /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
+    /// <returns>All frames until the reader stops.</returns>
+    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
     public IAsyncEnumerable<CalculationFrame> ReadCalculationAsync(CancellationToken cancellationToken = default) =>
         ReadAsync<CalculationFrame>(PacketKind.Calculation, cancellationToken);
 
-    /// <summary>Enumerates Axis Studio's calculation frames as they arrive; otherwise as <see cref="ReadMotionAsync"/>.</summary>
-    /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader goes on.</param>
-    /// <returns>Frames until the reader stops.</returns>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was cut off.</exception>
+    /// <summary>Enumerates calculation frames of Axis Studio as they arrive; otherwise the same as <see cref="ReadMotionAsync"/>.</summary>
+    /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
+    /// <returns>All frames until the reader stops.</returns>
+    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
     public IAsyncEnumerable<StudioCalculationFrame> ReadStudioCalculationAsync(CancellationToken cancellationToken = default) =>
         ReadAsync<StudioCalculationFrame>(PacketKind.StudioCalculation, cancellationToken);
 

@@ -3,37 +3,44 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap;
 
-/// <content>Keeping what arrives.</content>
+/// <content>Recording of the received bytes.</content>
 public sealed partial class NeuronReader
 {
-    // What arrives, before anything is made of it.
+    // Gets the received bytes before they are parsed.
     internal StreamTap Tap => _recordings.Tap;
 
     /// <summary>
-    /// Records every byte that this reader receives from now on, with the time of its arrival, to a file that plays again as the live stream did;
-    /// docs/reference/recording.md describes it. The reader may run already or be started later, and reconnects are recorded, too. Where a connection stands
-    /// already, what it brought before is not in the recording; datagrams of senders that <see cref="NeuronReaderOptions.AllowedSenders"/> does not
-    /// let in never are. The recording ends when it is disposed of, when it cannot be written any more, or with the reader. A reader may have several.
+    /// Records every byte that this reader receives from now on, with the time of its arrival. The file plays back as the live stream did;
+    /// docs/reference/recording.md describes its format.
     /// </summary>
-    /// <param name="path">The file, usually with the extension ".nmrec". With a limit of size or time, a number goes before the extension.</param>
+    /// <remarks>
+    /// <para>You can start a recording before or after the reader starts. A recording includes reconnects. A reader can have several recordings.</para>
+    /// <para>
+    /// A recording does not contain data that arrived before it was started, nor datagrams that <see cref="NeuronReaderOptions.AllowedSenders"/> refuses.
+    /// </para>
+    /// <para>A recording ends when it is disposed, when its file can no longer be written, or when the reader ends.</para>
+    /// </remarks>
+    /// <param name="path">The file, usually with the extension ".nmrec". With a limit of size or time, a number is inserted before the extension.</param>
     /// <param name="options">How to record; copied. Null for the defaults.</param>
-    /// <returns>The recording. It is no error to let go of it: it then ends with the reader.</returns>
-    /// <exception cref="ArgumentException">The path is empty, or an option out of its range; the message names it.</exception>
-    /// <exception cref="IOException">The file exists, and <see cref="RecordingOptions.Overwrite"/> is off, or it cannot be made, or is being written already.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be made.</exception>
+    /// <returns>The recording. You can discard it; it then ends with the reader.</returns>
+    /// <exception cref="ArgumentException">The path is empty, or an option is out of range; the message names it.</exception>
+    /// <exception cref="IOException">
+    /// The file exists and <see cref="RecordingOptions.Overwrite"/> is off, or the file is already being written, or it cannot be created.
+    /// </exception>
+    /// <exception cref="UnauthorizedAccessException">The user has no permission to create the file.</exception>
     /// <exception cref="InvalidOperationException">The reader plays a file.</exception>
-    /// <exception cref="ObjectDisposedException">The reader was disposed of, or has stopped.</exception>
+    /// <exception cref="ObjectDisposedException">The reader was disposed, or has stopped.</exception>
     public StreamRecorder StartRecording(string path, RecordingOptions? options = null)
     {
         ArgumentNullException.ThrowIfNull(path);
         RecordingOptions how = options?.Copy() ?? new RecordingOptions();
         if (path.Length == 0)
-            throw new ArgumentException("The path is empty.", nameof(path));
+            throw new ArgumentException("The path must not be empty.", nameof(path));
         if (how.FindFault() is { } fault)
             throw new ArgumentException(fault, nameof(options));
 
         if (_isPlayback)
-            throw new InvalidOperationException("What is played is a file already, and is not recorded again.");
+            throw new InvalidOperationException("The reader plays a file, and a playback cannot be recorded.");
 
         return _recordings.Start(path, how, this);
     }

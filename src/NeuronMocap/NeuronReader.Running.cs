@@ -3,14 +3,14 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap;
 
-/// <content>Start, run and stop, and what each change of the status sets off.</content>
+/// <content>Start, run and stop, and the actions that a change of the status causes.</content>
 public sealed partial class NeuronReader
 {
-    // Of a StartAsync: what timers can take.
+    // The longest time that a timer accepts limits the wait of StartAsync.
     private static readonly TimeSpan LongestWait = TimeSpan.FromDays(24);
 
-    /// <summary>Starts connecting and receiving, and returns at once. Starting again does nothing.</summary>
-    /// <exception cref="ObjectDisposedException">The reader was disposed of.</exception>
+    /// <summary>Starts connecting and receiving, and returns at once. If the reader is already started, this does nothing.</summary>
+    /// <exception cref="ObjectDisposedException">The reader was disposed.</exception>
     public void Start()
     {
         ObjectDisposedException.ThrowIf(Volatile.Read(ref _disposed) != 0, this);
@@ -24,33 +24,38 @@ public sealed partial class NeuronReader
     }
 
     /// <summary>
-    /// Starts the reader and waits for its first connection; for UDP, for the port. It does not wait for frames. Where the server is off and reconnecting is
-    /// on, the wait has no end: give it a time with <see cref="StartAsync(TimeSpan, CancellationToken)"/>, or a token.
+    /// Starts the reader and waits for its first connection; for UDP, until the port is bound. It does not wait for frames.
     /// </summary>
-    /// <param name="cancellationToken">Ends the wait; the reader goes on trying.</param>
-    /// <returns>A task that completes when the connection stands.</returns>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off and there is no connection, or the reader was disposed of meanwhile.</exception>
-    /// <exception cref="ObjectDisposedException">The reader was disposed of before.</exception>
+    /// <remarks>
+    /// If the server is off and reconnecting is on, the wait has no end. To limit it, use <see cref="StartAsync(TimeSpan, CancellationToken)"/> or a
+    /// token.
+    /// </remarks>
+    /// <param name="cancellationToken">Ends the wait; the reader continues to try.</param>
+    /// <returns>A task that completes when the connection is established.</returns>
+    /// <exception cref="NeuronConnectionException">Reconnecting is off and the connection failed, or the reader was disposed during the wait.</exception>
+    /// <exception cref="ObjectDisposedException">The reader was disposed before the call.</exception>
     public Task StartAsync(CancellationToken cancellationToken = default)
     {
         Start();
         return WaitForConnectionAsync(cancellationToken);
     }
 
-    /// <summary>Starts the reader and waits some time for its first connection; for UDP, for the port. It does not wait for frames.</summary>
-    /// <param name="timeout">Longest time to wait; more than zero. The reader goes on trying after it: dispose of it to give up.</param>
-    /// <param name="cancellationToken">Ends the wait; the reader goes on trying.</param>
-    /// <returns>A task that completes when the connection stands.</returns>
+    /// <summary>
+    /// Starts the reader and waits a limited time for its first connection; for UDP, until the port is bound. It does not wait for frames.
+    /// </summary>
+    /// <param name="timeout">Longest time to wait; more than zero, at most 24 days. The reader then continues to try; dispose it to give up.</param>
+    /// <param name="cancellationToken">Ends the wait; the reader continues to try.</param>
+    /// <returns>A task that completes when the connection is established.</returns>
     /// <exception cref="NeuronConnectionException">
-    /// There was no connection in this time; the message says what the last attempt failed of. Or reconnecting is off and there is no connection, or the
-    /// reader was disposed of meanwhile.
+    /// There was no connection within this time; the message says why the last attempt failed. Also thrown if reconnecting is off and the connection
+    /// failed, or if the reader was disposed during the wait.
     /// </exception>
-    /// <exception cref="ArgumentOutOfRangeException">The time is not more than zero, or more than 24 days.</exception>
-    /// <exception cref="ObjectDisposedException">The reader was disposed of before.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The time is not more than zero, or is more than 24 days.</exception>
+    /// <exception cref="ObjectDisposedException">The reader was disposed before the call.</exception>
     public async Task StartAsync(TimeSpan timeout, CancellationToken cancellationToken = default)
     {
         if (timeout <= TimeSpan.Zero || timeout > LongestWait)
-            throw new ArgumentOutOfRangeException(nameof(timeout), timeout, "The time to wait is more than zero and at most 24 days.");
+            throw new ArgumentOutOfRangeException(nameof(timeout), timeout, "The timeout must be more than zero and at most 24 days.");
 
         Start();
         using var limitSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
@@ -69,7 +74,7 @@ public sealed partial class NeuronReader
     private NeuronConnectionException NotConnected(TimeSpan timeout)
     {
         ConnectionStatus last = _status.LastFailure ?? _status.Current with { Reason = ConnectionReason.TimedOut, Message = ConnectionMessages.NotYetAnswered(_status.Current.Message) };
-        string message = FormattableString.Invariant($"There was no connection within {timeout.TotalSeconds:0.###} s. The reader goes on trying. {last.Message}");
+        string message = FormattableString.Invariant($"There was no connection within {timeout.TotalSeconds:0.###} s. The reader continues to try. {last.Message}");
         return new NeuronConnectionException(last.Reason, message, last);
     }
 
@@ -81,36 +86,39 @@ public sealed partial class NeuronReader
     }
 
     /// <summary>
-    /// Stops receiving and closes the connection, in whatever state it is. When it returns, no handler runs and none will, with two
-    /// exceptions: called from a handler it returns before that handler does, and a handler that is still busy after 2 s is left behind.
-    /// Any thread, any number of times. Queues and statistics stay readable.
+    /// Stops receiving and closes the connection, in any state. After this method returns, normally no handler runs or will run. Any thread, any number of
+    /// times.
     /// </summary>
+    /// <remarks>
+    /// There are two exceptions. When a handler calls this method, the method returns before that handler does. A handler that is still busy after 2 s is
+    /// left running. Queues and statistics stay readable.
+    /// </remarks>
     public void Dispose()
     {
-        // Not for both in one task, nor for Completion: that would take a thread of the pool, and in a busy process there may be none for a while.
+        // Waits for the two tasks, not for one combined task or Completion. Those need a pool thread, and a busy process may have none for a while.
         Stop();
         if (!IsHandlerThread)
             Task.WaitAll([_stopped.Task, _reporter.Ended], _options.StopTimeout);
     }
 
-    /// <summary>As <see cref="Dispose"/>, without blocking the thread.</summary>
+    /// <summary>Does the same as <see cref="Dispose"/>, without blocking the thread.</summary>
     /// <returns>A task that completes when the reader has stopped, or after 2 s.</returns>
     public ValueTask DisposeAsync() => StopAsync(keepsMetrics: false);
 
-    // With its metrics kept, a reader reports its last figures until it is disposed of: a host stops its readers before it exports for the last time.
+    // keepsMetrics: the reader reports its last figures until it is disposed. A host stops its readers before its last export of metrics.
     internal async ValueTask StopAsync(bool keepsMetrics)
     {
         Stop(keepsMetrics);
         if (IsHandlerThread)
             return;
 
-        // What follows is the caller's, and not for a thread of the reader.
+        // The code after this await belongs to the caller and must not run on a thread of the reader.
         Task stopped = Task.WhenAll(_stopped.Task, _reporter.Ended).ContinueWith(
             static _ => { }, CancellationToken.None, TaskContinuationOptions.RunContinuationsAsynchronously, TaskScheduler.Default);
         await Task.WhenAny(stopped, Task.Delay(_options.StopTimeout)).ConfigureAwait(false);
     }
 
-    // Only the thread itself can find its own number here, so no barrier is needed.
+    // No barrier is needed: only the thread itself can find its own number here.
     private bool IsHandlerThread
     {
         get
@@ -120,7 +128,7 @@ public sealed partial class NeuronReader
         }
     }
 
-    // What Dispose begins with, and then waits for.
+    // The first part of Dispose; the second part waits for the end.
     internal void Stop(bool keepsMetrics = false)
     {
         if (!keepsMetrics)
@@ -137,8 +145,8 @@ public sealed partial class NeuronReader
         }
     }
 
-    // What waits goes on in here as far as it can, down to the handlers of the last status, so that no end needs a pool thread: in a busy process
-    // there may be none for a while. On a thread of its own, because those handlers may take longer than a stop.
+    // Runs as many continuations as possible here, down to the handlers of the last status. An end then needs no pool thread, which a busy process may not
+    // have for a while. End has its own thread, because those handlers can take longer than a stop.
     private void End()
     {
         _stopSource.Cancel();
@@ -146,7 +154,7 @@ public sealed partial class NeuronReader
             _ = EndAsync(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, LinkEnd.Requested.Message));
     }
 
-    // In a busy process the pool may have no thread for a while. False where the system has no more threads to give.
+    // A busy process may have no pool thread for a while. Returns false if the system has no threads left.
     private bool TryRunOnThread()
     {
         try
@@ -162,7 +170,7 @@ public sealed partial class NeuronReader
 
     private async Task RunAsync()
     {
-        // Stopped before a thread had time for the start.
+        // The reader was stopped before this thread began.
         if (Interlocked.Exchange(ref _begun, 1) != 0)
         {
             _watchdog?.Dispose();
@@ -179,7 +187,7 @@ public sealed partial class NeuronReader
         }
         catch (Exception exception)
         {
-            // Nothing the network does comes here; whoever waits for the end shall not wait for ever because of a fault of ours.
+            // Network errors never arrive here, only errors in the library. They must not make a caller wait forever for the end.
             last = new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.NetworkError, ConnectionMessages.Failed("the server", exception));
         }
 
@@ -188,7 +196,7 @@ public sealed partial class NeuronReader
         await EndAsync(last).ConfigureAwait(false);
     }
 
-    // The last report, then the last status, whatever becomes of the report.
+    // Publishes the last report and then the last status, even if the report fails.
     private async Task EndAsync(ConnectionStatus last)
     {
         try
@@ -215,17 +223,17 @@ public sealed partial class NeuronReader
             _reporter.Check(now);
     }
 
-    // When the handlers of Stopped, the last status, have run.
+    // Called after the handlers of Stopped, the last status.
     private void Complete(ConnectionStatus last)
     {
         _connected.TrySetException(new NeuronConnectionException(last.Reason, last.Message));
-        _ = _connected.Task.Exception; // observed: most programs never wait for the connection
+        _ = _connected.Task.Exception; // Observed, because most programs never wait for the connection.
         _pipeline.End();
         _completion.TrySetResult(true);
         _stopped.TrySetResult(true);
     }
 
-    // Of the first connection alone: what the calculation port does to the status is no new connection to ask questions about.
+    // Called for the first connection only. A change of status on the calculation port is not a new connection, so it causes no questions to the server.
     private void OnFirstStatusChanged(ConnectionStatus status)
     {
         if (status.State == ConnectionState.Connected)

@@ -12,24 +12,30 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap;
 
-/// <summary>
-/// Receives the motion capture stream of Axis Neuron, Axis Studio or a simulator, and hands its frames to the application.
+/// <summary>Receives the motion capture stream of Axis Neuron, Axis Studio or a simulator, and delivers its frames to the application.</summary>
+/// <remarks>
+/// <para>Make a reader, choose how to receive frames, start it, and dispose it at the end. There are four ways to receive frames:</para>
+/// <list type="bullet">
+/// <item><description><see cref="OpenQueue"/> delivers every frame to one thread when it asks for frames, as in a main loop.</description></item>
+/// <item><description><see cref="OpenLatest"/> delivers the newest frame of each avatar, as for a renderer.</description></item>
+/// <item><description>
+/// <see cref="MotionReceived"/>, <see cref="CalculationReceived"/> and <see cref="StudioCalculationReceived"/> call a handler on the receive thread. This
+/// is the shortest way.
+/// </description></item>
+/// <item><description><see cref="ReadMotionAsync"/> and its variants are for code that awaits.</description></item>
+/// </list>
 /// <para>
-/// Make one, choose how frames shall arrive, start it, dispose of it at the end:
-/// <see cref="OpenQueue"/> gives every frame to a thread of yours when you ask for them (a main loop);
-/// <see cref="OpenLatest"/> gives the newest frame of each avatar (a renderer);
-/// <see cref="MotionReceived"/>, <see cref="CalculationReceived"/> and <see cref="StudioCalculationReceived"/> call you on the receive thread (the
-/// shortest way); <see cref="ReadMotionAsync"/> and its like are for code that awaits.
-/// They can be mixed, and opened and closed while the reader runs. All but the last allocate nothing per frame.
+/// You can mix them, and open and close them while the reader runs. The first three allocate nothing per frame.
 /// </para>
 /// <para>
-/// One reader has one connection, or one UDP port, and a second one where <see cref="NeuronReaderOptions.CalculationPort"/> says so; a program may have any number of readers. All members may be called from any thread.
+/// A reader has one connection or one UDP port, and a second one if <see cref="NeuronReaderOptions.CalculationPort"/> is set. A program can have any
+/// number of readers. All members are thread-safe.
 /// </para>
 /// <para>
-/// A reader that runs stays alive, with its connection and its handlers, also when nothing in the program refers to it: as a thread does. It ends when it
-/// is disposed of or, where reconnecting is off, with its connection. A reader that was never started, or has ended, is collected like any object.
+/// A running reader stays alive, with its connection and its handlers, even if nothing in the program refers to it. It ends when it is disposed. If
+/// reconnecting is off, it also ends with its connection. A reader that was never started, or has ended, is garbage-collected like any object.
 /// </para>
-/// </summary>
+/// </remarks>
 public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 {
     private readonly NeuronReaderOptions _options;
@@ -64,29 +70,31 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     /// <summary>Makes a reader for a TCP server.</summary>
     /// <param name="host">Name or address of the computer that runs Axis Neuron.</param>
     /// <param name="port">The server's port, 1 to 65535.</param>
-    /// <exception cref="ArgumentException">The host is empty or the port out of range.</exception>
+    /// <exception cref="ArgumentException">The host is empty, or the port is out of range.</exception>
     public NeuronReader(string host, int port = ProtocolConstants.DefaultPort)
         : this(new NeuronReaderOptions { Host = host, Port = port })
     {
     }
 
     /// <summary>Makes a reader.</summary>
-    /// <param name="options">Where to receive from, and how; copied.</param>
-    /// <exception cref="ArgumentException">An option is out of its range; the message names it.</exception>
+    /// <param name="options">Where and how to receive; copied.</param>
+    /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
     public NeuronReader(NeuronReaderOptions options)
         : this(options, createLink: null)
     {
     }
 
-    /// <summary>Makes a reader for what a file holds of a stream, instead of a live one.</summary>
-    /// <param name="player">Plays the file, once the reader is started; it can have one reader, which does not dispose of it.</param>
-    /// <param name="options">
-    /// How to receive; copied; null for the defaults. Whatever is about a connection has no meaning here: server, port, senders, reconnecting and command
-    /// port; the largest number of values is the player's. The rotation order and the skeleton variant count before the player's.
+    /// <summary>Makes a reader that receives from a file instead of a live stream.</summary>
+    /// <param name="player">
+    /// Plays the file when the reader starts. A player can have only one reader, and the reader does not dispose it.
     /// </param>
-    /// <exception cref="ArgumentException">An option is out of its range; the message names it.</exception>
-    /// <exception cref="InvalidOperationException">The player has a reader.</exception>
-    /// <exception cref="ObjectDisposedException">The player was disposed of.</exception>
+    /// <param name="options">
+    /// How to receive; copied; null for the defaults. Options of a connection have no effect: server, port, senders, reconnecting and command port. The
+    /// largest number of values is that of the player. The rotation order and the skeleton variant override those of the player.
+    /// </param>
+    /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
+    /// <exception cref="InvalidOperationException">The player already has a reader.</exception>
+    /// <exception cref="ObjectDisposedException">The player was disposed.</exception>
     public NeuronReader(RecordingPlayer player, NeuronReaderOptions? options = null)
         : this(options ?? new NeuronReaderOptions(), createLink: null, player ?? throw new ArgumentNullException(nameof(player)))
     {
@@ -144,10 +152,11 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _reporter = new EventReporter(_metrics.Name, _pipeline, _eventHandlers.Invoke) { EndTimeout = _options.StopTimeout / 2 };
     }
 
-    /// <summary>
-    /// Called with every change of the connection's state, in order and one at a time, on one of the reader's threads or the pool's, or on the thread
-    /// that disposes of a reader that never started. A handler may do anything, dispose of the reader included, but should not take long.
-    /// </summary>
+    /// <summary>Occurs when the state of the connection changes; calls are in order and one at a time.</summary>
+    /// <remarks>
+    /// Handlers run on a thread of the reader or of the pool. If a reader was never started, they run on the thread that disposes it. A handler can call
+    /// any member, <see cref="Dispose"/> included, but should not take long.
+    /// </remarks>
     public event Action<ConnectionStatus>? StatusChanged
     {
         add => _statusHandlers.Add(value);
@@ -155,76 +164,92 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     }
 
     /// <summary>
-    /// Called with every exception that a handler of this reader's events threw, on the thread that called the handler. The exception goes
-    /// no further: other handlers and the connection go on. An exception of this event's own handlers is only counted.
-    /// <para>
-    /// As long as neither this event nor <see cref="EventReported"/> nor a log is in use, the first exception of a reader is written to
-    /// <see cref="Trace"/>. <see cref="ReaderStatistics.CallbackFailures"/> counts all of them in any case.
-    /// </para>
+    /// Occurs when a handler of one of this reader's events throws an exception, on the thread that called the handler.
     /// </summary>
+    /// <remarks>
+    /// <para>
+    /// The exception ends here: other handlers and the connection continue. Exceptions from handlers of this event are only counted.
+    /// </para>
+    /// <para>
+    /// If this event, <see cref="EventReported"/> and a log are all unused, the reader writes its first exception to <see cref="Trace"/>.
+    /// <see cref="ReaderStatistics.CallbackFailures"/> always counts all exceptions.
+    /// </para>
+    /// </remarks>
     public event Action<Exception>? CallbackFailed;
 
-    /// <summary>
-    /// Called with what deserves a line in a log: every change of the connection's state, on the thread that tells it, and lost and dropped
-    /// frames, skipped bytes and failed handlers: the first of each kind within half a second, what follows in one event every 10 s, on a pool thread,
-    /// as are the beginning and the losses of recordings and exports. Their end is told at once, on their own thread.
-    /// These threads may call at the same time; each for itself calls once at a time. On .NET the same goes to <c>NeuronReaderOptions.LoggerFactory</c>.
-    /// </summary>
+    /// <summary>Occurs for everything that deserves a line in a log.</summary>
+    /// <remarks>
+    /// <list type="bullet">
+    /// <item><description>Changes of the connection's state are reported at once, on the thread that publishes them.</description></item>
+    /// <item><description>
+    /// Lost and dropped frames, skipped bytes and failed handlers are reported on a pool thread. The first of each kind is reported within half a second;
+    /// later ones are combined into one event every 10 s.
+    /// </description></item>
+    /// <item><description>Starts and losses of recordings and exports are reported on a pool thread too.</description></item>
+    /// <item><description>Ends of recordings and exports are reported at once, on their own thread.</description></item>
+    /// </list>
+    /// <para>
+    /// These threads may call handlers at the same time, but each of them makes one call at a time. On .NET, <c>NeuronReaderOptions.LoggerFactory</c> gets
+    /// the same events.
+    /// </para>
+    /// </remarks>
     public event Action<ReaderEvent>? EventReported
     {
         add => _eventHandlers.Add(value);
         remove => _eventHandlers.Remove(value);
     }
 
-    // For a process that may have few threads: the C library counts those that a connection needs.
+    // For a process that may have only a few threads: the C library counts the threads that a connection needs.
     internal bool StartsOnPool { get; init; }
 
-    // Whether a packet is on its way through the consumers. The statistics count it before the first one gets it.
+    // Whether consumers are getting a packet now. The statistics count a packet before its first consumer gets it.
     internal bool IsDelivering => _pipeline.DeliveringThread != 0;
 
-    // What discovery tells it is used for the frames from then on, and told with the status.
+    // Frames use discovered values from the moment of discovery. The next status reports them.
     internal FrameFormat Format => _format;
 
-    /// <summary>What metrics and logs call this reader: <see cref="NeuronReaderOptions.Name"/>, or the server's address or the UDP port.</summary>
+    /// <summary>Name of this reader in metrics and logs: <see cref="NeuronReaderOptions.Name"/>, or else the server's address or the UDP port.</summary>
     public string Name => _metrics.Name;
 
-    /// <summary>State of the connection, with the reason of its last change.</summary>
+    /// <summary>State of the connection, with the reason for its last change.</summary>
     public ConnectionStatus Status => _combinedStatus?.Current ?? _status.Current;
 
     /// <summary>
-    /// State of the connection to <see cref="NeuronReaderOptions.CalculationPort"/>; null where the reader has none. <see cref="Status"/> tells it in words,
-    /// and <see cref="StatusChanged"/> that it changed.
+    /// State of the connection to <see cref="NeuronReaderOptions.CalculationPort"/>; null if the reader has no such connection. <see cref="Status"/>
+    /// describes it in words, and <see cref="StatusChanged"/> reports its changes.
     /// </summary>
     public ConnectionStatus? CalculationStatus => _calculation?.Status;
 
     /// <summary>
-    /// Completes when the reader has stopped for good: disposed of, or at the end of its connection where reconnecting is off. Never faults;
-    /// <see cref="Status"/> tells the reason.
+    /// Completes when the reader has stopped for good: after it is disposed, or at the end of its connection if reconnecting is off. It never faults;
+    /// <see cref="Status"/> holds the reason.
     /// </summary>
     public Task Completion => _completion.Task;
 
     /// <summary>
-    /// Commands that travel on this reader's own TCP connection, as servers of the time of b11 and b12 take them. Over UDP there are none.
+    /// Commands that travel on the reader's own TCP connection. Servers around versions b11 and b12 accept them. They are not available over UDP.
     /// </summary>
     public DataCommands DataCommands => _pipeline.Commands;
 
-    /// <summary>What was received so far. Also after the end.</summary>
+    /// <summary>Gets what the reader has received so far. You can also call it after the end.</summary>
     /// <returns>A snapshot.</returns>
     public ReaderStatistics GetStatistics() => _pipeline.GetStatistics();
 
-    /// <summary>What was received so far of each avatar, in the order in which they appeared; at most 1024. Also after the end.</summary>
+    /// <summary>
+    /// Gets what the reader has received so far of each avatar, in order of appearance; at most 1024 avatars. You can also call it after the end.
+    /// </summary>
     /// <returns>A snapshot.</returns>
     public IReadOnlyList<AvatarStatistics> GetAvatarStatistics() => _pipeline.GetAvatarStatistics();
 
-    /// <summary>
-    /// Gets the sizes of an avatar's body, as the server's command channel describes them. A stream without displacement does not carry them.
-    /// The first call makes the reader ask in the background; it asks again on every new connection, and after a failure. Returns at once, on any
-    /// thread, and allocates nothing once the avatar is known.
-    /// </summary>
-    /// <param name="avatarIndex">Index of the avatar, from 0, as its frames carry it.</param>
-    /// <param name="body">The body, of the skeleton variant that the server uses; centimetres.</param>
+    /// <summary>Gets the sizes of an avatar's body from the server's command channel. A stream without displacement does not carry them.</summary>
+    /// <remarks>
+    /// The first call makes the reader ask in the background. The reader asks again on every new connection, and after a failure. Thread-safe. The method
+    /// returns at once, and allocates nothing once the avatar is known.
+    /// </remarks>
+    /// <param name="avatarIndex">Index of the avatar, from 0, as in its frames.</param>
+    /// <param name="body">The body, in centimetres, with the skeleton variant that the server uses.</param>
     /// <returns>
-    /// False when the server has not answered for this avatar yet, or <see cref="NeuronReaderOptions.CommandPort"/> is null.
+    /// False if the server has not answered for this avatar yet, or if <see cref="NeuronReaderOptions.CommandPort"/> is null.
     /// </returns>
     public bool TryGetBody(int avatarIndex, [NotNullWhen(true)] out SkeletonBody? body) => (body = _discovery?.FindBody(avatarIndex)) is not null;
 
@@ -244,7 +269,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
             if (CallbackFailed is { } handlers)
                 handlers(exception);
             else if (_eventHandlers.IsEmpty && Interlocked.Exchange(ref _failureTraced, 1) == 0)
-                Trace.TraceError($"A handler of the NeuronReader '{Name}' threw an exception. Further ones are only counted; handle CallbackFailed to see them. {exception}");
+                Trace.TraceError($"A handler of the NeuronReader '{Name}' threw an exception. Later exceptions are only counted; handle CallbackFailed to see them. {exception}");
         }
         catch (Exception)
         {

@@ -8,102 +8,117 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap;
 
-/// <summary>
-/// What a <see cref="NeuronReader"/> has to know. The reader takes a copy when it is made; later changes have no effect on it.
-/// </summary>
+/// <summary>Options of a <see cref="NeuronReader"/>. The reader copies them when it is made; later changes have no effect on it.</summary>
 public sealed partial class NeuronReaderOptions
 {
     /// <summary>
-    /// What metrics and logs call the reader, so that several can be told apart; null, the default, for the server's address or the UDP port.
-    /// Where two readers have one name, the second gets a number.
+    /// Name of the reader in metrics and logs, which distinguishes several readers. Null, the default, for the server's address or the UDP port.
+    /// If two readers have the same name, the second one gets a number.
     /// </summary>
     public string? Name { get; set; }
 
-    /// <summary>TCP or UDP, as the server is set. TCP unless set.</summary>
+    /// <summary>TCP or UDP; must match the setting of the server. The default is TCP.</summary>
     public TransportKind Transport { get; set; } = TransportKind.Tcp;
 
     /// <summary>
-    /// Name or address of the computer that runs Axis Neuron; this computer unless set. A name with several addresses is tried
-    /// address by address. Not used for UDP.
+    /// Name or address of the computer that runs Axis Neuron. The default is this computer. If a name has several addresses, the reader tries them one
+    /// after another. Not used for UDP.
     /// </summary>
     public string Host { get; set; } = "127.0.0.1";
 
-    /// <summary>TCP port of the server, or UDP port to receive on: 1 to 65535, for UDP also 0 for any free one. 7001 unless set.</summary>
+    /// <summary>
+    /// TCP port of the server, 1 to 65535, or UDP port to receive on, 0 to 65535; UDP port 0 takes any free port. The default is 7001.
+    /// </summary>
     public int Port { get; set; } = ProtocolConstants.DefaultPort;
 
     /// <summary>
-    /// Address of this computer to connect from or receive on; null, the default, lets the system choose for TCP and receives on all IPv4
-    /// addresses for UDP. Set it where the computer has several networks.
+    /// Address of this computer to connect from or receive on. With null, the default, the system chooses for TCP, and UDP receives on all IPv4 addresses.
+    /// Set it if the computer has several networks.
     /// </summary>
     public IPAddress? LocalAddress { get; set; }
 
     /// <summary>
-    /// Lets other programs bind the same UDP port. Datagrams that are broadcast or multicast then reach all of them, others only the one that
-    /// the system chooses. Off unless set: then a port in use is an error with a clear reason.
+    /// Allows other programs to bind the same UDP port. All of them then get broadcast and multicast datagrams; other datagrams reach only the one program
+    /// that the system chooses. The default is off: a port in use is then an error with a clear reason.
     /// </summary>
     public bool SharePort { get; set; }
 
     /// <summary>
-    /// Addresses of the computers that may send over UDP; empty, the default, lets everyone. Datagrams of others are dropped before anything
-    /// looks into them, and counted. Set it where the network is not yours alone: anyone on it can send to the port. Not used for TCP, where
-    /// <see cref="Host"/> says whom the data comes from.
+    /// Addresses of the computers that may send over UDP. If it is empty, the default, all may send. The reader counts datagrams of other computers, and
+    /// drops them unread. Set it if you share the network with others: any computer on it can send to the port. Not used for TCP, where <see cref="Host"/>
+    /// determines the sender.
     /// </summary>
     public IReadOnlyList<IPAddress> AllowedSenders { get; set; } = [];
 
-    /// <summary>Longest time to wait for the name, and for each of its addresses to answer. 5 s unless set; more than zero, at most 5 minutes.</summary>
+    /// <summary>
+    /// Longest time to wait for the name to resolve, and for each of its addresses to answer: more than zero, at most 5 minutes. The default is 5 s.
+    /// </summary>
     public TimeSpan ConnectTimeout { get; set; } = TimeSpan.FromSeconds(5);
 
-    /// <summary>After how long without a frame the state becomes Silent. 3 s unless set; at least 0.1 s, at most an hour.</summary>
+    /// <summary>Time without a frame after which the state becomes Silent: 0.1 s to an hour. The default is 3 s.</summary>
     public TimeSpan SilenceTimeout { get; set; } = TimeSpan.FromSeconds(3);
 
     /// <summary>
-    /// On which thread to receive, and so to run the handlers of frames. <see cref="ReceiveThread.Auto"/> unless set.
-    /// <see cref="ConnectionStatus.ReceiveThread"/> says which one a connection has. Set it to <see cref="ReceiveThread.Dedicated"/> where
-    /// the program blocks the threads of the pool.
+    /// The thread that receives and therefore runs the handlers of frames. The default is <see cref="ReceiveThread.Auto"/>.
+    /// <see cref="ConnectionStatus.ReceiveThread"/> tells which one a connection uses. Set <see cref="ReceiveThread.Dedicated"/> if the program blocks
+    /// pool threads.
     /// </summary>
     public ReceiveThread ReceiveThread { get; set; }
 
-    /// <summary>Whether and when to try again after a connection failed or ended.</summary>
+    /// <summary>Whether and when to reconnect after a connection fails or ends.</summary>
     public ReconnectPolicy Reconnect { get; set; } = new();
 
     /// <summary>
-    /// Order of the rotation values, a setting of the server. Null, the default, to take it from where it can be found: each frame of Axis Studio
-    /// says it, and the command channel answers it; where neither does it is YXZ, Axis Neuron's default. A value holds for all frames; a stream that says
-    /// otherwise is reported once per connection, with <see cref="ConnectionReason.RotationOrderMismatch"/>.
+    /// Order of the rotation values, which is a setting of the server. If it is null, the default, the reader detects it. Each frame of Axis Studio
+    /// contains it, and the command channel reports it; otherwise it is YXZ, the default of Axis Neuron.
     /// </summary>
+    /// <remarks>
+    /// A value applies to all frames. If a stream contains another order, the reader reports it once per connection, with
+    /// <see cref="ConnectionReason.RotationOrderMismatch"/>.
+    /// </remarks>
     public RotationOrder? RotationOrder { get; set; }
 
     /// <summary>
-    /// Naming of spine and neck on the server. Null, the default, to take it from the BVH header that the command channel answers; where there is
-    /// none it is that of the manual's Appendix A.
+    /// Names of the spine and neck bones on the server. If it is null, the default, the reader takes them from the BVH header that the command channel
+    /// returns. Without a header it uses those of the manual's Appendix A.
     /// </summary>
     public SkeletonVariant? SkeletonVariant { get; set; }
 
     /// <summary>
-    /// TCP port of the command channel on <see cref="Host"/>, 1 to 65535, also where frames come over UDP; null, the default, for none. With one, the
-    /// reader asks there for the rotation order and the skeleton variant, and for bodies: <see cref="NeuronReader.TryGetBody"/>. It asks on every new
-    /// connection and, without an answer, again after 5, 10, 20 and then every 40 s. Frames do not wait for the answer: those that come before it are
-    /// understood as without this option. See <see cref="ProtocolConstants.DefaultCommandPort"/>.
+    /// TCP port of the command channel on <see cref="Host"/>, 1 to 65535, also if frames arrive over UDP. Null, the default, for no command channel. See
+    /// <see cref="ProtocolConstants.DefaultCommandPort"/>.
     /// </summary>
+    /// <remarks>
+    /// On this port the reader asks for the rotation order, the skeleton variant and the bodies of <see cref="NeuronReader.TryGetBody"/>. It asks on every
+    /// new connection. Without an answer it asks again after 5, 10 and 20 s, and then every 40 s. Frames do not wait for the answer. Until it arrives,
+    /// they are interpreted as without this option.
+    /// </remarks>
     public int? CommandPort { get; set; }
 
     /// <summary>
-    /// Port on which the server broadcasts calculation data, where that is not <see cref="Port"/>: 1 to 65535, for UDP also 0 for any free one. Null, the
-    /// default, for none; <see cref="ProtocolConstants.DefaultCalculationPort"/> is usual. Over TCP the reader then has a second connection to
-    /// <see cref="Host"/>, over UDP a second port; each reconnects by itself. Frames of both are handed out alike, with the same
-    /// <see cref="AvatarFrame.Sender"/> for a server. Where the second one fails, motion goes on, and the status says so:
-    /// <see cref="ConnectionReason.CalculationUnavailable"/>. Motion that arrives there is skipped and counted. The same value as
-    /// <see cref="Port"/> means one connection for both.
+    /// Port on which the server broadcasts calculation data, if it differs from <see cref="Port"/>: 1 to 65535; for UDP also 0 for any free port. Null,
+    /// the default, for none. The usual port is <see cref="ProtocolConstants.DefaultCalculationPort"/>.
     /// </summary>
+    /// <remarks>
+    /// <para>
+    /// With this option the reader has a second connection to <see cref="Host"/> over TCP, or a second port over UDP. Each one reconnects independently.
+    /// Consumers get the frames of both alike; frames of one server have the same <see cref="AvatarFrame.Sender"/>. If both ports have the same value, one
+    /// connection serves both.
+    /// </para>
+    /// <para>
+    /// If the second connection fails, motion continues, and the status reports <see cref="ConnectionReason.CalculationUnavailable"/>. Motion that arrives
+    /// on the second connection is skipped and counted.
+    /// </para>
+    /// </remarks>
     public int? CalculationPort { get; set; }
 
     /// <summary>
-    /// Largest number of values that a packet may announce, 1 to 1,000,000; larger ones are skipped and counted. 10,224 unless set, the most
-    /// that the vendor's library delivers.
+    /// Largest number of values that a packet may announce, 1 to 1,000,000. Larger packets are skipped and counted. The default is 10,224, the most that
+    /// the vendor's library delivers.
     /// </summary>
     public int MaxValues { get; set; } = ProtocolConstants.DefaultMaxValues;
 
-    // How long a stop waits for a handler that is still busy. Tests set it: a busy machine holds any thread up for longer.
+    // How long a stop waits for a handler that is still busy. Tests set a longer time, because a busy machine can delay any thread.
     internal TimeSpan StopTimeout { get; set; } = TimeSpan.FromSeconds(2);
 
     internal string DisplayName => Name ?? (Transport == TransportKind.Udp ? $"UDP port {Port}" : Link.Target);
@@ -119,7 +134,7 @@ public sealed partial class NeuronReaderOptions
         ReceiveThread = ReceiveThread,
     };
 
-    // Null where motion and calculation data come together, or one of them not at all.
+    // Null if motion and calculation data share one connection, or if calculation data is not received.
     internal LinkOptions? CalculationLink => CalculationPort is { } port && (port != Port || port == 0) ? Link with { Port = port } : null;
 
     internal NeuronCommandOptions? Commands => CommandPort is { } port
@@ -134,7 +149,7 @@ public sealed partial class NeuronReaderOptions
         return copy;
     }
 
-    // For a playback: nothing is connected to or asked, and the next connection stands when it did in the recording.
+    // For a playback, which connects to nothing and asks nothing. Its next connection is established when it was in the recording.
     internal NeuronReaderOptions CopyFor(RecordingPlayer player)
     {
         NeuronReaderOptions copy = Copy();
@@ -156,7 +171,7 @@ public sealed partial class NeuronReaderOptions
             return $"ReceiveThread is {ReceiveThread}; it must be Auto, Dedicated or Pool.";
 
         if (Name is not null && string.IsNullOrWhiteSpace(Name))
-            return "Name is empty; give the reader one, or leave it out.";
+            return "Name is empty; set a name, or leave it null.";
 
         int lowestPort = Transport == TransportKind.Udp ? 0 : 1;
         if (string.IsNullOrWhiteSpace(Host))
@@ -174,17 +189,17 @@ public sealed partial class NeuronReaderOptions
         if (CommandPort is < 1 or > IPEndPoint.MaxPort)
             return $"CommandPort is {CommandPort}; it must be 1 to {IPEndPoint.MaxPort}, or null.";
         if (CommandPort == Port && Transport == TransportKind.Tcp)
-            return $"CommandPort and Port are both {Port}; frames and the command channel have a port each, by default 7001 and 8013.";
+            return $"CommandPort and Port are both {Port}; frames and the command channel need different ports, by default 7001 and 8013.";
         if (CalculationPort < lowestPort || CalculationPort > IPEndPoint.MaxPort)
             return $"CalculationPort is {CalculationPort}; it must be {lowestPort} to {IPEndPoint.MaxPort}, or null.";
         if (CalculationPort is not null && CalculationPort == CommandPort && Transport == TransportKind.Tcp)
-            return $"CalculationPort and CommandPort are both {CommandPort}; calculation data and the command channel have a port each, by default 7003 and 8013.";
+            return $"CalculationPort and CommandPort are both {CommandPort}; calculation data and the command channel need different ports, by default 7003 and 8013.";
         if (MaxValues is < 1 or > 1_000_000)
             return $"MaxValues is {MaxValues}; it must be 1 to 1,000,000.";
         if (AllowedSenders?.Contains(null!) == true)
-            return "AllowedSenders holds a null; it must hold addresses only.";
+            return "AllowedSenders contains null; it must contain addresses only.";
         if (Reconnect is null)
-            return "Reconnect is null; set its Enabled to false to switch reconnecting off.";
+            return "Reconnect is null; to turn reconnecting off, set its Enabled to false.";
 
         return Reconnect.FindFault();
     }

@@ -3,13 +3,16 @@ using NeuronMocap.Telemetry;
 
 namespace NeuronMocap;
 
-/// <content>What only the .NET build offers.</content>
+/// <content>Options that only the .NET build has.</content>
 public sealed partial class NeuronReaderOptions
 {
     /// <summary>
-    /// Gets a line for every change of the connection's state, and at most one every 10 s for lost and dropped frames, skipped bytes and
-    /// failed handlers; category "NeuronMocap.NeuronReader", event ids as in <see cref="ReaderEventId"/>. Null, the default, for no log.
+    /// Creates the log of the reader; null, the default, for no log. The category is "NeuronMocap.NeuronReader"; <see cref="ReaderEventId"/> lists the
+    /// event ids.
     /// </summary>
+    /// <remarks>
+    /// Every change of the connection's state is one line. Lost and dropped frames, skipped bytes and failed handlers are at most one line every 10 s.
+    /// </remarks>
     public ILoggerFactory? LoggerFactory { get; set; }
 
     internal Action<ReaderEvent>? CreateLog() => LoggerFactory is { } factory ? new ReaderLogger(factory).Write : null;

@@ -2,7 +2,7 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace NeuronMocap;
 
-/// <content>Logging would need a package on this target; see <see cref="NeuronReader.EventReported"/>.</content>
+/// <content>On this target, logging would need a package; use <see cref="NeuronReader.EventReported"/> instead.</content>
 public sealed partial class NeuronReaderOptions
 {
     [SuppressMessage("Performance", "CA1822", Justification = "The member is that of the other target.")]

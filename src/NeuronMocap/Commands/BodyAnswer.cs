@@ -3,12 +3,12 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Commands;
 
-// What a server says about an avatar's body: the skeleton of its BVH header or, where it sends none, the sizes alone.
+// A server's description of an avatar's body: the skeleton of its BVH header or, if it sends no header, only the sizes.
 internal sealed record BodyAnswer(BvhSkeletonMap? Skeleton, BoneDimensions Dimensions)
 {
     private SkeletonBody? _body;
 
-    // The variant counts for the sizes only; a header has its own.
+    // The variant applies to the sizes only; a header has its own variant.
     public SkeletonBody GetBody(SkeletonVariant variant)
     {
         if (Skeleton is not null)

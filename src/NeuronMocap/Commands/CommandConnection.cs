@@ -7,12 +7,13 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Commands;
 
-// One TCP connection of a client, used by its thread; only Close may be called from others.
+// One TCP connection of a client. Only the client's thread uses it, except for Close, which any thread may call.
 //
-// A reply carries nothing that says which request it answers, apart from the command's number where the server repeats it. So a reply that comes late,
-// or twice, must never find a later request waiting that it could be the answer to. Three rules see to it, and a new connection is cheap:
-// a connection carries each command at most once; it is given up after anything but a plain exchange, be it a failure, a byte too many or a
-// number that was not repeated, or need not be; and it is given up when something lies there before a request is sent.
+// A reply does not say which request it answers; it has only the command's number, if the server repeats it. A late or repeated reply must therefore never
+// reach a later request that it could seem to answer. A new connection is cheap, so three rules ensure this:
+// - A connection carries each command at most once.
+// - The client closes a connection after anything but a plain exchange: a failure, an extra byte, or a number that is not repeated or not checked.
+// - The client closes a connection that holds unread bytes before it sends a request.
 internal sealed class CommandConnection(NeuronCommandOptions options, LinkOptions link, Func<string, IPAddress[]> resolve)
 {
     private readonly object _lock = new();
@@ -21,10 +22,10 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
     private Socket? _socket;
     private bool _isClosed;
 
-    // Whether the server has said anything since it was last asked.
+    // Whether the server has sent anything since the last request.
     public bool HasHeard { get; private set; }
 
-    // Readable without a byte: the server has closed it, or it was reset.
+    // True if the connection is readable but has no bytes: the server has closed or reset it.
     public bool IsLeft
     {
         get
@@ -47,7 +48,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
 
         try
         {
-            // The end of the connection is readable, too.
+            // The end of the connection makes it readable too.
             return _reader.IsEmpty && !_socket!.Poll(0, SelectMode.SelectRead);
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
@@ -119,7 +120,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
         if (IPAddress.TryParse(options.Host, out IPAddress? address))
             return [address];
 
-        // No runtime can interrupt the system's resolver; a thread that waits for it longer than a connection may is left to its end.
+        // No runtime can interrupt the system's resolver. If a thread waits for it longer than the connect timeout, it is left running.
         IPAddress[] addresses = [];
         try
         {
@@ -179,8 +180,8 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
         return false;
     }
 
-    // Waits for what the system cannot be made to give up, on a thread that is left to its end when the time is up, or when the connection is closed
-    // from outside: false then. No task is waited for, because on Mono that takes a thread of the pool, which may have none.
+    // Runs a system call that cannot be cancelled, on a thread of its own. Returns false if the time is up, or if the connection is closed from outside;
+    // the thread is then left running. The method does not wait for a task, because on Mono that takes a pool thread, and the pool may have none.
     private bool Run(string name, Action action)
     {
         bool isDone = false;
@@ -232,7 +233,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
         }
     }
 
-    // True when nothing came but the reply, with the number of the request.
+    // Returns true if the server sent only the reply, with the number of the request.
     private bool Receive(CommandRequest request, CommandChannelId asked, Stopwatch watch)
     {
         bool isPlain = true;
@@ -254,7 +255,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
                 return isPlain && _reader.IsEmpty && _reader.Skipped == 0;
             }
 
-            // The late answer to something else is passed over.
+            // A late answer to another request is skipped.
             if (!Enum.IsDefined(typeof(CommandChannelId), (int)header.CommandId))
                 throw CommandMessages.WrongId(link.Target, asked, header.CommandId);
         }
@@ -272,7 +273,7 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
         _reader.Add(count);
     }
 
-    // At least a millisecond: to a socket, zero is for ever.
+    // At least one millisecond, because a socket interprets zero as no timeout.
     private int Remaining(Stopwatch watch)
     {
         double remaining = options.Timeout.TotalMilliseconds - watch.Elapsed.TotalMilliseconds;

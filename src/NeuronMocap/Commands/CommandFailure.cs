@@ -1,29 +1,29 @@
 namespace NeuronMocap.Commands;
 
-/// <summary>Why a command has no answer.</summary>
+/// <summary>The reason why a command has no answer.</summary>
 public enum CommandFailure
 {
-    /// <summary>Not said.</summary>
+    /// <summary>The reason is not known.</summary>
     Unknown,
 
     /// <summary>The host name has no address.</summary>
     HostNotFound,
 
-    /// <summary>The address answered that nothing listens on the port.</summary>
+    /// <summary>The computer refused the connection: nothing listens on the port.</summary>
     Refused,
 
-    /// <summary>There is no connection for another reason: no answer, no route, a firewall.</summary>
+    /// <summary>The connection failed for another reason: no answer, no route, or a firewall.</summary>
     NotConnected,
 
-    /// <summary>The server did not answer, or not all of it, within the time of the option. The command may have been carried out.</summary>
+    /// <summary>The complete reply did not arrive within the timeout. The server may have executed the command.</summary>
     TimedOut,
 
-    /// <summary>The server closed the connection before it had answered. The command may have been carried out.</summary>
+    /// <summary>The server closed the connection before it answered. The server may have executed the command.</summary>
     Closed,
 
-    /// <summary>Something came that is no answer to the command.</summary>
+    /// <summary>The server sent data that is not a valid answer to the command.</summary>
     InvalidReply,
 
-    /// <summary>The server answered that it did not do it, or that it has nothing to tell.</summary>
+    /// <summary>The server answered that it did not execute the command, or that it has no data.</summary>
     Rejected,
 }

@@ -3,7 +3,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Commands;
 
-// The sentences that tell a person what became of a command and which setting to look at.
+// The messages that tell a person why a command failed and which setting to check.
 internal static class CommandMessages
 {
     private const string WhichPort =
@@ -45,7 +45,7 @@ internal static class CommandMessages
         cause);
 
     public static NeuronCommandException SpokeFirst(string target) => new(
-        CommandFailure.InvalidReply, $"{target} sent something before it was asked, which no command port does. {WhichPort}");
+        CommandFailure.InvalidReply, $"{target} sent data before the first request, which a command port never does. {WhichPort}");
 
     public static NeuronCommandException WrongSize(string target, int size, NeuronCommandOptions options) => new(
         CommandFailure.InvalidReply,
@@ -55,7 +55,7 @@ internal static class CommandMessages
 
     public static NeuronCommandException WrongId(string target, CommandChannelId asked, int id) => new(
         CommandFailure.InvalidReply,
-        $"{target} answered command {(int)asked} with number {id}. If this server's answers are right all the same, set "
+        $"{target} answered command {(int)asked} with number {id}. If this server's answers are nevertheless correct, set "
         + "NeuronCommandOptions.AcceptAnyReplyId.");
 
     public static NeuronCommandException InvalidReply(string target, string what, Exception? cause = null) =>

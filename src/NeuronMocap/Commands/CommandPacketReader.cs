@@ -2,8 +2,8 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Commands;
 
-// Finds the packets in what a command connection brings, however it is cut up: replies here, requests on the server's side. Bytes that are no header
-// are passed over to the next place where both tokens stand. Memory grows with what has come, not with what a header announces.
+// Finds the packets in the bytes of a command connection, however they are split: replies on a client, requests on a server. It skips bytes that are not a
+// header, up to the next place that has both tokens. Memory grows with the received bytes, not with the size that a header announces.
 internal sealed class CommandPacketReader(int maxPayload)
 {
     private byte[] _buffer = new byte[1024];
@@ -12,10 +12,10 @@ internal sealed class CommandPacketReader(int maxPayload)
 
     public long Skipped { get; private set; }
 
-    // Whether nothing is left over.
+    // Whether no bytes are left.
     public bool IsEmpty => _start == _end;
 
-    // Room for the next bytes; to be followed by Add.
+    // Returns room for the next bytes; call Add after it is filled.
     public ArraySegment<byte> GetRoom()
     {
         if (_start > 0)
@@ -33,8 +33,8 @@ internal sealed class CommandPacketReader(int maxPayload)
 
     public void Add(int count) => _end += count;
 
-    // False when more bytes are needed. A header that announces less than nothing or more than is allowed comes without a payload, and nothing can be
-    // read after it. The payload is valid until the next call of GetRoom.
+    // Returns false if more bytes are needed. A header with a negative or too large size is returned without a payload, and nothing can be read after it.
+    // The payload is valid until the next call of GetRoom.
     public bool TryRead(out CommandChannelHeader header, out ReadOnlySpan<byte> payload)
     {
         payload = default;
@@ -57,7 +57,7 @@ internal sealed class CommandPacketReader(int maxPayload)
 
     public bool IsAllowed(in CommandChannelHeader header) => header.PayloadSize >= 0 && header.PayloadSize <= maxPayload;
 
-    // Where a header stands, or where one may begin that is not all there.
+    // Finds a header, or the place where an incomplete header may begin.
     private static int FindHeader(ReadOnlySpan<byte> bytes, out CommandChannelHeader header)
     {
         header = default;

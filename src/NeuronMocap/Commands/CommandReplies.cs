@@ -4,12 +4,12 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Commands;
 
-// What the payloads of replies mean (protocol.md section 6); anything that cannot be an answer is an exception.
+// Parses the payloads of replies (protocol.md section 6). A payload that is not a valid answer causes an exception.
 internal sealed class CommandReplies(string target)
 {
     public bool ReadZeroOut(ReadOnlySpan<byte> payload, int? avatar)
     {
-        // The vendor's library looks at the first byte alone: 256 is a refusal.
+        // The vendor's library checks only the first byte, so 256 is a refusal.
         if (payload.IsEmpty || payload[0] == 0)
             throw CommandMessages.NotZeroedOut(target, avatar);
 
@@ -21,13 +21,13 @@ internal sealed class CommandReplies(string target)
         if (payload.IsEmpty)
             throw CommandMessages.NoAnswer(target, avatar: null);
 
-        // An integer of four bytes; the vendor's library takes fewer, too.
+        // The value is an integer of four bytes; the vendor's library also accepts fewer.
         long value = 0;
         for (int i = Math.Min(payload.Length, sizeof(uint)) - 1; i >= 0; i--)
             value = (value << 8) | payload[i];
 
         if (value is < (int)RotationOrder.XZY or > (int)RotationOrder.ZYX)
-            throw CommandMessages.InvalidReply(target, $"the rotation order is {value}, which is none of the six, 0 to 5.");
+            throw CommandMessages.InvalidReply(target, $"the rotation order is {value}; it must be 0 to 5.");
 
         return (RotationOrder)value;
     }
@@ -39,14 +39,14 @@ internal sealed class CommandReplies(string target)
         if (payload.Length < BoneDimensions.Size)
             throw CommandMessages.InvalidReply(target, $"the bone sizes are {payload.Length} bytes instead of {BoneDimensions.Size}.");
         if (!BoneDimensions.TryRead(payload, out BoneDimensions dimensions))
-            throw CommandMessages.InvalidReply(target, "the bone sizes are none: one is negative, or not a number.");
+            throw CommandMessages.InvalidReply(target, "the bone sizes are invalid: a size is negative, or is not a number.");
 
         return dimensions;
     }
 
     public (string Text, BvhDocument Document) ReadHeader(ReadOnlySpan<byte> payload, int avatar)
     {
-        // C programs may count the terminator.
+        // C programs may include the terminator.
         ReadOnlySpan<byte> utf8 = payload;
         while (!utf8.IsEmpty && utf8[^1] == 0)
             utf8 = utf8[..^1];

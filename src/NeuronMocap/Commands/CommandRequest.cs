@@ -3,13 +3,13 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Commands;
 
-// Turns a payload into an answer, or throws a NeuronCommandException.
+// Converts a payload to an answer, or throws a NeuronCommandException.
 internal delegate T ReplyParser<T>(ReadOnlySpan<byte> payload);
 
-// One call from its beginning to its end.
+// One call, from start to end.
 internal abstract class CommandRequest(CommandChannelId? id, int? avatar)
 {
-    // Null for a call that only wants a connection.
+    // Null for a call that only connects.
     public CommandChannelId? Id => id;
 
     public CancellationTokenRegistration Cancellation { get; set; }
@@ -36,7 +36,7 @@ internal abstract class CommandRequest(CommandChannelId? id, int? avatar)
 
 internal sealed class CommandRequest<T>(CommandChannelId? id, int? avatar, ReplyParser<T> parse) : CommandRequest(id, avatar)
 {
-    // Handed to the caller as it is: somebody who blocks on it is woken by the thread that completes it, and needs none of the pool's.
+    // Returned to the caller directly. A caller that blocks on this task is woken by the thread that completes it, and needs no pool thread.
     private readonly TaskCompletionSource<T> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
 
     public Task<T> Task => _completion.Task;

@@ -5,9 +5,9 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Commands;
 
 /// <summary>
-/// What a server sent on the data connection in answer to a command, or by itself after a registration (protocol.md section 7). It owns its
-/// memory and never changes. The members for a value are null where the reply is about something else.
+/// A packet that a server sent on the data connection, in reply to a command or after a registration (protocol.md section 7).
 /// </summary>
+/// <remarks>A reply owns its memory and never changes. A property is null if the reply is about another value.</remarks>
 public sealed class DataCommandReply
 {
     private const int BoneNameSize = 60;
@@ -29,17 +29,17 @@ public sealed class DataCommandReply
     /// <summary>The fields of the header.</summary>
     public DataCommandHeader Header { get; }
 
-    /// <summary>What the reply is about. Servers may send numbers that the enumeration lacks.</summary>
+    /// <summary>The value that the reply is about. Servers can send numbers that the enumeration does not contain.</summary>
     public DataCommandId Id => Header.CommandId;
 
-    /// <summary>The whole packet as received: 64 bytes of header, then the payload.</summary>
+    /// <summary>The whole packet as received: a header of 64 bytes, followed by the payload.</summary>
     public ReadOnlyMemory<byte> Packet => _packet;
 
-    /// <summary>The bytes behind the header; none for most commands.</summary>
+    /// <summary>The bytes after the header; empty for most commands.</summary>
     public ReadOnlyMemory<byte> Payload => _packet.AsMemory(ProtocolConstants.HeaderSize);
 
     /// <summary>
-    /// The avatar, from 0, that a frequency or a combination mode belongs to. Whether other replies name their avatar is not known.
+    /// The avatar, from 0, of a frequency or a combination mode. It is not known whether other replies contain their avatar.
     /// </summary>
     public int? AvatarIndex => Id is DataCommandId.DataFrequency or DataCommandId.CombinationMode ? Header.Parameter : null;
 
@@ -49,13 +49,13 @@ public sealed class DataCommandReply
     /// <summary>Frames per second of the avatar.</summary>
     public int? Frequency => Id == DataCommandId.DataFrequency ? Header.Value : null;
 
-    /// <summary>Which sensors the avatar wears. Servers may send numbers that the enumeration lacks.</summary>
+    /// <summary>The set of sensors that the avatar wears. Servers can send numbers that the enumeration does not contain.</summary>
     public SensorCombination? CombinationMode => Id == DataCommandId.CombinationMode ? (SensorCombination)Header.Value : null;
 
     /// <summary>The avatar's hierarchy as the text of a BVH file.</summary>
     public string? BvhText => Id == DataCommandId.BvhText ? ReadText(Payload.Span) : null;
 
-    /// <summary>Names and lengths of the avatar's bones, in the order of the server. A new list on every call.</summary>
+    /// <summary>Names and lengths of the avatar's bones, in the order of the server. Each call returns a new list.</summary>
     public IReadOnlyList<BoneSize>? BoneSizes => Id == DataCommandId.BoneSize ? ReadBoneSizes() : null;
 
     private BoneSize[] ReadBoneSizes()
@@ -71,7 +71,7 @@ public sealed class DataCommandReply
         return sizes;
     }
 
-    // Up to the first zero byte: names are padded with them, and a text may have one at its end.
+    // Reads up to the first zero byte: names are padded with zeros, and a text may end with one.
     private static string ReadText(ReadOnlySpan<byte> bytes)
     {
         int end = bytes.IndexOf((byte)0);

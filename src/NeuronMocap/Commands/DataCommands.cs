@@ -3,14 +3,17 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Commands;
 
-/// <summary>
-/// The commands of the old generation, which share a reader's TCP connection with its frames (protocol.md section 7): servers of the time of
-/// the vendor's b11 and b12 libraries answer them; newer ones have a connection of their own for commands.
+/// <summary>The commands of the old generation, which share a reader's TCP connection with its frames (protocol.md section 7).</summary>
+/// <remarks>
 /// <para>
-/// Requests are sent when asked for; replies come whenever the server likes, between frames. Take them as they come with
-/// <see cref="Received"/>, or await one value with <see cref="GetAvatarCountAsync"/> and its like. All members may be called from any thread.
+/// Servers around the vendor's b11 and b12 libraries answer them. Newer servers have a separate connection for commands: see
+/// <see cref="NeuronCommandClient"/>.
 /// </para>
-/// </summary>
+/// <para>
+/// A request is sent when you call a method. Replies arrive at any time, between frames. Handle <see cref="Received"/> to get all of them, or await a
+/// single value with <see cref="GetAvatarCountAsync"/> and similar methods. All members are thread-safe.
+/// </para>
+/// </remarks>
 public sealed class DataCommands
 {
     private static readonly TimeSpan ShortestTimeout = TimeSpan.FromMilliseconds(1);
@@ -31,43 +34,48 @@ public sealed class DataCommands
         _handlers = new HandlerList<DataCommandReply>(failed);
     }
 
-    /// <summary>How long <see cref="GetAvatarCountAsync"/> and its like wait for a reply, counted from the sending. 3 s unless set; 1 ms to an hour.</summary>
+    /// <summary>
+    /// Longest time to wait for a reply after a request is sent, in <see cref="GetAvatarCountAsync"/> and similar methods: 1 ms to an hour. The default is
+    /// 3 s.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is out of range.</exception>
     public TimeSpan Timeout
     {
         get => _timeout;
         set => _timeout = value >= ShortestTimeout && value <= LongestTimeout
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, "Timeout is 1 ms to an hour.");
+            : throw new ArgumentOutOfRangeException(nameof(value), value, "Timeout must be 1 ms to an hour.");
     }
 
-    // False where no connection stands that commands can travel on, or where it takes no more bytes for a second.
+    // Returns false if no connection can carry commands, or if the connection takes no more bytes for a second.
     internal delegate bool TrySend(ReadOnlySpan<byte> bytes);
 
-    /// <summary>Called with every reply, on the receive thread, in the order of arrival. While a handler runs, nothing is received.</summary>
+    /// <summary>
+    /// Occurs for every reply, on the receive thread, in the order of arrival. The reader receives nothing while a handler runs.
+    /// </summary>
     public event Action<DataCommandReply>? Received
     {
         add => _handlers.Add(value);
         remove => _handlers.Remove(value);
     }
 
-    /// <summary>Asks for a value that is not an avatar's own. The reply comes to <see cref="Received"/>.</summary>
-    /// <param name="id">What to ask for.</param>
-    /// <returns>False when the request could not be sent: no connection stands, or frames come over UDP.</returns>
+    /// <summary>Requests a value that does not belong to an avatar. <see cref="Received"/> gets the reply.</summary>
+    /// <param name="id">The value to request.</param>
+    /// <returns>False if the request could not be sent: there is no connection, or frames arrive over UDP.</returns>
     public bool TryRequest(DataCommandId id) => TryRequest(id, avatarIndex: 0);
 
-    /// <summary>Asks for a value of an avatar. The reply comes to <see cref="Received"/>.</summary>
-    /// <param name="id">What to ask for.</param>
+    /// <summary>Requests a value of an avatar. <see cref="Received"/> gets the reply.</summary>
+    /// <param name="id">The value to request.</param>
     /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
-    /// <returns>False when the request could not be sent: no connection stands, or frames come over UDP.</returns>
+    /// <returns>False if the request could not be sent: there is no connection, or frames arrive over UDP.</returns>
     public bool TryRequest(DataCommandId id, int avatarIndex) => TrySendRequest(id, avatarIndex);
 
     /// <summary>
-    /// Asks the server to send a value whenever it changes ("auto-sync"); it comes to <see cref="Received"/>. Asked for again by itself
+    /// Asks the server to send a value whenever it changes ("auto-sync"). <see cref="Received"/> gets these values. The reader repeats the registration
     /// after every reconnect, until <see cref="TryUnregister"/>.
     /// </summary>
-    /// <param name="id">What to watch.</param>
-    /// <returns>False when the request could not be sent; then nothing is registered.</returns>
+    /// <param name="id">The value to watch.</param>
+    /// <returns>False if the request could not be sent; the value is then not registered.</returns>
     public bool TryRegister(DataCommandId id)
     {
         lock (_lock)
@@ -80,9 +88,9 @@ public sealed class DataCommands
         }
     }
 
-    /// <summary>Asks the server to send a value no more by itself.</summary>
-    /// <param name="id">What was watched.</param>
-    /// <returns>False when the request could not be sent; it is not registered again after a reconnect all the same.</returns>
+    /// <summary>Asks the server to stop sending a value when it changes.</summary>
+    /// <param name="id">The watched value.</param>
+    /// <returns>False if the request could not be sent. The value is not registered again after a reconnect in either case.</returns>
     public bool TryUnregister(DataCommandId id)
     {
         lock (_lock)
@@ -92,11 +100,14 @@ public sealed class DataCommands
         }
     }
 
-    /// <summary>
-    /// Asks for names and lengths of an avatar's bones. Replies do not say whose they are: so one is asked for after the other, and after one that did
-    /// not come in time the next call asks for the number of avatars first, behind whose reply no late one can come. Only a change that the server
-    /// sends by itself, after <see cref="TryRegister"/>, may be taken for the reply.
-    /// </summary>
+    /// <summary>Gets the names and lengths of an avatar's bones.</summary>
+    /// <remarks>
+    /// <para>
+    /// Replies do not contain their avatar, so the reader sends these requests one after another. After a reply that did not come in time, the next call
+    /// first asks for the number of avatars. A late reply cannot arrive after the reply to that request.
+    /// </para>
+    /// <para>After <see cref="TryRegister"/>, a change that the server sends without a request can be mistaken for the reply.</para>
+    /// </remarks>
     /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The bones in the order of the server.</returns>
@@ -104,22 +115,22 @@ public sealed class DataCommands
     public async Task<IReadOnlyList<BoneSize>> GetBoneSizesAsync(int avatarIndex = 0, CancellationToken cancellationToken = default) =>
         (await RequestInTurnAsync(_sizes, DataCommandId.BoneSize, avatarIndex, cancellationToken).ConfigureAwait(false)).BoneSizes!;
 
-    /// <summary>Asks for an avatar's hierarchy; whose it is, see <see cref="GetBoneSizesAsync"/>.</summary>
+    /// <summary>Gets an avatar's hierarchy. <see cref="GetBoneSizesAsync"/> describes how the reader matches a reply to its avatar.</summary>
     /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
-    /// <returns>The text of a BVH file's hierarchy, as the server sent it.</returns>
+    /// <returns>The hierarchy in the text form of a BVH file, as received.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<string> GetBvhTextAsync(int avatarIndex = 0, CancellationToken cancellationToken = default) =>
         (await RequestInTurnAsync(_texts, DataCommandId.BvhText, avatarIndex, cancellationToken).ConfigureAwait(false)).BvhText!;
 
-    /// <summary>Asks for the number of avatars on the server.</summary>
+    /// <summary>Gets the number of avatars on the server.</summary>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
-    /// <returns>The number as the server sent it.</returns>
+    /// <returns>The number, as received.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<int> GetAvatarCountAsync(CancellationToken cancellationToken = default) =>
         (await RequestAsync(DataCommandId.AvatarCount, avatarIndex: 0, cancellationToken).ConfigureAwait(false)).AvatarCount!.Value;
 
-    /// <summary>Asks for an avatar's frequency. A reply for another avatar is passed over.</summary>
+    /// <summary>Gets an avatar's frequency. Replies for other avatars are ignored.</summary>
     /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>Frames per second.</returns>
@@ -127,10 +138,10 @@ public sealed class DataCommands
     public async Task<int> GetFrequencyAsync(int avatarIndex = 0, CancellationToken cancellationToken = default) =>
         (await RequestAsync(DataCommandId.DataFrequency, avatarIndex, cancellationToken).ConfigureAwait(false)).Frequency!.Value;
 
-    /// <summary>Asks for which sensors an avatar wears. A reply for another avatar is passed over.</summary>
+    /// <summary>Gets the set of sensors that an avatar wears. Replies for other avatars are ignored.</summary>
     /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
-    /// <returns>The mode; servers may send numbers that the enumeration lacks.</returns>
+    /// <returns>The mode. Servers can send numbers that the enumeration does not contain.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
     public async Task<SensorCombination> GetCombinationModeAsync(int avatarIndex = 0, CancellationToken cancellationToken = default) =>
         (await RequestAsync(DataCommandId.CombinationMode, avatarIndex, cancellationToken).ConfigureAwait(false)).CombinationMode!.Value;
@@ -146,7 +157,7 @@ public sealed class DataCommands
         _handlers.Invoke(reply);
     }
 
-    // A connection stands, which knows of no registration.
+    // A new connection is established; the server knows of no registration yet.
     internal void OnLinkOpened()
     {
         lock (_lock)
@@ -156,7 +167,7 @@ public sealed class DataCommands
         }
     }
 
-    // The connection is gone, and no reply will come.
+    // The connection has ended, so no more replies will arrive.
     internal void OnLinkClosed()
     {
         (_sizes.HasLateReply, _texts.HasLateReply) = (false, false);
@@ -192,7 +203,7 @@ public sealed class DataCommands
             {
                 throw new NeuronCommandException(
                     CommandFailure.NotConnected,
-                    "The command could not be sent: it needs a reader that is connected over TCP. Start the reader first, and wait for its connection.");
+                    "The command could not be sent, because the reader is not connected over TCP. Start the reader and wait for its connection.");
             }
 
             using var timeoutSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
@@ -204,7 +215,7 @@ public sealed class DataCommands
         {
             throw new NeuronCommandException(
                 CommandFailure.TimedOut,
-                $"No reply to the command {id} came within {Timeout.TotalSeconds:0.#} s. Servers newer than b12 do not take commands on the data "
+                $"No reply to the command {id} arrived within {Timeout.TotalSeconds:0.#} s. Servers newer than b12 do not accept commands on the data "
                 + "connection: use the command port, by default 8013.");
         }
         finally
@@ -220,14 +231,14 @@ public sealed class DataCommands
         return _trySend(request);
     }
 
-    // Of requests whose replies do not tell the avatar: one at a time. A server answers in the order of the requests.
+    // For requests whose replies do not contain the avatar: one request at a time. A server answers in the order of the requests.
     private sealed class Turns
     {
         private volatile bool _hasLateReply;
 
         public SemaphoreSlim Free { get; } = new(1);
 
-        // Whether the reply to a request that nobody waits for any more may still come.
+        // Whether the reply to an abandoned request may still arrive.
         public bool HasLateReply
         {
             get => _hasLateReply;

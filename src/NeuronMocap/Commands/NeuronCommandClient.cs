@@ -7,21 +7,30 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Commands;
 
 /// <summary>
-/// Asks a server for what its stream does not carry, and tells it to zero out avatars: the command channel (manual sections 2.3.9 to 2.3.14,
-/// protocol.md section 6), a TCP connection beside that of the stream.
-/// <para>
-/// Connects when it is first needed, and again whenever that is safer than going on with a connection. All members may be called from any
-/// thread; calls are carried out one after the other, in the order in which they were made. Whoever has to may block on the tasks, on any
-/// thread, a reader's receive thread included: nothing here needs a thread of the pool. Between calls there is no thread at all.
-/// </para>
-/// <para>
-/// A call ends with the server's answer or with an exception, never with the answer to another: a <see cref="NeuronCommandException"/> for everything that
-/// the network and the server do, an <see cref="OperationCanceledException"/> when it is cancelled, at once, wherever it is; an
-/// <see cref="ObjectDisposedException"/> when the client is disposed. After each of them but the last the client can be used as before. A
-/// command that was cancelled or timed out may have been carried out. A request is sent again, once, where the server closed a connection
-/// that was used before without a word.
-/// </para>
+/// A client for the command channel, a TCP connection beside that of the stream (manual sections 2.3.9 to 2.3.14, protocol.md section 6). It reads
+/// settings and bodies that the stream does not contain, and can zero out avatars.
 /// </summary>
+/// <remarks>
+/// <para>
+/// The client connects when it is first needed. It connects again whenever the existing connection is not safe to use.
+/// </para>
+/// <para>
+/// Thread-safe. Calls are executed one at a time, in the order of the calls. You can block on the tasks on any thread, even on a reader's receive thread,
+/// because the client needs no pool thread. Between calls it has no thread at all.
+/// </para>
+/// <para>
+/// A call ends with the server's answer or with an exception, never with the answer to another call. It throws:
+/// </para>
+/// <list type="bullet">
+/// <item><description>a <see cref="NeuronCommandException"/> for every failure of the network or the server;</description></item>
+/// <item><description>an <see cref="OperationCanceledException"/> at once when it is cancelled, in any phase;</description></item>
+/// <item><description>an <see cref="ObjectDisposedException"/> when the client is disposed.</description></item>
+/// </list>
+/// <para>
+/// The client stays usable after a failure or a cancellation. The server may have executed a command that was cancelled or timed out. If the server closes
+/// an already used connection without any answer, the client sends the request once more on a new connection.
+/// </para>
+/// </remarks>
 public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
 {
     private static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(2);
@@ -37,18 +46,18 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
     private bool _isWorking;
     private bool _isDisposed;
 
-    /// <summary>Makes a client that is not connected yet.</summary>
+    /// <summary>Makes a client; it does not connect yet.</summary>
     /// <param name="host">Name or address of the computer that runs Axis Neuron.</param>
     /// <param name="port">TCP port of its command channel.</param>
-    /// <exception cref="ArgumentException">The name is empty, or the port is none.</exception>
+    /// <exception cref="ArgumentException">The name is empty, or the port is out of range.</exception>
     public NeuronCommandClient(string host, int port = ProtocolConstants.DefaultCommandPort)
         : this(new NeuronCommandOptions { Host = host, Port = port })
     {
     }
 
-    /// <summary>Makes a client that is not connected yet.</summary>
-    /// <param name="options">The settings; copied.</param>
-    /// <exception cref="ArgumentException">A setting is out of its range; the message names it.</exception>
+    /// <summary>Makes a client; it does not connect yet.</summary>
+    /// <param name="options">The options; copied.</param>
+    /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
     public NeuronCommandClient(NeuronCommandOptions options)
     {
         ArgumentNullException.ThrowIfNull(options);
@@ -60,10 +69,10 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
         _replies = new CommandReplies(_link.Target);
     }
 
-    // Replaced by tests: what a resolver does on a machine without a network cannot be foreseen.
+    // Tests replace it, because the behaviour of a resolver without a network is not predictable.
     internal Func<string, IPAddress[]> Resolve { get; init; } = Dns.GetHostAddresses;
 
-    // Whether the server has closed the connection that the next command would have gone over. Nobody else looks while none is under way.
+    // Whether the server has closed the connection that the next command would use. While no command runs, nothing else checks this.
     internal bool IsLeft
     {
         get
@@ -73,79 +82,81 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
         }
     }
 
-    /// <summary>Connects, unless there is a connection that can be used. Need not be called; it tells early whether there is a server.</summary>
-    /// <param name="cancellationToken">Ends the call.</param>
-    /// <returns>Ends when there is a connection.</returns>
-    /// <exception cref="NeuronCommandException">There is no connection to be had.</exception>
+    /// <summary>Connects, if there is no usable connection. This call is optional; use it to find out early whether the server is available.</summary>
+    /// <param name="cancellationToken">Cancels the call.</param>
+    /// <returns>A task that completes when the client is connected.</returns>
+    /// <exception cref="NeuronCommandException">The connection failed.</exception>
     public Task ConnectAsync(CancellationToken cancellationToken = default) =>
         Enqueue(new CommandRequest<bool>(id: null, avatar: null, static _ => true), cancellationToken);
 
-    /// <summary>
-    /// Asks the server to zero out an avatar (manual section 2.3.10). What that changes, the direction, the position or both, is not documented. The
-    /// simulator turns the avatar to face front, where it stands.
-    /// </summary>
-    /// <param name="avatarIndex">Index of the avatar, from 0, as its frames carry it.</param>
-    /// <param name="cancellationToken">Ends the call.</param>
-    /// <returns>Ends when the server says that it did.</returns>
-    /// <exception cref="NeuronCommandException">There is no answer, or the server refused: there is no such avatar.</exception>
+    /// <summary>Asks the server to zero out an avatar (manual section 2.3.10).</summary>
+    /// <remarks>
+    /// The effect, on direction, position or both, is not documented. The simulator turns the avatar to face front where it stands.
+    /// </remarks>
+    /// <param name="avatarIndex">Index of the avatar, from 0, as in its frames.</param>
+    /// <param name="cancellationToken">Cancels the call.</param>
+    /// <returns>A task that completes when the server confirms the command.</returns>
+    /// <exception cref="NeuronCommandException">The server did not answer, or refused because the avatar does not exist.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The index is negative.</exception>
     public Task ZeroOutAsync(int avatarIndex, CancellationToken cancellationToken = default) => Enqueue(
         new CommandRequest<bool>(
             CommandChannelId.ZeroOut, Checked(avatarIndex), payload => _replies.ReadZeroOut(payload, avatarIndex)),
         cancellationToken);
 
-    /// <summary>Asks the server to zero out all avatars (manual section 2.3.11), as <see cref="ZeroOutAsync"/> does for one.</summary>
-    /// <param name="cancellationToken">Ends the call.</param>
-    /// <returns>Ends when the server says that it did.</returns>
-    /// <exception cref="NeuronCommandException">There is no answer, or the server refused.</exception>
+    /// <summary>Asks the server to zero out all avatars (manual section 2.3.11), as <see cref="ZeroOutAsync"/> does for one avatar.</summary>
+    /// <param name="cancellationToken">Cancels the call.</param>
+    /// <returns>A task that completes when the server confirms the command.</returns>
+    /// <exception cref="NeuronCommandException">The server did not answer, or refused.</exception>
     public Task ZeroOutAllAsync(CancellationToken cancellationToken = default) => Enqueue(
         new CommandRequest<bool>(CommandChannelId.ZeroOutAll, avatar: null, payload => _replies.ReadZeroOut(payload, avatar: null)),
         cancellationToken);
 
-    /// <summary>Asks for the order of the rotation values in the server's stream, which an Axis Neuron frame does not carry (manual section 2.3.12).</summary>
-    /// <param name="cancellationToken">Ends the call.</param>
-    /// <returns>The order, for all avatars.</returns>
-    /// <exception cref="NeuronCommandException">There is no answer, or none of the six orders.</exception>
+    /// <summary>
+    /// Gets the order of the rotation values in the server's stream (manual section 2.3.12). A frame of Axis Neuron does not contain it.
+    /// </summary>
+    /// <param name="cancellationToken">Cancels the call.</param>
+    /// <returns>The order, which applies to all avatars.</returns>
+    /// <exception cref="NeuronCommandException">The server did not answer, or the answer is not one of the six orders.</exception>
     public Task<RotationOrder> GetRotationOrderAsync(CancellationToken cancellationToken = default) => Enqueue(
         new CommandRequest<RotationOrder>(CommandChannelId.RotationOrder, avatar: null, _replies.ReadRotationOrder), cancellationToken);
 
-    /// <summary>Asks for the sizes of an avatar's body (manual section 2.3.13).</summary>
-    /// <param name="avatarIndex">Index of the avatar, from 0, as its frames carry it.</param>
-    /// <param name="cancellationToken">Ends the call.</param>
+    /// <summary>Gets the sizes of an avatar's body (manual section 2.3.13).</summary>
+    /// <param name="avatarIndex">Index of the avatar, from 0, as in its frames.</param>
+    /// <param name="cancellationToken">Cancels the call.</param>
     /// <returns>The sizes, in metres.</returns>
-    /// <exception cref="NeuronCommandException">There is no answer, or sizes that no body can have.</exception>
+    /// <exception cref="NeuronCommandException">The server did not answer, or the sizes are impossible for a body.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The index is negative.</exception>
     public Task<BoneDimensions> GetBoneDimensionsAsync(int avatarIndex, CancellationToken cancellationToken = default) => Enqueue(
         new CommandRequest<BoneDimensions>(
             CommandChannelId.BoneDimensions, Checked(avatarIndex), payload => _replies.ReadDimensions(payload, avatarIndex)),
         cancellationToken);
 
-    /// <summary>Asks for what an avatar's BVH file begins with: its skeleton and the order of its channels (manual section 2.3.14 and Appendix B).</summary>
-    /// <param name="avatarIndex">Index of the avatar, from 0, as its frames carry it.</param>
-    /// <param name="cancellationToken">Ends the call.</param>
-    /// <returns>The header as a document without frames; <see cref="BvhSkeletonMap"/> finds the bones in it.</returns>
-    /// <exception cref="NeuronCommandException">There is no answer, or text that is not BVH.</exception>
+    /// <summary>Gets the header of an avatar's BVH file: its skeleton and the order of its channels (manual section 2.3.14 and Appendix B).</summary>
+    /// <param name="avatarIndex">Index of the avatar, from 0, as in its frames.</param>
+    /// <param name="cancellationToken">Cancels the call.</param>
+    /// <returns>The header, as a document without frames. <see cref="BvhSkeletonMap"/> finds the bones in it.</returns>
+    /// <exception cref="NeuronCommandException">The server did not answer, or the text is not BVH.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The index is negative.</exception>
     public Task<BvhDocument> GetBvhHeaderAsync(int avatarIndex, CancellationToken cancellationToken = default) =>
         GetHeader(avatarIndex, payload => _replies.ReadHeader(payload, avatarIndex).Document, cancellationToken);
 
-    /// <summary>Asks for the same as <see cref="GetBvhHeaderAsync"/>, as the text that the server sent.</summary>
-    /// <param name="avatarIndex">Index of the avatar, from 0, as its frames carry it.</param>
-    /// <param name="cancellationToken">Ends the call.</param>
-    /// <returns>The text, with the server's line ends.</returns>
-    /// <exception cref="NeuronCommandException">There is no answer, or text that is not BVH.</exception>
+    /// <summary>Gets the same header as <see cref="GetBvhHeaderAsync"/>, as the text that the server sent.</summary>
+    /// <param name="avatarIndex">Index of the avatar, from 0, as in its frames.</param>
+    /// <param name="cancellationToken">Cancels the call.</param>
+    /// <returns>The text, with the server's line endings.</returns>
+    /// <exception cref="NeuronCommandException">The server did not answer, or the text is not BVH.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The index is negative.</exception>
     public Task<string> GetBvhHeaderTextAsync(int avatarIndex, CancellationToken cancellationToken = default) =>
         GetHeader(avatarIndex, payload => _replies.ReadHeader(payload, avatarIndex).Text, cancellationToken);
 
     /// <summary>
-    /// Closes the connection and ends all calls that have no answer yet with an <see cref="ObjectDisposedException"/>. Returns within 2 s, and
-    /// ordinarily at once; may be repeated, and called from any thread.
+    /// Closes the connection, and ends all pending calls with an <see cref="ObjectDisposedException"/>. Returns within 2 s, normally at once. Any thread,
+    /// any number of times.
     /// </summary>
     public void Dispose() => Stop().Wait(StopTimeout);
 
-    /// <summary>Does what <see cref="Dispose"/> does, without blocking the caller.</summary>
-    /// <returns>Ends when all is closed.</returns>
+    /// <summary>Does the same as <see cref="Dispose"/>, without blocking the caller.</summary>
+    /// <returns>A task that completes when everything is closed, or after 2 s.</returns>
     public async ValueTask DisposeAsync() => await Task.WhenAny(Stop(), Task.Delay(StopTimeout)).ConfigureAwait(false);
 
     private static int Checked(int avatarIndex) => avatarIndex >= 0
@@ -159,7 +170,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
 
     private Task<T> Enqueue<T>(CommandRequest<T> request, CancellationToken cancellationToken)
     {
-        // First, so that whoever ends the request finds the registration. A token that is cancelled already calls back here and now.
+        // Registers before the request is queued, so the code that ends the request finds the registration. A cancelled token calls back here at once.
         request.Cancellation = cancellationToken.Register(() => Cancel(request, cancellationToken));
         lock (_lock)
         {
@@ -217,7 +228,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
         }
     }
 
-    // The client's thread, for as long as there is something to do.
+    // The client's thread, which runs while there are requests.
     private void Work()
     {
         while (TryTake(out CommandRequest? request))
@@ -228,12 +239,12 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
             }
             catch (Exception exception)
             {
-                // Failures first: whoever sees the call end finds the connection given up.
+                // Closes the connection before the request fails. A caller that sees the failure then finds the connection closed.
                 Drop();
                 request.Fail(exception);
             }
 
-            // Waits for a callback that is under way, and so not under the gate.
+            // Waits for a running callback, so it must not run inside the lock.
             request.Cancellation.Dispose();
         }
     }
@@ -264,7 +275,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
             }
             catch (NeuronCommandException exception) when (exception.Reason == CommandFailure.Closed && !kept.HasHeard && !request.IsCompleted)
             {
-                // It was closed in the moment in which it was used: the server had not read the request, or had no wish to.
+                // The server closed the connection while the request was sent: it did not read the request, or ignored it.
             }
         }
 
@@ -289,7 +300,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
             _connection?.Close();
             _connection = connection;
 
-            // Cancelled or disposed before there was anything to close.
+            // The request was cancelled, or the client disposed, before there was a connection to close.
             if (request.IsCompleted)
                 connection.Close();
         }

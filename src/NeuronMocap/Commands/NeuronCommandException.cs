@@ -1,6 +1,6 @@
 namespace NeuronMocap.Commands;
 
-/// <summary>A command was not answered, or not with something that can be its answer. The client can be used again.</summary>
+/// <summary>A command was not answered, or the answer is not valid. The client stays usable.</summary>
 public sealed class NeuronCommandException : NeuronException
 {
     /// <summary>Makes an exception without a reason.</summary>
@@ -15,7 +15,7 @@ public sealed class NeuronCommandException : NeuronException
     {
     }
 
-    /// <summary>Makes an exception that another one caused.</summary>
+    /// <summary>Makes an exception that wraps its cause.</summary>
     /// <param name="message">What happened and which setting to look at.</param>
     /// <param name="innerException">The cause.</param>
     public NeuronCommandException(string message, Exception innerException)
@@ -26,13 +26,13 @@ public sealed class NeuronCommandException : NeuronException
     /// <summary>Makes an exception.</summary>
     /// <param name="reason">Why there is no answer.</param>
     /// <param name="message">What happened and which setting to look at.</param>
-    /// <param name="innerException">The cause, where there is one.</param>
+    /// <param name="innerException">The cause; may be null.</param>
     public NeuronCommandException(CommandFailure reason, string message, Exception? innerException = null)
         : base(message, innerException!) => Reason = reason;
 
     /// <summary>Why there is no answer.</summary>
     public CommandFailure Reason { get; }
 
-    // The server did answer, though not what was asked for.
+    // The server did answer, but without the requested value.
     internal bool IsAnswer => Reason is CommandFailure.Rejected or CommandFailure.InvalidReply;
 }

@@ -4,49 +4,53 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Commands;
 
-/// <summary>
-/// What a <see cref="NeuronCommandClient"/> has to know. The client takes a copy when it is made; later changes have no effect on it.
-/// </summary>
+/// <summary>Options of a <see cref="NeuronCommandClient"/>. The client copies them when it is made; later changes have no effect on it.</summary>
 public sealed class NeuronCommandOptions
 {
     /// <summary>
-    /// Name or address of the computer that runs Axis Neuron; this computer unless set. A name with several addresses is tried address by address.
+    /// Name or address of the computer that runs Axis Neuron. The default is this computer. If a name has several addresses, the client tries them one
+    /// after another.
     /// </summary>
     public string Host { get; set; } = "127.0.0.1";
 
     /// <summary>
-    /// TCP port of the server's command channel, 1 to 65535; not the one of its stream. 8013 unless set: see
+    /// TCP port of the server's command channel, 1 to 65535; it differs from the port of the stream. The default is 8013: see
     /// <see cref="ProtocolConstants.DefaultCommandPort"/>.
     /// </summary>
     public int Port { get; set; } = ProtocolConstants.DefaultCommandPort;
 
-    /// <summary>Longest time to wait for the name, and for each of its addresses to answer. 5 s unless set; more than zero, at most 5 minutes.</summary>
+    /// <summary>
+    /// Longest time to wait for the name to resolve, and for each of its addresses to answer: more than zero, at most 5 minutes. The default is 5 s.
+    /// </summary>
     public TimeSpan ConnectTimeout { get; set; } = TimeSpan.FromSeconds(5);
 
     /// <summary>
-    /// Longest time from the sending of a request to the last byte of its reply. What a call waits for before, its turn after others and a
-    /// connection, does not count. 3 s unless set, as in the vendor's library; 1 ms to 5 minutes.
+    /// Longest time from the start of sending a request to the last byte of its reply: 1 ms to 5 minutes. The default is 3 s, as in the vendor's library.
+    /// The time in which a call waits for its turn and for a connection does not count.
     /// </summary>
     public TimeSpan Timeout { get; set; } = TimeSpan.FromSeconds(3);
 
     /// <summary>
-    /// Largest payload of a reply in bytes, 48 to 200,016. 100,000 unless set: the vendor's MAX_PACKETSIZE. A reply that announces more is refused
-    /// before anything is kept of it.
+    /// Largest payload of a reply in bytes, 48 to 200,016. The default is 100,000, the vendor's MAX_PACKETSIZE. The client rejects a reply that announces
+    /// more before it stores any of it.
     /// </summary>
     public int MaxReplySize { get; set; } = ProtocolConstants.MaxCommandPayload;
 
     /// <summary>
-    /// Takes the first reply for the answer, whatever command's number it carries, as the vendor's library does. Off unless set: then only a reply
-    /// that carries the number of the request, or 0, is the answer. Set it for a server that puts something else there.
+    /// Accepts the first reply as the answer, whatever command number it has, as the vendor's library does. The default is off: the reply must have the
+    /// number of the request, or 0. Set it for a server that sends another number.
     /// </summary>
     public bool AcceptAnyReplyId { get; set; }
 
-    /// <summary>Makes options for an address as people write it; everything but <see cref="Host"/> and <see cref="Port"/> keeps its default.</summary>
+    /// <summary>
+    /// Makes options from an address in the form used on command lines. It sets <see cref="Host"/> and <see cref="Port"/>; all other options keep their
+    /// defaults.
+    /// </summary>
     /// <param name="address">
-    /// <c>HOST</c> or <c>HOST:PORT</c>, port 8013 unless given. An IPv6 address with a port stands in brackets: <c>[::1]:8013</c>.
+    /// <c>HOST</c> or <c>HOST:PORT</c>; the default port is 8013. An IPv6 address with a port needs brackets: <c>[::1]:8013</c>.
     /// </param>
     /// <returns>New options.</returns>
-    /// <exception cref="FormatException">The text is not an address; the message says why, in words for the person who wrote it.</exception>
+    /// <exception cref="FormatException">The text is not an address; the message tells the user why.</exception>
     public static NeuronCommandOptions Parse(string address)
     {
         ArgumentNullException.ThrowIfNull(address);

@@ -1,7 +1,7 @@
 namespace NeuronMocap.Commands;
 
-// Who waits for which reply. The receive thread completes, anyone else waits. A reply completes the one that has waited longest of those that
-// it fits: a server answers in the order of the requests.
+// Matches replies to the calls that wait for them. The receive thread completes calls; other threads wait. A reply completes the oldest waiting call that
+// it fits, because a server answers in the order of the requests.
 internal sealed class ReplyWaiters
 {
     private readonly object _lock = new();
@@ -58,7 +58,7 @@ internal sealed class ReplyWaiters
         }
 
         foreach (Waiter waiter in waiting)
-            waiter.Reply.TrySetException(new NeuronCommandException(CommandFailure.Closed, "The connection ended before the reply came."));
+            waiter.Reply.TrySetException(new NeuronCommandException(CommandFailure.Closed, "The connection ended before the reply arrived."));
     }
 
     internal sealed class Waiter(Func<DataCommandReply, bool> fits)

@@ -4,19 +4,19 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Commands;
 
-// The one object of a reader that asks its server's command channel for format and bodies. A question goes to the server once for each connection of
-// the reader, and everyone who asks it shares the answer. Questions end with an ObjectDisposedException when it is disposed. Any thread.
+// Asks a server's command channel for format and bodies, on behalf of one reader. Each question goes to the server once per connection of the reader, and
+// all callers share the answer. Questions end with an ObjectDisposedException when this object is disposed. Any thread.
 internal sealed class ServerInquiry(NeuronCommandOptions options) : IDisposable
 {
     private readonly NeuronCommandClient _client = new(options);
 
-    // Their sources are never disposed of: they have no timers, and the requests that are under way still look at them.
+    // The token sources are never disposed: they have no timers, and running requests still use them.
     private volatile Answers _answers = new(new CancellationTokenSource());
 
-    // Forgets all answers: the reader has a new connection, perhaps to another server. Whoever waits gets the answer of that one.
+    // Forgets all answers, because the reader has a new connection, perhaps to another server. Waiting callers get the answer of the new server.
     public void Renew() => Interlocked.Exchange(ref _answers, new Answers(new CancellationTokenSource())).Cancel();
 
-    // Each of these asks again where the server gave no answer; on a retry, after any failure.
+    // Each of these methods asks again if the server gave no answer; on a retry, also after any other failure.
     public Task<RotationOrder> GetRotationOrderAsync(bool isRetry) =>
         GetAsync(answers => answers.Orders, avatarIndex: 0, (_, cancellationToken) => _client.GetRotationOrderAsync(cancellationToken), isRetry);
 
@@ -26,7 +26,7 @@ internal sealed class ServerInquiry(NeuronCommandOptions options) : IDisposable
     public Task<BoneDimensions> GetDimensionsAsync(int avatarIndex, bool isRetry) =>
         GetAsync(answers => answers.Dimensions, avatarIndex, _client.GetBoneDimensionsAsync, isRetry);
 
-    // The header says more than the twelve sizes.
+    // Prefers the header, which contains more than the twelve sizes.
     public async Task<BodyAnswer> GetBodyAsync(int avatarIndex, bool isRetry)
     {
         try
@@ -63,12 +63,12 @@ internal sealed class ServerInquiry(NeuronCommandOptions options) : IDisposable
             }
             catch (OperationCanceledException) when (answers.CancellationToken.IsCancellationRequested)
             {
-                // Of a connection that ended meanwhile.
+                // The answer belongs to a connection that has ended; ask again.
             }
         }
     }
 
-    // What was answered during one connection of the reader.
+    // The answers of one connection of the reader.
     private sealed class Answers(CancellationTokenSource stopSource)
     {
         public CancellationToken CancellationToken => stopSource.Token;

@@ -1,12 +1,12 @@
 namespace NeuronMocap.Commands;
 
-// The answer to one question, shared by everyone who asks it. Any thread.
+// The answer to one question, shared by all callers. Any thread.
 internal sealed class SharedAnswer<T>(Func<Task<T>> ask)
 {
     private readonly object _lock = new();
     private Task<T>? _answer;
 
-    // Asks the server where nobody has, or where it gave no answer yet; on a retry, also where it gave another answer than expected.
+    // Asks the server if no caller has asked yet, or if the server gave no answer; on a retry, also after an invalid or negative answer.
     public Task<T> GetAsync(bool isRetry)
     {
         lock (_lock)

@@ -2,62 +2,73 @@ using System.Diagnostics;
 
 namespace NeuronMocap;
 
-/// <summary>
-/// What arrived of one kind of frame of one avatar of one sender, at the moment of asking. A reader keeps 1,024 of these; one that got no frame
-/// for 5 s then makes room for a new one, and begins at 0 when it comes back.
-/// </summary>
+/// <summary>A snapshot of the statistics of one kind of frame, of one avatar, of one sender.</summary>
+/// <remarks>
+/// A reader keeps 1,024 of these. To make room for a new one, it removes one that got no frame for 5 s. An avatar that returns after that starts again at
+/// 0.
+/// </remarks>
 public readonly record struct AvatarStatistics
 {
     /// <summary><see cref="PacketKind.Motion"/>, <see cref="PacketKind.Calculation"/> or <see cref="PacketKind.StudioCalculation"/>.</summary>
     public PacketKind Kind { get; init; }
 
-    /// <summary>Which sender: see <see cref="AvatarFrame.Sender"/>.</summary>
+    /// <summary>Number of the sender: see <see cref="AvatarFrame.Sender"/>.</summary>
     public int Sender { get; init; }
 
     /// <summary>Number of the avatar on the server.</summary>
     public int AvatarIndex { get; init; }
 
-    /// <summary>Name of the avatar, as its newest frame has it.</summary>
+    /// <summary>Name of the avatar in its newest frame.</summary>
     public string AvatarName { get; init; }
 
     /// <summary>Frames received.</summary>
     public long Frames { get; init; }
 
     /// <summary>
-    /// Frames that the server sent and that did not arrive, as the frame index tells; always 0 for headers without one. In steps of
-    /// <see cref="FrequencyReduction"/>: what the server leaves out on purpose is not lost. Falls again when a lost frame comes late, and when
-    /// the first 16 steps of a reduced frequency turn out to be even.
+    /// Number of frames that the server sent but that did not arrive, according to the frame index; always 0 if the header has no index.
     /// </summary>
+    /// <remarks>
+    /// The count considers <see cref="FrequencyReduction"/>: frames that the server leaves out on purpose are not lost. The count decreases when a lost
+    /// frame arrives late. It also decreases when the first 16 steps of a reduced frequency turn out to be even.
+    /// </remarks>
     public long Lost { get; init; }
 
-    /// <summary>Number of gaps: rows of one or more lost frames with frames before and after.</summary>
+    /// <summary>Number of gaps: runs of one or more lost frames between received frames.</summary>
     public long Gaps { get; init; }
 
-    /// <summary>Frames that came twice or after a later one.</summary>
+    /// <summary>Number of frames that arrived twice, or after a later frame.</summary>
     public long OutOfOrder { get; init; }
 
-    /// <summary>How often the server began to count anew within a connection: a jump back by more than 63, ahead by more than 10,000, or three even steps from further back.</summary>
+    /// <summary>
+    /// How often the server restarted its count within a connection: by a jump back by more than 63, a jump ahead by more than 10,000, or three even steps
+    /// from an earlier index.
+    /// </summary>
     public long Restarts { get; init; }
 
     /// <summary>
-    /// By how much the frame index grows from frame to frame: 1 at the full rate, 2 when the server sends every second frame (Axis Neuron's
-    /// frequency reducing), at most 60. Known after 16 frames of even steps; a smaller one at once. Every second frame lost as by clockwork
-    /// looks the same.
+    /// The step of the frame index from frame to frame, 1 to 60: 1 at the full rate, 2 if the server sends every second frame (Axis Neuron's frequency
+    /// reduction).
     /// </summary>
+    /// <remarks>
+    /// A larger step is known after 16 even steps, a smaller step at once. A regular loss of every second frame looks the same as a reduced frequency.
+    /// </remarks>
     public int FrequencyReduction { get; init; }
 
-    /// <summary>Frames per second, as a running mean over about the last 64 frames; 0 until there are two. It stays as it was when frames cease: see <see cref="LastTimestamp"/>.</summary>
+    /// <summary>
+    /// Frames per second: a running mean over about the last 64 frames, or 0 until there are two. When frames stop, it keeps its value: see
+    /// <see cref="LastTimestamp"/>.
+    /// </summary>
     public double FrameRate { get; init; }
 
-    /// <summary>Standard deviation of the time between frames, over about the last 64.</summary>
+    /// <summary>Standard deviation of the time between frames, over about the last 64 frames.</summary>
     public TimeSpan Jitter { get; init; }
 
-    /// <summary>When the newest frame was received: ticks of <see cref="Stopwatch"/>.</summary>
+    /// <summary>When the newest frame was received, in ticks of <see cref="Stopwatch"/>.</summary>
     public long LastTimestamp { get; init; }
 
-    /// <summary>How old the newest frame is: a stale avatar is one whose age grows beyond a few intervals.</summary>
-    /// <param name="timestamp">Now: ticks of <see cref="Stopwatch"/>.</param>
-    /// <returns>Time since the newest frame was received; zero when that was later than the given moment.</returns>
+    /// <summary>Gets the age of the newest frame. An avatar is stale when this age exceeds a few frame intervals.</summary>
+    /// <param name="timestamp">The current time, in ticks of <see cref="Stopwatch"/>.</param>
+    /// <returns>Time since the newest frame was received; zero if the given time is earlier.</returns>
     public TimeSpan GetAge(long timestamp) =>
         TimeSpan.FromSeconds(Math.Max(timestamp - LastTimestamp, 0) / (double)Stopwatch.Frequency);
 }

@@ -5,14 +5,14 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
 
-// What the totals of a reader are made of.
+// One tracker's part of the totals of a reader.
 internal readonly record struct LossTotals(long Lost, long Gaps, long Restarts)
 {
     public LossTotals Add(LossTotals other) => new(Lost + other.Lost, Gaps + other.Gaps, Restarts + other.Restarts);
 }
 
-// Counts one kind of frame of one avatar. The receive thread writes, anyone reads: each figure is whole by itself. It carries on the losses of
-// those that it took the place of, so that the sum over all trackers stays right while one replaces another.
+// Counts one kind of frame of one avatar. The receive thread writes, any thread reads; each figure is consistent on its own. A tracker that replaces
+// others also carries their losses, so the sum over all trackers stays right.
 internal sealed class AvatarTracker(
     PacketKind kind, int origin, uint avatar, IDurationRecorder? intervals = null, LossTotals forgotten = default)
 {
@@ -40,13 +40,13 @@ internal sealed class AvatarTracker(
 
     public IndexTracker Index => _index;
 
-    // Its own and those of its predecessors.
+    // Its own totals and those of its predecessors.
     public LossTotals Totals => new LossTotals(_index.Lost, _index.Gaps, _index.Restarts).Add(forgotten);
 
     // Receive loop only.
     public long LastTimestamp => _lastTimestamp;
 
-    // Whose frame came after this one's last time. Receive loop only.
+    // The tracker whose frame came directly after this one's last frame. Receive loop only.
     public AvatarTracker? Next { get; set; }
 
     public AvatarStatistics Snapshot => new()
@@ -66,10 +66,10 @@ internal sealed class AvatarTracker(
         LastTimestamp = Volatile.Read(ref _lastTimestamp),
     };
 
-    // What happened between two connections is neither a gap nor an interval.
+    // The time and the frames between two connections are neither an interval nor a gap.
     public void Resume() => _resumed = true;
 
-    // The sender started anew, and counts its frames from anywhere.
+    // The sender restarted and can start its frame numbers anywhere.
     public void Continue(int newOrigin)
     {
         Origin = newOrigin;
@@ -108,7 +108,7 @@ internal sealed class AvatarTracker(
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Average(double seconds)
     {
-        // A plain mean until there are enough: the first intervals, of frames that came in one piece, would weigh too much.
+        // Uses a plain mean until there are enough intervals. The first intervals, of frames that arrived in one chunk, would otherwise weigh too much.
         double weight = _intervals < 1 / Weight ? 1.0 / ++_intervals : Weight;
         double difference = seconds - _interval;
         Volatile.Write(ref _interval, _interval + (weight * difference));

@@ -4,18 +4,18 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
 
-// Who is counted: one tracker for each kind of frame of each avatar of each sender. The receive thread writes, anyone reads.
+// One tracker for each kind of frame, of each avatar, of each sender. The receive thread writes, any thread reads.
 internal sealed class AvatarTrackers(IDurationRecorder? intervals)
 {
-    // Anyone can make up senders and avatar numbers; past this many, one that is stale makes room. While none is, further frames are delivered
-    // and counted in total only.
+    // A sender can invent avatar numbers, and the addresses of senders can be forged. At this limit, a new tracker replaces a stale one. If none is stale,
+    // the frames are delivered but counted in the totals only.
     public const int MaxTrackers = 1024;
 
-    // So many every sender gets, whatever others make up; there are no more senders at a time than UdpSenders keeps.
+    // Each sender can have at least this many trackers, whatever others send. The number of senders is limited by UdpSenders.
     public const int TrackersOfSender = 16;
     private const int TrackerLimit = 2 * MaxTrackers;
 
-    // Longer than a suit that sends is ever silent: whoever sends now cannot be pushed out by any flood.
+    // Longer than an active suit is ever silent, so a flood cannot displace an active sender.
     public static readonly long StaleAfter = 5 * Stopwatch.Frequency;
 
     private readonly Dictionary<(PacketKind Kind, int Sender, uint Avatar), AvatarTracker> _trackers = [];
@@ -26,7 +26,7 @@ internal sealed class AvatarTrackers(IDurationRecorder? intervals)
 
     public AvatarTracker[] All => _published;
 
-    // Avatars take turns: the one that followed the last one before nearly always follows it now.
+    // A server sends its avatars in a fixed order. The tracker that followed the last one in the previous round is therefore nearly always the next.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public AvatarTracker? Find(in ReceivedPacket packet, uint avatar)
     {
@@ -77,8 +77,9 @@ internal sealed class AvatarTrackers(IDurationRecorder? intervals)
         return tracker;
     }
 
-    // The oldest one's place. Before the oldest can be stale there is nothing to look for, so that a flood costs a look at all of them only as often
-    // as one of them is replaced. Timestamps grow, but for datagrams that waited for up to a second: by so much a stale one may be found late.
+    // Returns the place of the oldest tracker if it is stale. Until the oldest can be stale, the method returns at once. A flood therefore causes a full
+    // search only as often as one tracker is replaced. Timestamps grow, except those of datagrams that waited for up to a second; a stale tracker may be
+    // found that much later.
     private int? FindStale(long now)
     {
         if (now < _noneStaleBefore)
@@ -96,7 +97,7 @@ internal sealed class AvatarTrackers(IDurationRecorder? intervals)
         return now < _noneStaleBefore ? null : oldest;
     }
 
-    // Nobody may find it any more: its avatar gets a tracker anew.
+    // Removes all references to the stale tracker; its avatar gets a new one.
     private void Forget(AvatarTracker stale)
     {
         _trackers.Remove((stale.Kind, stale.Sender, stale.Avatar));

@@ -1,4 +1,4 @@
 namespace NeuronMocap.Delivery;
 
-// All queues of one name together, those that were closed included.
+// The totals of all queues of one name, including closed queues.
 internal readonly record struct ConsumerStatistics(string Name, long Dropped, long Waiting);

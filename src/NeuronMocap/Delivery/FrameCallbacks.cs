@@ -3,8 +3,8 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
 
-// Handlers that run on the receive thread, on frames that still lie in the receive buffer: the shortest way, for handlers that do not wait.
-// A handler that does makes the connection wait too, and loses nothing.
+// Runs handlers on the receive thread, on frames that still lie in the receive buffer. This is the shortest way, for handlers that do not wait.
+// A handler that waits makes the connection wait too; over TCP nothing is lost.
 internal sealed class FrameCallbacks : IPacketConsumer
 {
     private readonly FramePool _frames;

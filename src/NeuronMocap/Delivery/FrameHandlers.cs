@@ -1,6 +1,6 @@
 namespace NeuronMocap.Delivery;
 
-// The handlers of one kind of frame, for a caller that does not know which kind it is.
+// The handlers of one kind of frame, for callers that do not know the kind.
 internal interface IFrameHandlers
 {
     bool IsEmpty { get; }

@@ -6,23 +6,27 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap;
 
 /// <summary>
-/// Every frame, in order, for one thread of the application: the receive thread puts frames in without ever waiting, and the application
-/// takes them out when it calls <c>Pump</c>, in its main loop for example.
-/// <para>
-/// The queue is bounded. When the application is late and the queue is full, the frames that arrive are dropped and counted in
-/// <see cref="Dropped"/>; those that wait are kept. A queue loses only its own frames: other queues and the connection go on.
-/// One thread at a time may pump. Memory is allocated when the queue is made, 1.5 KB for each frame of its capacity; a place that first holds
-/// a larger packet, such as calculation data of 3.8 KB, grows to it once.
-/// </para>
+/// A bounded queue of all frames, in order, for one thread of the application. The receive thread adds frames without ever waiting. The application takes
+/// them out when it calls <c>Pump</c>, for example in its main loop.
 /// </summary>
+/// <remarks>
+/// <para>
+/// When the queue is full, arriving frames are dropped and counted in <see cref="Dropped"/>; waiting frames are kept. Other queues and the connection are
+/// not affected. Only one thread at a time may pump.
+/// </para>
+/// <para>
+/// The queue allocates its memory when it is opened: 1.5 KB for each frame of its capacity. A slot grows once when it first holds a larger packet, such as
+/// calculation data of 3.8 KB.
+/// </para>
+/// </remarks>
 public sealed class FrameQueue : IPacketConsumer, IDisposable
 {
     internal const string DefaultName = "queue";
 
-    /// <summary>Capacity unless another is asked for: 4 s of one avatar at 120 Hz, about 0.8 MB.</summary>
+    /// <summary>The default capacity: 4 s of one avatar at 120 Hz, about 0.8 MB.</summary>
     public const int DefaultCapacity = 512;
 
-    // Holds a motion packet of 360 values, the largest, in whole cache lines.
+    // Holds the largest motion packet, of 360 values, in whole cache lines.
     private const int SlotSize = 1536;
 
     private readonly PacketRing _ring;
@@ -35,7 +39,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     private volatile bool _isComplete;
     private volatile bool _disposed;
 
-    // BackPressure: whether the producer may wait for room, as an unpaced playback can.
+    // backPressure: tells whether the producer may wait for room. An unpaced playback can wait.
     internal FrameQueue(
         int capacity,
         FrameFormat format,
@@ -45,7 +49,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
         Func<bool>? backPressure = null)
     {
         if (capacity is < 1 or > 1 << 20)
-            throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "A queue holds 1 to 1,048,576 frames.");
+            throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "The capacity must be 1 to 1,048,576 frames.");
 
         _ring = new PacketRing(capacity, SlotSize);
         _frames = new FramePool(format, FramePool.OfHandlers);
@@ -56,47 +60,47 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
         Name = name;
     }
 
-    /// <summary>What metrics and logs call it: the name it was opened with, or "queue".</summary>
+    /// <summary>Name of the queue in metrics and logs: the name it was opened with, or "queue".</summary>
     public string Name { get; }
 
-    /// <summary>Largest number of frames that can wait: the asked-for number, rounded up to a power of two.</summary>
+    /// <summary>Largest number of frames that can wait: the requested capacity, rounded up to a power of two.</summary>
     public int Capacity => _ring.Capacity;
 
-    /// <summary>Number of frames that wait. Any thread.</summary>
+    /// <summary>Number of waiting frames. Thread-safe.</summary>
     public int Count => _ring.Count;
 
-    /// <summary>Number of frames that were dropped because the queue was full. Any thread.</summary>
+    /// <summary>Number of frames that were dropped because the queue was full. Thread-safe.</summary>
     public long Dropped => Volatile.Read(ref _dropped);
 
     /// <summary>
-    /// Number of frames that were taken out. With <see cref="Dropped"/> and <see cref="Count"/> it makes up all frames that arrived since the queue was
-    /// opened. Any thread.
+    /// Number of frames that were taken out. Together with <see cref="Dropped"/> and <see cref="Count"/>, it equals the number of frames that arrived
+    /// since the queue was opened. Thread-safe.
     /// </summary>
     public long Delivered => _ring.Released;
 
-    // The only kind of frame that is put in; None for all.
+    // The only kind of frame that is added; None for all kinds.
     internal PacketKind OnlyKind { get; init; }
 
-    // Called on the receive thread after each frame, and when adding is completed. Set before the queue gets its first frame.
+    // Called on the receive thread after each frame, and when adding is completed. It must be set before the queue gets its first frame.
     internal Action? Changed { get; set; }
 
     internal bool IsAddingCompleted => _isComplete;
 
     /// <summary>
-    /// Runs a handler for every waiting frame, oldest first, on this thread; returns at once when none waits. Frames that arrive meanwhile
-    /// are included, up to the limit.
+    /// Calls a handler for every waiting frame, oldest first, on this thread. Returns at once if no frame waits. Frames that arrive during the call are
+    /// included, up to the limit.
     /// </summary>
     /// <typeparam name="TFrame">
-    /// The kind of frame that the handler takes, such as <see cref="MotionFrame"/>. Frames of other kinds are taken out and passed over. With
+    /// The kind of frame that the handler takes, such as <see cref="MotionFrame"/>. Frames of other kinds are taken out and skipped. With
     /// <see cref="AvatarFrame"/> the handler gets frames of all kinds.
     /// </typeparam>
     /// <param name="handler">Called with each frame. The frame is valid during the call.</param>
-    /// <param name="maxFrames">Return after this many frames, so that a backlog cannot hold up the caller.</param>
+    /// <param name="maxFrames">Largest number of frames to take out, so that a backlog cannot delay the caller.</param>
     /// <returns>Number of frames taken out.</returns>
-    /// <exception cref="InvalidOperationException">Another thread is pumping this queue, or a handler pumps it.</exception>
+    /// <exception cref="InvalidOperationException">Another thread is pumping this queue, or a handler of this queue pumps it.</exception>
     /// <remarks>
-    /// An exception of a handler comes out of this call; the frame it was called with counts as taken. A lambda that captures a variable or <c>this</c> is a new
-    /// object in every call, which C# allocates. Keep the delegate in a field, or use the overload that takes a state.
+    /// An exception of a handler is thrown out of this call, and its frame counts as taken out. A lambda that captures a variable or <c>this</c> allocates
+    /// a new object in every call. Keep the delegate in a field, or use the overload that takes a state.
     /// </remarks>
     public int Pump<TFrame>(Action<TFrame> handler, int maxFrames = int.MaxValue)
         where TFrame : AvatarFrame
@@ -106,22 +110,24 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     }
 
     /// <summary>
-    /// Runs a handler for every waiting frame, and gives it a state. With a lambda that is <c>static</c>, and so captures nothing, the call allocates nothing.
+    /// Calls a handler with a state for every waiting frame. With a <c>static</c> lambda, which captures nothing, the call allocates nothing.
     /// </summary>
-    /// <typeparam name="TFrame">The kind of frame that the handler takes; otherwise as for <see cref="Pump{TFrame}(Action{TFrame}, int)"/>.</typeparam>
+    /// <typeparam name="TFrame">
+    /// The kind of frame that the handler takes; otherwise the same as for <see cref="Pump{TFrame}(Action{TFrame}, int)"/>.
+    /// </typeparam>
     /// <typeparam name="TState">Type of the state.</typeparam>
-    /// <param name="state">What the handler needs: an object of yours, or a tuple of several.</param>
+    /// <param name="state">The data that the handler needs: an object, or a tuple of several.</param>
     /// <param name="handler">Called with the state and each frame. The frame is valid during the call.</param>
-    /// <param name="maxFrames">Return after this many frames, so that a backlog cannot hold up the caller.</param>
+    /// <param name="maxFrames">Largest number of frames to take out, so that a backlog cannot delay the caller.</param>
     /// <returns>Number of frames taken out.</returns>
-    /// <exception cref="InvalidOperationException">Another thread is pumping this queue, or a handler pumps it.</exception>
-    /// <remarks>An exception of a handler comes out of this call; the frame it was called with counts as taken.</remarks>
+    /// <exception cref="InvalidOperationException">Another thread is pumping this queue, or a handler of this queue pumps it.</exception>
+    /// <remarks>An exception of a handler is thrown out of this call, and its frame counts as taken out.</remarks>
     public int Pump<TFrame, TState>(TState state, Action<TState, TFrame> handler, int maxFrames = int.MaxValue)
         where TFrame : AvatarFrame
     {
         ArgumentNullException.ThrowIfNull(handler);
         if (Interlocked.Exchange(ref _pumping, 1) != 0)
-            throw new InvalidOperationException("One thread at a time may pump a queue, and its handlers may not. Open a queue for each thread.");
+            throw new InvalidOperationException("Only one thread at a time may pump a queue, and its handlers must not pump it. Open a queue for each thread.");
 
         try
         {
@@ -154,7 +160,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
         }
     }
 
-    /// <summary>Takes the queue off its reader; frames that wait are given up. Any thread, any number of times.</summary>
+    /// <summary>Removes the queue from its reader and discards the waiting frames. Any thread, any number of times.</summary>
     public void Dispose()
     {
         if (_disposed)
@@ -164,7 +170,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
         _closed(this);
     }
 
-    // Nothing more is put in, and what waits can still be taken out.
+    // Stops adding frames. Waiting frames can still be taken out.
     internal void CompleteAdding()
     {
         _isComplete = true;
@@ -182,7 +188,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
         Changed?.Invoke();
     }
 
-    // Looks now and then instead of being woken, so that a live stream's consumer has nobody to wake.
+    // Polls instead of waiting for a signal, so the consumer of a live stream never has to send one.
     private bool TryEnqueueLater(in ReceivedPacket packet)
     {
         var wait = new SpinWait();

@@ -1,17 +1,17 @@
 namespace NeuronMocap.Delivery;
 
-// A queue that can be awaited: behind the asynchronous enumerations. Frames are copied out, because code that awaits keeps them.
+// A queue that can be awaited, for the asynchronous enumerations. It returns copies of frames, because code that awaits keeps them.
 internal sealed class FrameStream : IDisposable
 {
     private readonly FrameQueue _queue;
 
-    // Never disposed of: it holds no handle, and the receive thread may release it after the end.
+    // Never disposed: it holds no handle, and the receive thread may release it after the end.
     private readonly SemaphoreSlim _signal = new(0);
     private readonly Queue<AvatarFrame> _taken = new();
     private readonly Action<AvatarFrame> _take;
     private int _waiting;
 
-    // Before the queue gets its first frame.
+    // Called before the queue gets its first frame.
     public FrameStream(FrameQueue queue)
     {
         _queue = queue;
@@ -21,7 +21,7 @@ internal sealed class FrameStream : IDisposable
 
     public void Dispose() => _queue.Dispose();
 
-    // A frame that waits, as a copy; null also where none does.
+    // Returns a copy of a waiting frame; null if no frame waits.
     public AvatarFrame? TryRead()
     {
         if (_taken.Count == 0)
@@ -30,7 +30,7 @@ internal sealed class FrameStream : IDisposable
         return _taken.TryDequeue(out AvatarFrame? frame) ? frame : null;
     }
 
-    // Null at the end.
+    // Returns null at the end.
     public ValueTask<AvatarFrame?> ReadAsync(CancellationToken cancellationToken) => TryRead() is { } frame ? new(frame) : WaitAsync(cancellationToken);
 
     private async ValueTask<AvatarFrame?> WaitAsync(CancellationToken cancellationToken)
@@ -43,7 +43,7 @@ internal sealed class FrameStream : IDisposable
             if (isComplete)
                 return null;
 
-            // Announce the wait, then look once more: a packet that came before the announcement has not released the signal.
+            // Announce the wait, then check again: a packet that arrived before the announcement did not release the signal.
             Interlocked.Exchange(ref _waiting, 1);
             if (_queue.Count == 0 && !_queue.IsAddingCompleted)
                 await _signal.WaitAsync(cancellationToken).ConfigureAwait(false);

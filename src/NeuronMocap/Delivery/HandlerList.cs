@@ -1,6 +1,6 @@
 namespace NeuronMocap.Delivery;
 
-// The handlers of one event. Each is called by itself, so that one that throws keeps neither the others nor the caller from going on.
+// The handlers of one event. Each call is separate, so an exception from one handler stops neither the other handlers nor the caller.
 internal class HandlerList<T>(Action<Exception> failed)
 {
     private readonly object _lock = new();
@@ -17,7 +17,7 @@ internal class HandlerList<T>(Action<Exception> failed)
             _handlers = [.. _handlers, handler];
     }
 
-    // As delegates do: the last one added of those that are equal.
+    // Removes the last of several equal handlers, as delegates do.
     public void Remove(Action<T>? handler)
     {
         lock (_lock)

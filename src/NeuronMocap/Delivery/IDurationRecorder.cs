@@ -1,10 +1,10 @@
 namespace NeuronMocap.Delivery;
 
-// Takes times that are worth a distribution, for as long as somebody looks at it. Any thread.
+// Records durations for a histogram while a listener is active. Any thread.
 internal interface IDurationRecorder
 {
     bool IsEnabled { get; }
 
-    // ticks: of Stopwatch.
+    // ticks: in ticks of Stopwatch.
     void Record(PacketKind kind, long ticks);
 }

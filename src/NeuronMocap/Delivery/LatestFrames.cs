@@ -7,23 +7,26 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap;
 
 /// <summary>
-/// The newest frame of every avatar, for one thread of the application: what a renderer wants, which has no use for older frames.
-/// Neither side ever waits, frames are never torn and never queued; a frame that a newer one replaced before it was taken is gone, on purpose.
-/// <para>
-/// Kept for avatar numbers below <see cref="MaxAvatars"/>, whichever sender they come from. Memory is allocated when an avatar
-/// first appears.
-/// </para>
+/// The newest frame of every avatar, for one thread of the application. It suits a renderer, which does not need older frames.
 /// </summary>
+/// <remarks>
+/// <para>
+/// Neither the receive thread nor the application ever waits. Frames are never torn and never queued. A newer frame replaces a frame that was not taken.
+/// </para>
+/// <para>
+/// The view keeps frames of avatar numbers below <see cref="MaxAvatars"/>, from any sender. It allocates memory when an avatar first appears.
+/// </para>
+/// </remarks>
 public sealed class LatestFrames : IPacketConsumer, IDisposable
 {
-    /// <summary>Number of avatars that are kept apart, from 0; frames of higher numbers do not appear here.</summary>
+    /// <summary>Number of avatars that the view keeps, from 0. Frames of higher avatar numbers are not available here.</summary>
     public const int MaxAvatars = 256;
 
     private readonly FrameFormat _format;
     private readonly Action<LatestFrames> _closed;
     private readonly IDurationRecorder? _handOver;
 
-    // Those of one kind after the other.
+    // The slots of one kind of frame lie together.
     private readonly Slot?[] _slots = new Slot?[((int)PacketKind.StudioCalculation + 1) * MaxAvatars];
     private volatile bool _disposed;
 
@@ -34,29 +37,29 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
         _handOver = handOver;
     }
 
-    /// <summary>Takes the newest motion frame of an avatar, when there is one that was not taken before.</summary>
+    /// <summary>Takes the newest motion frame of an avatar, if it was not taken before.</summary>
     /// <param name="avatarIndex">Number of the avatar, from 0.</param>
     /// <param name="frame">
-    /// The avatar's newest frame, also when it was taken before; null as long as there was none. Valid, for one thread, until this method
-    /// next returns true for the same avatar; its members then throw. <c>Clone</c> makes one to keep.
+    /// The avatar's newest frame, even if it was taken before; null until the first frame arrives. One thread may use it until this method next returns
+    /// true for the same avatar; its members then throw. <c>Clone</c> makes a copy to keep.
     /// </param>
     /// <returns>True when the frame is new since the last call.</returns>
     public bool TryTakeMotion(int avatarIndex, [NotNullWhen(true)] out MotionFrame? frame) => TryTake(PacketKind.Motion, avatarIndex, out frame);
 
-    /// <summary>Takes the newest calculation frame of an avatar, when there is one that was not taken before.</summary>
+    /// <summary>Takes the newest calculation frame of an avatar, if it was not taken before.</summary>
     /// <param name="avatarIndex">Number of the avatar, from 0.</param>
     /// <param name="frame">As for <see cref="TryTakeMotion"/>.</param>
     /// <returns>True when the frame is new since the last call.</returns>
     public bool TryTakeCalculation(int avatarIndex, [NotNullWhen(true)] out CalculationFrame? frame) => TryTake(PacketKind.Calculation, avatarIndex, out frame);
 
-    /// <summary>Takes the newest of an avatar's Axis Studio calculation frames, when there is one that was not taken before.</summary>
+    /// <summary>Takes the newest Axis Studio calculation frame of an avatar, if it was not taken before.</summary>
     /// <param name="avatarIndex">Number of the avatar, from 0.</param>
     /// <param name="frame">As for <see cref="TryTakeMotion"/>.</param>
     /// <returns>True when the frame is new since the last call.</returns>
     public bool TryTakeStudioCalculation(int avatarIndex, [NotNullWhen(true)] out StudioCalculationFrame? frame) =>
         TryTake(PacketKind.StudioCalculation, avatarIndex, out frame);
 
-    /// <summary>Takes this view off its reader. Any thread, any number of times.</summary>
+    /// <summary>Removes this view from its reader. Any thread, any number of times.</summary>
     public void Dispose()
     {
         if (_disposed)
@@ -105,7 +108,7 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
     {
         private readonly FramePool _frames = new(format, FramePool.OfTakers);
 
-        // The consumer's; it borrows the slot that the consumer holds.
+        // The consumer's frame, which borrows the slot that the consumer holds.
         public AvatarFrame? Frame { get; private set; }
 
         public LatestPacket Newest { get; } = new(packetSize);

@@ -3,12 +3,11 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
 
-// The newest packet of one avatar: three slots that one producer and one consumer exchange, so that neither waits, no packet is torn and
-// none is queued.
+// The newest packet of one avatar. One producer and one consumer exchange three slots. Neither waits, no packet is torn, and none is queued.
 //
-// At any moment each slot has one owner: the producer's to fill, the consumer's to read, and the shared one between them. The shared index
-// carries a flag that says whether the consumer has yet to see it. Interlocked.Exchange swaps an owned index for the shared one and is a
-// full fence on every runtime, so what the producer wrote before its swap is visible to the consumer after its own.
+// Each slot has one owner at any moment: the producer fills one, the consumer reads one, and one is shared between them. A flag in the shared index says
+// whether the consumer has yet to see that slot. Interlocked.Exchange swaps an owned index for the shared one and is a full fence on every runtime. Data
+// that the producer writes before its swap is therefore visible to the consumer after the consumer's own swap.
 internal sealed class LatestPacket(int slotSize)
 {
     private const int Fresh = 4;
@@ -24,7 +23,7 @@ internal sealed class LatestPacket(int slotSize)
         _owners.Producers = Interlocked.Exchange(ref _owners.Shared, _owners.Producers | Fresh) & IndexMask;
     }
 
-    // Consumer. False when nothing was published since the last call that returned true; that call's packet then stays valid.
+    // Consumer. Returns false if nothing was published since the last call that returned true. The packet of that call then stays valid.
     public bool TryTake(out ReceivedPacket packet)
     {
         if ((Volatile.Read(ref _owners.Shared) & Fresh) == 0)

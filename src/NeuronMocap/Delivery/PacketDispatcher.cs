@@ -2,7 +2,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
 
-// Hands every packet of the receive thread to all consumers. Consumers come and go on other threads, by replacing the array.
+// Gives every packet of the receive thread to all consumers. Other threads add and remove consumers by replacing the array.
 internal sealed class PacketDispatcher(StreamCounters counters)
 {
     private readonly object _lock = new();
@@ -20,7 +20,7 @@ internal sealed class PacketDispatcher(StreamCounters counters)
             _consumers = [.. _consumers.Where(other => other != consumer)];
     }
 
-    // Commands, which are not for consumers of frames, and packets of no values are only counted.
+    // Commands, which do not concern consumers of frames, and packets without values are only counted.
     public void Dispatch(in ReceivedPacket packet)
     {
         counters.Count(packet);

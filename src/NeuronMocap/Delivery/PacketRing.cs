@@ -3,21 +3,21 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
 
-// A bounded queue between one producer (the receive thread) and one consumer (the application's), without locks or allocation.
+// A bounded queue between one producer (the receive thread) and one consumer (a thread of the application), without locks or allocations.
 //
-// Both indices count up without end and are taken modulo the capacity, a power of two. The producer alone writes the tail, the consumer
-// alone writes the head. The producer fills a slot and then publishes the tail with a release; the consumer that sees the new tail with an
-// acquire therefore sees the filled slot. The consumer is done with a slot before it publishes the head with a release, and the producer
-// fills that slot only after it has seen the head with an acquire. Each side keeps a copy of the other's index and looks again only when
-// the copy says full or empty. The indices are ints, so that they are read whole on 32-bit processors, and each side's lie 128 bytes from
-// the other's, so that the two cores do not fight over a cache line (or over a pair of them, where the processor fetches pairs).
+// Both indices count up without end; the slot is the index modulo the capacity, a power of two. Only the producer writes the tail, and only the consumer
+// writes the head. The producer fills a slot and then publishes the tail with a release. A consumer that reads the new tail with an acquire therefore sees
+// the filled slot. The consumer finishes with a slot before it publishes the head with a release. The producer fills that slot only after it reads the
+// head with an acquire. Each side keeps a copy of the other's index and reads it again only when the copy says full or empty. The indices are ints,
+// because 32-bit processors read an int in one piece. The indices of the two sides lie 128 bytes apart, so the two cores do not compete for a cache line.
+// One line would not be enough, because some processors fetch lines in pairs.
 internal sealed class PacketRing
 {
     private readonly PacketSlots _slots;
     private readonly int _mask;
     private Indices _indices;
 
-    // Tests start next to where the indices wrap around.
+    // Tests start close to the wrap-around of the indices.
     public PacketRing(int capacity, int slotSize, int firstIndex = 0)
     {
         int size = 1;
@@ -31,7 +31,7 @@ internal sealed class PacketRing
 
     public int Capacity => _slots.Count;
 
-    // Any thread; exact only when both sides are still. The head first: it never overtakes a tail that is read after it.
+    // Any thread; exact only while both sides are idle. Reads the head first, because the head never passes a tail that is read later.
     public int Count
     {
         get
@@ -41,7 +41,7 @@ internal sealed class PacketRing
         }
     }
 
-    // Producer. False when full: the packet is not stored, and nothing that is queued is touched.
+    // Producer. Returns false if the ring is full; the packet is then not stored, and the queued packets stay unchanged.
     public bool TryEnqueue(in ReceivedPacket packet)
     {
         int tail = _indices.Tail;
@@ -75,7 +75,7 @@ internal sealed class PacketRing
         return true;
     }
 
-    // Packets that the consumer was done with so far. Any thread.
+    // Number of packets that the consumer has finished with. Any thread.
     public long Released => Volatile.Read(ref _indices.Released);
 
     // Consumer, once after each successful TryPeek.

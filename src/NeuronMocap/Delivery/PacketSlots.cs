@@ -2,16 +2,16 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
 
-// Memory for a fixed number of packets, used again and again. One thread at a time uses a slot; others may use other slots meanwhile.
+// Reusable memory for a fixed number of packets. One thread at a time uses a slot; other threads may use other slots at the same time.
 internal sealed class PacketSlots(int count, int slotSize)
 {
-    // One piece of memory: where slots are filled and read one after the other, the processor fetches ahead.
+    // One block of memory: the slots are filled and read in order, so the processor can prefetch.
     private readonly byte[] _bytes = new byte[count * slotSize];
     private readonly Entry[] _entries = new Entry[count];
 
     public int Count => _entries.Length;
 
-    // The bytes stay where they are until the slot is filled again.
+    // The bytes stay in place until the slot is filled again.
     public ReceivedPacket this[int slot]
     {
         get
@@ -42,7 +42,7 @@ internal sealed class PacketSlots(int count, int slotSize)
         packet.Bytes.CopyTo(entry.Large);
     }
 
-    // A packet that is larger than a slot lies in memory of its own, which stays for the next one.
+    // A packet larger than a slot gets its own memory, which is kept for later packets.
     private struct Entry
     {
         public PacketKind Kind;

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Delivery;
 
-// The queues of a reader, and what they dropped, those that were closed included. Any thread.
+// The queues of a reader and their dropped frames, including closed queues. Any thread.
 internal sealed class QueueCounters
 {
     private readonly object _lock = new();
@@ -45,7 +45,7 @@ internal sealed class QueueCounters
         }
     }
 
-    // No more frames will come.
+    // Called when no more frames will arrive.
     public void CompleteAdding()
     {
         lock (_lock)

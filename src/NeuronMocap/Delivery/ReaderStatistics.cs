@@ -2,86 +2,90 @@ using System.Diagnostics;
 
 namespace NeuronMocap;
 
-/// <summary>
-/// What a reader received since it was made, at the moment of asking. Each figure is exact; together they may be an instant apart.
+/// <summary>A snapshot of what a reader has received since it was made.</summary>
+/// <remarks>
+/// <para>Each figure is exact, but different figures may be read a moment apart.</para>
 /// <para>
-/// Every packet has one fate: <see cref="PacketsReceived"/> is the sum of the three kinds of frames, <see cref="CommandPackets"/>,
-/// <see cref="EmptyPackets"/> and <see cref="Undelivered"/>. A frame that is delivered goes to every consumer. A queue that gets all frames takes each of them:
-/// <see cref="FrameQueue.Delivered"/>, <see cref="FrameQueue.Dropped"/> and <see cref="FrameQueue.Count"/> make up the sum of the three kinds.
+/// <see cref="PacketsReceived"/> counts every packet once. It is the sum of the three kinds of frames, <see cref="CommandPackets"/>,
+/// <see cref="EmptyPackets"/> and <see cref="Undelivered"/>.
 /// </para>
-/// </summary>
+/// <para>
+/// Every consumer gets every delivered frame. For a queue that takes all frames, <see cref="FrameQueue.Delivered"/>, <see cref="FrameQueue.Dropped"/> and
+/// <see cref="FrameQueue.Count"/> together equal the sum of the three kinds.
+/// </para>
+/// </remarks>
 public readonly record struct ReaderStatistics
 {
-    /// <summary>Bytes of the stream that are accounted for: delivered or skipped. A packet that is not yet whole is not in it.</summary>
+    /// <summary>Number of bytes of the stream that were delivered or skipped. An incomplete packet is not included.</summary>
     public long BytesReceived { get; init; }
 
-    /// <summary>Frames of every kind delivered: motion, calculation and Axis Studio's calculation.</summary>
+    /// <summary>Number of delivered frames of all kinds: motion, calculation and Axis Studio's calculation.</summary>
     public long Frames => MotionFrames + CalculationFrames + StudioCalculationFrames;
 
-    /// <summary>Whole packets found in the stream, whatever became of them. Packets that are not accepted are <see cref="BytesSkipped"/> instead.</summary>
+    /// <summary>Number of complete packets in the stream. Packets that are not accepted count as <see cref="BytesSkipped"/> instead.</summary>
     public long PacketsReceived => Frames + CommandPackets + EmptyPackets + Undelivered;
 
-    /// <summary>Motion frames delivered.</summary>
+    /// <summary>Number of delivered motion frames.</summary>
     public long MotionFrames { get; init; }
 
-    /// <summary>Calculation frames delivered.</summary>
+    /// <summary>Number of delivered calculation frames.</summary>
     public long CalculationFrames { get; init; }
 
-    /// <summary>Axis Studio's calculation frames delivered.</summary>
+    /// <summary>Number of delivered calculation frames of Axis Studio.</summary>
     public long StudioCalculationFrames { get; init; }
 
-    /// <summary>Old-generation command packets, which are recognised and passed over (protocol.md section 7).</summary>
+    /// <summary>Number of command packets of the old generation, which are recognized but not delivered as frames (protocol.md section 7).</summary>
     public long CommandPackets { get; init; }
 
-    /// <summary>Packets of no values, which are not delivered (protocol.md section 5).</summary>
+    /// <summary>Number of packets without values, which are not delivered (protocol.md section 5).</summary>
     public long EmptyPackets { get; init; }
 
-    /// <summary>Bytes that belong to no packet.</summary>
+    /// <summary>Number of bytes that belong to no packet.</summary>
     public long BytesSkipped { get; init; }
 
-    /// <summary>Packets that announced more values than MaxValues allows; their bytes are among the skipped ones.</summary>
+    /// <summary>Number of packets that announced more values than MaxValues allows. Their bytes are included in the skipped bytes.</summary>
     public long OversizedPackets { get; init; }
 
-    /// <summary>Packets of a data version other than 1.0 and 1.1; their bytes are among the skipped ones.</summary>
+    /// <summary>Number of packets of a data version other than 1.0 and 1.1. Their bytes are included in the skipped bytes.</summary>
     public long UnknownVersionPackets { get; init; }
 
     /// <summary>
-    /// Frames that the server sent and that did not arrive: the sum over all avatars, with those whose figures made room for others. See
-    /// <see cref="AvatarStatistics.Lost"/>.
+    /// Number of frames that the server sent but that did not arrive: the sum over all avatars, including those whose figures were removed to make room.
+    /// See <see cref="AvatarStatistics.Lost"/>.
     /// </summary>
     public long Lost { get; init; }
 
-    /// <summary>Number of gaps that the lost frames left: the sum over all avatars.</summary>
+    /// <summary>Number of gaps in the frame numbers: the sum over all avatars.</summary>
     public long Gaps { get; init; }
 
-    /// <summary>How often the server began to count frames anew within a connection: the sum over all avatars.</summary>
+    /// <summary>How often the server restarted its frame count within a connection: the sum over all avatars.</summary>
     public long Restarts { get; init; }
 
-    /// <summary>Frames that arrived and found a queue full: the sum over all queues, closed ones included.</summary>
+    /// <summary>Number of received frames that were dropped because a queue was full: the sum over all queues, including closed queues.</summary>
     public long Dropped { get; init; }
 
     /// <summary>
-    /// Packets that had arrived when the reader was stopped, and were not delivered any more. Over UDP, datagrams of a server that restarted less than a second
-    /// before are among them. Of the other figures only <see cref="PacketsReceived"/> counts them; a recording holds them.
+    /// Number of packets that had arrived when the reader was stopped, but were no longer delivered. Over UDP, these include datagrams of a server that
+    /// restarted less than a second before. Of the other figures, only <see cref="PacketsReceived"/> includes them. A recording contains them.
     /// </summary>
     public long Undelivered { get; init; }
 
-    /// <summary>Exceptions that handlers threw on the receive thread or while a status was told.</summary>
+    /// <summary>Number of exceptions from handlers, on the receive thread or during a change of status.</summary>
     public long CallbackFailures { get; init; }
 
-    /// <summary>How often a connection stood again after the first one had ended; for UDP, how often the port was bound again.</summary>
+    /// <summary>How often the reader connected again after its first connection ended; for UDP, how often it bound the port again.</summary>
     public long Reconnects { get; init; }
 
-    /// <summary>As <see cref="Reconnects"/>, of the connection to CalculationPort; 0 where there is none.</summary>
+    /// <summary>The same as <see cref="Reconnects"/>, for the connection to CalculationPort; 0 if there is none.</summary>
     public long CalculationReconnects { get; init; }
 
-    /// <summary>Datagrams of senders that AllowedSenders does not list. They were dropped unread and count nowhere else.</summary>
+    /// <summary>Number of datagrams from senders that AllowedSenders does not list. They are dropped unread and count nowhere else.</summary>
     public long RefusedDatagrams { get; init; }
 
-    /// <summary>When the first frame was received: ticks of <see cref="Stopwatch"/>; 0 before.</summary>
+    /// <summary>When the first frame was received, in ticks of <see cref="Stopwatch"/>; 0 before the first frame.</summary>
     public long FirstFrameTimestamp { get; init; }
 
-    /// <summary>When the newest frame was received: ticks of <see cref="Stopwatch"/>; 0 before.</summary>
+    /// <summary>When the newest frame was received, in ticks of <see cref="Stopwatch"/>; 0 before the first frame.</summary>
     public long LastFrameTimestamp { get; init; }
 
     /// <summary>Time from the first frame to the newest.</summary>

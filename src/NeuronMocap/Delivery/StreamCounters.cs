@@ -3,9 +3,9 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Delivery;
 
-// The one place where the fate of what came off the wire is counted. Every whole packet is handed on as a frame, passed over because it carries no
-// values, or undelivered because the reader was stopped. Every other byte is skipped, or text between frames. What a frame then meets in a queue, that
-// queue counts, and Queues sums it up. The receive thread writes, anyone reads; what more than one thread writes says so.
+// Counts all received packets and bytes in one place. Every complete packet is delivered as a frame, skipped because it has no values, or undelivered
+// because the reader was stopped. Every other byte is skipped, or is text between frames. Each queue counts its dropped frames, and Queues sums them up.
+// The receive thread writes, any thread reads; comments mark the members that other threads write too.
 internal sealed class StreamCounters(IDurationRecorder? intervals = null)
 {
     private readonly long[] _skippedByReason = new long[(int)SkipReason.MissingAvatar + 1];
@@ -30,10 +30,10 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
 
     public QueueCounters Queues { get; } = new();
 
-    // Bytes of the skipped ones.
+    // Number of bytes skipped for this reason.
     public long GetSkipped(SkipReason reason) => Volatile.Read(ref _skippedByReason[(int)reason]);
 
-    // A new connection stands. That of a calculation port brings no motion; since there was one, the first connection is that of the motion.
+    // A new connection is established. The connection to a calculation port brings no motion. If there was one, the first connection brings only motion.
     public void Resume(bool isCalculation = false)
     {
         if (isCalculation)
@@ -49,7 +49,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
         }
     }
 
-    // A packet that was found, before it is handed on.
+    // Counts a found packet before it is delivered.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Count(in ReceivedPacket packet)
     {
@@ -61,13 +61,13 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
             CountCalculation(packet);
     }
 
-    // A packet that was found after the reader was stopped. Any thread.
+    // Counts a packet that was found after the reader was stopped. Any thread.
     public void CountUndelivered() => Interlocked.Increment(ref _undelivered);
 
     // Any thread.
     public void CountCallbackFailure() => Interlocked.Increment(ref _callbackFailures);
 
-    // Of the text stream, as they came.
+    // Counts bytes of the text stream, as received.
     public void CountText(int bytes) => Volatile.Write(ref _bytes, _bytes + bytes);
 
     public void CountSkipped(int bytes, SkipReason reason)
@@ -81,7 +81,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
             Volatile.Write(ref _unknownVersions, _unknownVersions + 1);
     }
 
-    // Asked for in every rendered frame by some: allocates nothing.
+    // Some programs call this in every rendered frame, so it allocates nothing.
     public ReaderStatistics Snapshot()
     {
         LossTotals total = default;
@@ -121,7 +121,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
             ?.OnFrame(MotionHeader.ReadAvatarName(header), MotionHeader.ReadFrameIndex(header), packet.Timestamp);
     }
 
-    // Axis Neuron's or Axis Studio's, whose headers have these fields in the same places.
+    // Counts a calculation frame of Axis Neuron or Axis Studio; both headers have these fields in the same places.
     private void CountCalculation(in ReceivedPacket packet)
     {
         ReadOnlySpan<byte> header = packet.Bytes;
@@ -151,7 +151,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
         if (!packet.IsText)
             Volatile.Write(ref _bytes, _bytes + packet.Length);
 
-        // Datagrams that waited to be told apart are delivered with the time of their arrival, up to a second late.
+        // Datagrams that waited until their sender was identified are delivered with the time of their arrival, up to a second late.
         if (packet.Timestamp > _lastFrame)
             Volatile.Write(ref _lastFrame, packet.Timestamp);
         if (_firstFrame == 0)

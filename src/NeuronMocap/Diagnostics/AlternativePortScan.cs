@@ -3,14 +3,14 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
-// What another port had.
+// The result of another port.
 internal sealed record PortProbe(StreamEndpoint Endpoint, ConnectionReason Reason, StreamSample Sample, string Sender = "");
 
-// Found: the port with the stream that the reader wants, else with another one. HostAnswers: whether any of the host's ports did. AdvancedBvh: the
-// port with a stream that is not read.
+// Found: the port with the stream that the reader wants, or else a port with another stream. HostAnswers: whether any port of the host answered.
+// AdvancedBvh: the port with a stream that this library does not support.
 internal readonly record struct PortScanResult(PortProbe? Found, bool HostAnswers, PortProbe? AdvancedBvh);
 
-// Where the stream might be instead: the usual data ports of the host, and of this computer for UDP. All at once, and only those.
+// Looks for the stream at other places: the usual data ports of the host and, for UDP, of this computer. It examines all of them at once, and no others.
 internal static class AlternativePortScan
 {
     public static async Task<PortScanResult> FindAsync(DiagnosisContext context, IPAddress? host, bool isUdp)
@@ -40,7 +40,7 @@ internal static class AlternativePortScan
             ordered.FirstOrDefault(static probe => probe.Sample.Guess().Format == ForeignFormat.AdvancedBvh));
     }
 
-    // The port of the reader first, which may carry the stream over the other transport; it is left out where it was looked at already.
+    // Starts with the port of the reader, which may carry the stream over the other transport. It is left out if it was already examined.
     private static IEnumerable<int> PortsBeside(DiagnosisContext context, int[] usual, bool skipped)
     {
         int own = context.Link.Port;
@@ -70,7 +70,7 @@ internal static class AlternativePortScan
         var sample = new StreamSample(context.Expected);
         var endpoint = new StreamEndpoint(TransportKind.Udp, context.Link.Host, port);
 
-        // A shared port would take the datagrams away from the program that uses it.
+        // A shared port would take datagrams from the program that uses it.
         using var listener = new UdpListener(context.Link with { Port = port, SharePort = false }, new SenderFilter([]), sample);
         ConnectionReason reason = listener.Open();
         if (reason == ConnectionReason.None)
@@ -84,7 +84,7 @@ internal static class AlternativePortScan
         return new PortProbe(endpoint, reason, sample, listener.Senders.FirstOrDefault() ?? string.Empty);
     }
 
-    // The first port that has what is wanted cuts the wait for the others short.
+    // The first port with the wanted frames shortens the wait for the other ports.
     private static async Task WaitForFrameAsync(DiagnosisContext context, StreamSample sample, Task receiving, CancellationTokenSource limitSource)
     {
         await Task.WhenAny(sample.WantedFrame, receiving, Task.Delay(Timeout.Infinite, limitSource.Token)).ConfigureAwait(false);

@@ -4,10 +4,10 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Diagnostics;
 
-// The frames of one kind of one avatar of one sender while a diagnosis looks. Receive loop only; read when that has ended.
+// The frames of one kind, of one avatar, of one sender during a diagnosis. The receive loop writes; other code reads after its end.
 internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
 {
-    // With fewer frames neither a rate nor a standstill means anything.
+    // With fewer frames, neither the rate nor a lack of motion is significant.
     private const int MinFrames = 5;
 
     private const int FramesToBegin = 10;
@@ -40,7 +40,7 @@ internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
 
     public long Frames { get; private set; }
 
-    // Without the first frames, which the server may have kept for a new client, and which wait while this end gets ready.
+    // Ignores the first frames: the server may have kept them for a new client, and they wait while this side gets ready.
     public double FrameRate => Frames switch
     {
         >= 3 * FramesToBegin => PerSecond(Frames - FramesToBegin, _begun),
@@ -50,10 +50,10 @@ internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
 
     public TimeSpan LongestGap => TimeSpan.FromSeconds(_longest / (double)Stopwatch.Frequency);
 
-    // How far the frame index goes on from frame to frame. More than 1 where the server sends every second or third frame and counts all.
+    // The step of the frame index from frame to frame. It is more than 1 if the server sends every second or third frame but counts all of them.
     public int Step => _tracker.Step;
 
-    // As a reader counts them.
+    // The same count as in a reader.
     public long Lost => _tracker.Lost - _tracker.Unsettled;
 
     public bool IsMotionless => Frames >= MinFrames && (_sameValues == Frames - 1 || _sameIndex == Frames - 1);

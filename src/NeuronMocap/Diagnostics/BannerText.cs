@@ -6,7 +6,7 @@ internal static class BannerText
 {
     private const int Longest = 60;
 
-    // The first line of what a program said, where it is readable; null where it is not.
+    // Returns the first line of a program's output if it is readable; otherwise null.
     public static string? Of(ReadOnlySpan<byte> bytes)
     {
         int end = bytes.IndexOfAny((byte)'\r', (byte)'\n');

@@ -2,10 +2,10 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
-// Looks at the port of calculation data when the first one has been looked at, in what is left of the time.
+// Examines the port of calculation data after the first port, in the remaining time.
 internal static class CalculationExamination
 {
-    // However long the first one took: an answer of a server on the network comes sooner.
+    // The second port gets at least this time, however long the first port took. A server on the network answers in less time.
     private static readonly TimeSpan Least = TimeSpan.FromSeconds(1);
 
     public static async Task<Conclusion> AddAsync(
@@ -19,7 +19,7 @@ internal static class CalculationExamination
         ExplainedVerdict found = second.Verdicts[0];
         var joint = first with { CalculationSample = second.Sample };
 
-        // Axis Studio's have a packet of their own, and are calculation data as well.
+        // Axis Studio's calculation data has its own kind of packet, but is calculation data too.
         if (!found.IsFault || found.Verdict == DiagnosisVerdict.StudioCalculationOnly)
             return joint with { Verdicts = [.. first.Verdicts.Select((verdict, index) => index == 0 ? AddCalculationPort(verdict, link.Port) : verdict)] };
 

@@ -1,16 +1,16 @@
 namespace NeuronMocap.Diagnostics;
 
-// Where frames come from.
+// The place that frames come from.
 internal readonly record struct StreamEndpoint(TransportKind Transport, string Host, int Port)
 {
     public override string ToString() =>
         Transport == TransportKind.Udp ? $"UDP port {Port} of this computer" : $"TCP port {Port} of {Host}";
 }
 
-// What an examination came to. Place: where frames of the wanted kind can be received now, if anywhere.
+// The result of an examination. Endpoint: where frames of the wanted kind can be received now, if anywhere.
 internal sealed record Conclusion(IReadOnlyList<ExplainedVerdict> Verdicts, StreamSample? Sample = null, StreamEndpoint? Endpoint = null)
 {
-    // What came over a port of its own.
+    // The data that arrived on a separate calculation port.
     public StreamSample? CalculationSample { get; init; }
 
     public IEnumerable<StreamSample> Samples

@@ -3,7 +3,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
-// The shares of the whole time that the stages may take. What one leaves over, the later ones do not get.
+// The shares of the total time for each stage. Time that a stage does not use is not given to later stages.
 internal sealed record DiagnosisBudget
 {
     public double Name { get; init; } = 0.25;
@@ -18,11 +18,11 @@ internal sealed record DiagnosisBudget
 
     public double OtherPorts { get; init; } = 0.13;
 
-    // No share, but what the other ports still get of theirs when one has the stream.
+    // Not a share, but the time that the other ports still get after one port has the stream.
     public TimeSpan Grace { get; init; } = TimeSpan.FromMilliseconds(200);
 }
 
-// What an examination has to know: what to look for, how long, and where to tell.
+// The context of an examination: what to look for, for how long, and where to report it.
 internal sealed class DiagnosisContext(LinkOptions link, DiagnosisOptions options, StepLog log, CancellationToken cancellationToken)
 {
     private readonly Stopwatch _watch = Stopwatch.StartNew();
@@ -48,7 +48,7 @@ internal sealed class DiagnosisContext(LinkOptions link, DiagnosisOptions option
         return left < share ? (left > TimeSpan.Zero ? left : TimeSpan.Zero) : share;
     }
 
-    // Until one of the tasks ends or the time is over; throws when the caller has stopped the diagnosis.
+    // Waits until one of the tasks ends or the time is over. Throws if the caller has stopped the diagnosis.
     public async Task WaitAsync(TimeSpan time, params Task[] tasks)
     {
         using var limitSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);

@@ -1,30 +1,34 @@
 namespace NeuronMocap.Diagnostics;
 
-/// <summary>How a diagnosis looks, and for what.</summary>
+/// <summary>Options of a diagnosis.</summary>
 public sealed class DiagnosisOptions
 {
-    /// <summary>
-    /// Longest time of the whole diagnosis: 10 s unless set; 1 s to 5 minutes. Of it a quarter at most goes to the name, a quarter to
-    /// connecting, three tenths to waiting for the first byte, and a fifth to measuring the rate or searching other ports. Where frames arrive at
-    /// once it is a fifth in all.
-    /// </summary>
+    /// <summary>Longest time of the whole diagnosis: 1 s to 5 minutes. The default is 10 s.</summary>
+    /// <remarks>
+    /// At most a quarter of it is for resolving the name, and a quarter for connecting. Three tenths are for waiting for the first byte. A fifth is for
+    /// measuring the rate or searching other ports. If frames arrive at once, the diagnosis takes a fifth in total.
+    /// </remarks>
     public TimeSpan Timeout { get; set; } = TimeSpan.FromSeconds(10);
 
-    /// <summary>The frames that the application wants: <see cref="PacketKind.Motion"/> unless set, <see cref="PacketKind.Calculation"/> or <see cref="PacketKind.StudioCalculation"/>.</summary>
+    /// <summary>
+    /// The kind of frames that the application wants: <see cref="PacketKind.Motion"/>, the default, <see cref="PacketKind.Calculation"/> or
+    /// <see cref="PacketKind.StudioCalculation"/>.
+    /// </summary>
     public PacketKind Expected { get; set; } = PacketKind.Motion;
 
     /// <summary>
-    /// Whether to search beyond the port that the reader would use, where nothing comes from it: connect to the other usual data ports of the
-    /// same host, listen on the usual UDP ports of this computer, and ask a server that says nothing who it is, with two small requests on
-    /// connections of their own (a command that only reads, and one of HTTP). Data servers pass over both. True unless set.
+    /// Whether to search beyond the reader's port if nothing arrives there. The default is true.
     /// </summary>
+    /// <remarks>
+    /// The search connects to the other usual data ports of the same host, and listens on the usual UDP ports of this computer. It also sends two small
+    /// requests to a silent server to identify it: a command that only reads, and an HTTP request, each on its own connection. Data servers ignore both.
+    /// </remarks>
     public bool SearchOtherPorts { get; set; } = true;
 
-    // Axis Studio's "Advanced BVH", which is not read, but shows that the server runs.
+    // The port of Axis Studio's "Advanced BVH", which this library does not support but which shows that the server runs.
     private const int AdvancedBvhPort = 7007;
 
-    // Where the stream is usually found: protocol.md section 4.3, and 7012, which several receivers have as their default. Tests have ports
-    // of their own.
+    // The usual ports of the stream: those of protocol.md section 4.3, and 7012, the default of several receivers. Tests replace them.
     internal int[] UsualTcpPorts { get; set; } = [7001, 7002, 7003, 7004, 7005, 7006, AdvancedBvhPort, 8012];
 
     internal int[] UsualUdpPorts { get; set; } = [7001, 7002, 7003, 7004, 7012];

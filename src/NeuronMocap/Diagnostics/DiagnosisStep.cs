@@ -1,29 +1,29 @@
 namespace NeuronMocap.Diagnostics;
 
-/// <summary>How a step of a diagnosis ended.</summary>
+/// <summary>The outcome of a diagnosis step.</summary>
 public enum StepOutcome
 {
-    /// <summary>As it should be.</summary>
+    /// <summary>The step succeeded.</summary>
     Ok,
 
-    /// <summary>Works, but worth a look.</summary>
+    /// <summary>The step succeeded, but its detail deserves attention.</summary>
     Warning,
 
-    /// <summary>Here the chain is broken.</summary>
+    /// <summary>The step failed: the stream is interrupted here.</summary>
     Failed,
 }
 
-/// <summary>One link of the chain that a diagnosis walks from the host's name to the rate of the frames.</summary>
+/// <summary>One step of a diagnosis, between the host's name and the frame rate.</summary>
 /// <param name="Name">
-/// Which link: "name", "route", "port", "first bytes", "token", "version", "format", "rate"; where the chain breaks also "question",
-/// "other ports" and "UDP" or "TCP", the places where the stream might be instead.
+/// Name of the step: "name", "route", "port", "first bytes", "token", "version", "format" or "rate". If a step fails, also "question", "other ports" and
+/// "UDP" or "TCP", the other possible places of the stream.
 /// </param>
-/// <param name="Outcome">How it ended.</param>
-/// <param name="Detail">What was seen: a phrase in English.</param>
-/// <param name="Elapsed">How long it took.</param>
+/// <param name="Outcome">The outcome of the step.</param>
+/// <param name="Detail">The observation, as an English phrase.</param>
+/// <param name="Elapsed">Duration of the step.</param>
 public sealed record DiagnosisStep(string Name, StepOutcome Outcome, string Detail, TimeSpan Elapsed)
 {
-    /// <summary>Name, outcome and detail.</summary>
+    /// <summary>Gets the name, the outcome and the detail.</summary>
     /// <returns>A line for a log.</returns>
     public override string ToString() => $"{Name}: {Outcome}: {Detail}";
 }

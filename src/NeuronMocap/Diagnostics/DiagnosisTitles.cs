@@ -1,6 +1,6 @@
 namespace NeuronMocap.Diagnostics;
 
-// The verdicts in a few words.
+// The titles of the verdicts, a few words each.
 internal static class DiagnosisTitles
 {
     public static string Of(DiagnosisVerdict verdict) => verdict switch

@@ -2,14 +2,14 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
-// Judges a stream in which no packet was found.
+// Judges a stream that contains no packets.
 internal static class ForeignBytes
 {
     private const string OtherProgramAdvice =
         "Check the port against the one in the server's broadcasting settings; it is usually 7001.";
 
     private const string TooManyAdvice =
-        "No Perception Neuron server sends that many; check the port. If it is right, raise MaxValues.";
+        "No Perception Neuron server sends that many; check the port. If it is correct, raise MaxValues.";
 
     public static Conclusion Judge(StepLog log, StreamSample sample, StreamEndpoint endpoint)
     {
@@ -41,7 +41,7 @@ internal static class ForeignBytes
     };
 
     private static string IncompleteAdvice(StreamEndpoint endpoint) => endpoint.Transport == TransportKind.Udp
-        ? "A frame is larger than a network packet, and a firewall or router drops the second part: choose TCP here and on the server, or clear "
+        ? "A frame is larger than a network packet, and a firewall or router drops the second part. Either choose TCP here and on the server, or clear "
             + "Displacement in the server's output format, which makes frames small enough."
-        : "The connection ends in the middle of a frame: look for what cuts it off, a relay, a VPN or a firewall.";
+        : "The connection ends in the middle of a frame. Look for the cause: a relay, a VPN or a firewall.";
 }

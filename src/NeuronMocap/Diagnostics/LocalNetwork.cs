@@ -5,12 +5,12 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
-// This computer's side of the network.
+// The networks of this computer.
 internal static class LocalNetwork
 {
     private readonly record struct OwnAddress(IPAddress Address, int PrefixLength, string Network);
 
-    // The address from which the system would send to the other one. Connecting a datagram socket makes it choose, and sends nothing.
+    // Finds the address from which the system would send to another address. Connecting a datagram socket makes the system choose, and sends nothing.
     public static ConnectionReason FindRoute(IPAddress remote, int port, IPAddress? bound, out IPAddress? local)
     {
         local = null;
@@ -46,7 +46,7 @@ internal static class LocalNetwork
         return $"from {local} ({own.Network}), {where}";
     }
 
-    // Where another computer can send to.
+    // The addresses to which other computers can send.
     public static IReadOnlyList<string> ReachableAddresses() =>
         [.. OwnAddresses().Where(static own => own.Address.AddressFamily == AddressFamily.InterNetwork && !IPAddress.IsLoopback(own.Address))
             .Select(static own => own.Address.ToString()).Take(4)];
@@ -68,7 +68,7 @@ internal static class LocalNetwork
         return true;
     }
 
-    // Unity's runtimes do not have all of this; the answer is only told, never needed.
+    // Unity's runtimes lack parts of this. The result is only shown, never needed.
     private static List<OwnAddress> OwnAddresses()
     {
         try
@@ -83,7 +83,7 @@ internal static class LocalNetwork
         }
         catch (Exception exception) when (exception is NetworkInformationException or PlatformNotSupportedException or NotImplementedException)
         {
-            // Not every runtime and system lists its networks, Unity's players among them: the diagnosis then goes on and says less of the route.
+            // Not every runtime and system lists its networks; Unity's players do not. The diagnosis then continues and says less about the route.
             return [];
         }
     }

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Diagnostics;
 
-// Judges how often frames come, against the rates at which suits measure.
+// Judges the frame rate against the rates at which suits measure.
 internal static class RateExamination
 {
     // A tenth below 60 Hz, the slowest rate of a suit.
@@ -18,7 +18,7 @@ internal static class RateExamination
             verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.Motionless,
                 $"All frames of {StreamPhrases.NameOf(still)} are the same.",
-                "If nobody stands still on purpose, the take is paused or at its end, or the suit is no longer connected: see the server's window."));
+                "Unless someone stands still on purpose, the take is paused or at its end, or the suit is disconnected. Check the server's window."));
         }
 
         if (slowest.FrameRate < LowestRate)
@@ -42,7 +42,7 @@ internal static class RateExamination
             DiagnosisVerdict.LosingFrames,
             $"{lost} of {all} frames did not arrive.",
             isUdp
-                ? "UDP loses what a busy network or computer cannot take: use a cable instead of Wi-Fi, raise the system's limit where the step \"buffer\" "
+                ? "UDP loses datagrams when a network or computer is too busy. Use a cable instead of Wi-Fi, raise the system's limit if the step \"buffer\" "
                     + "warns, or choose TCP here and on the server."
                 : "TCP itself loses nothing: the server leaves frames out. Close other programs on its computer, and use a cable instead of Wi-Fi "
                     + "between suit and computer."));
@@ -51,7 +51,7 @@ internal static class RateExamination
     private static ExplainedVerdict LowRate(AvatarSample avatar)
     {
         if (avatar.FrameRate <= 0)
-            return new ExplainedVerdict(DiagnosisVerdict.LowRate, $"Only {avatar.Frames} frames arrived while the diagnosis looked.", ServerSettings.FullRate);
+            return new ExplainedVerdict(DiagnosisVerdict.LowRate, $"Only {avatar.Frames} frames arrived during the diagnosis.", ServerSettings.FullRate);
 
         string reason = avatar.Step > 1
             ? $"the server sends one frame in {avatar.Step}"
@@ -62,7 +62,7 @@ internal static class RateExamination
             ServerSettings.FullRate);
     }
 
-    // Where the rate is a half or a third of a suit's.
+    // Returns a text if the rate is half or a third of a suit's rate; otherwise null.
     private static string? Fraction(double rate)
     {
         for (int divisor = 2; divisor <= 3; divisor++)
@@ -80,7 +80,7 @@ internal static class RateExamination
     private static string Describe(AvatarSample[] avatars, AvatarSample slowest)
     {
         if (slowest.FrameRate <= 0)
-            return $"{slowest.Frames} frames, too few to tell";
+            return $"{slowest.Frames} frames, too few to measure";
 
         long lost = avatars.Sum(static avatar => avatar.Lost);
         double pause = avatars.Max(static avatar => avatar.LongestGap.TotalMilliseconds);

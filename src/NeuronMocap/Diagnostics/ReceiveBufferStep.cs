@@ -2,7 +2,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
-// Says how many bytes of datagrams the system keeps while the program is busy. No verdict: a small buffer loses something only in a burst.
+// Reports how many bytes of datagrams the system keeps while the program is busy. It has no verdict, because a small buffer loses data only in a burst.
 internal static class ReceiveBufferStep
 {
     private const int Kilobyte = 1024;
@@ -20,8 +20,8 @@ internal static class ReceiveBufferStep
 
     internal static string Describe(int bytes, bool isLinux)
     {
-        string size = $"the system keeps {bytes / Kilobyte} KiB of datagrams until they are read, of {UdpSocket.WantedBuffer / Kilobyte} KiB asked for: "
-            + "a burst of many avatars may lose some";
+        string size = $"the system keeps {bytes / Kilobyte} KiB of datagrams until they are read, of the requested {UdpSocket.WantedBuffer / Kilobyte} KiB: "
+            + "a burst of many avatars can lose some";
         return isLinux ? $"{size}. As root: sysctl -w net.core.rmem_max={UdpSocket.WantedBuffer}" : size;
     }
 }

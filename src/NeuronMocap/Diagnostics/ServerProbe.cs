@@ -6,7 +6,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
-// Asks a server that accepts connections and says nothing who it is: many speak only when spoken to.
+// Identifies a server that accepts connections but sends nothing. It sends two requests, because many servers only answer.
 internal static class ServerProbe
 {
     // The command that reads the rotation order, number 1003 (protocol.md sections 2.5 and 6). It changes nothing.
@@ -15,7 +15,7 @@ internal static class ServerProbe
 
     private static readonly byte[] WebRequest = Encoding.ASCII.GetBytes("HEAD / HTTP/1.0\r\n\r\n");
 
-    // What it answered, where it answered.
+    // Returns the server's answer; null if there is no answer.
     public static async Task<StreamSample?> AskAsync(DiagnosisContext context, IPAddress address)
     {
         var server = new IPEndPoint(address, context.Link.Port);
@@ -25,7 +25,7 @@ internal static class ServerProbe
             ExchangeAsync(server, WebRequest, time, context.CancellationToken)).ConfigureAwait(false);
         context.CancellationToken.ThrowIfCancellationRequested();
 
-        // A web server answers both, the command with an error page.
+        // A web server answers both requests; its answer to the command is an error page.
         byte[]? answer = answers.LastOrDefault(static bytes => bytes.Length > 0);
         if (answer is null)
             return null;
@@ -49,7 +49,8 @@ internal static class ServerProbe
             await socket.SendAsync(new ArraySegment<byte>(question), SocketFlags.None).ConfigureAwait(false);
             int count = 1;
 
-            // So much is enough to know the answer by; most servers then wait for the next question, and a wait for more would take all the time.
+            // This many bytes are enough to identify the answer. Most servers then wait for the next request, so a wait for more bytes would take all the
+            // time.
             while (count > 0 && length < question.Length)
             {
                 var room = new ArraySegment<byte>(answer, length, answer.Length - length);
@@ -59,7 +60,7 @@ internal static class ServerProbe
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
         {
-            // What came before is the answer.
+            // The bytes before the error are the answer.
         }
 
         return answer.AsSpan(0, length).ToArray();

@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Diagnostics;
 
-// The steps of a running diagnosis, each told as it ends.
+// The steps of a running diagnosis. Each step is reported when it ends.
 internal sealed class StepLog(IProgress<DiagnosisStep>? progress)
 {
     private readonly List<DiagnosisStep> _steps = [];
@@ -11,7 +11,7 @@ internal sealed class StepLog(IProgress<DiagnosisStep>? progress)
 
     public IReadOnlyList<DiagnosisStep> Steps => _steps;
 
-    // For the steps of another part of the same diagnosis, under names of their own.
+    // Makes a log for another part of the same diagnosis; its steps have a prefix in their names.
     public StepLog With(string prefix) => new(new Relay(this, prefix));
 
     public void Ok(string name, string detail) => Add(name, StepOutcome.Ok, detail);

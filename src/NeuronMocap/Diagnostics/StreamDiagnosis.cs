@@ -1,46 +1,45 @@
 namespace NeuronMocap.Diagnostics;
 
-/// <summary>What a diagnosis found out about a stream, or about its absence.</summary>
+/// <summary>The result of a diagnosis of a stream, or of its absence.</summary>
 public sealed record StreamDiagnosis
 {
     internal StreamDiagnosis()
     {
     }
 
-    /// <summary>The most important thing that was found.</summary>
+    /// <summary>The most important verdict.</summary>
     public DiagnosisVerdict Verdict => Verdicts[0];
 
-    /// <summary>Everything that was found, the most important first; never empty.</summary>
+    /// <summary>All verdicts, the most important first; never empty.</summary>
     public IReadOnlyList<DiagnosisVerdict> Verdicts { get; init; } = [DiagnosisVerdict.Receiving];
 
-    /// <summary>Whether the frames that were asked for arrive where the reader would look for them.</summary>
+    /// <summary>Whether the requested frames arrive at the place where the reader receives.</summary>
     public bool IsReceiving => Verdict < DiagnosisVerdict.HostNotFound;
 
-    /// <summary>The verdict in a few words of English, such as "Nothing listens on this port".</summary>
+    /// <summary>The verdict in a few English words, such as "Nothing listens on this port".</summary>
     public string Title => DiagnosisTitles.Of(Verdict);
 
-    /// <summary>One paragraph of English for the operator: what is the case, why, and which setting to change.</summary>
+    /// <summary>One English paragraph for the operator: the situation, its cause, and the setting to change.</summary>
     public string Summary { get; init; } = string.Empty;
 
-    /// <summary>The part of the summary that says which setting to change; null when nothing has to be changed.</summary>
+    /// <summary>The part of the summary that says which setting to change; null if no change is needed.</summary>
     public string? Advice { get; init; }
 
     /// <summary>
-    /// Lines of C# that receive the stream as it is sent now, even when that is on another port than the one asked for; null when no frames
-    /// were found.
+    /// Lines of C# that receive the stream as it is sent now, even on another port than the requested one; null if no frames were found.
     /// </summary>
     public string? SampleCode { get; init; }
 
-    /// <summary>The steps in their order; the same that were reported while the diagnosis ran.</summary>
+    /// <summary>The steps in order, the same as those reported during the diagnosis.</summary>
     public IReadOnlyList<DiagnosisStep> Steps { get; init; } = [];
 
-    /// <summary>The avatars of the stream, by number; empty when no frames came from the port that was asked for.</summary>
+    /// <summary>The avatars of the stream, by number; empty if no frames arrived on the requested port.</summary>
     public IReadOnlyList<DiagnosedAvatar> Avatars { get; init; } = [];
 
-    /// <summary>How long the diagnosis took.</summary>
+    /// <summary>Duration of the diagnosis.</summary>
     public TimeSpan Elapsed { get; init; }
 
-    /// <summary>The verdict and the summary.</summary>
+    /// <summary>Gets the verdict and the summary.</summary>
     /// <returns>A line for a log.</returns>
     public override string ToString() => $"{Verdict}: {Summary}";
 }

@@ -1,16 +1,16 @@
 namespace NeuronMocap.Diagnostics;
 
-// Judges what arrived: token, version, format, rate.
+// Judges the received data: token, version, format, rate.
 internal static class StreamExamination
 {
-    // So many bytes between the frames are no accident of joining in the middle of one.
+    // More bytes than this between frames are not explained by joining the stream in the middle of a frame.
     private const long FewForeignBytes = 4096;
 
     private const string NoProblems = "Everything is in order.";
 
-    private const string OrderUnknown = "The stream does not carry the rotation order: set the same order in the program and on the server (default YXZ).";
+    private const string OrderUnknown = "The stream does not contain the rotation order: set the same order in the program and on the server (default YXZ).";
 
-    private const string OrderKnown = "The stream carries its rotation order, and the reader follows it.";
+    private const string OrderKnown = "The stream contains its rotation order, and the reader uses it.";
 
     public static Conclusion Judge(DiagnosisContext context, StreamSample sample, StreamEndpoint endpoint)
     {
@@ -56,7 +56,7 @@ internal static class StreamExamination
         string text = $"Frames arrive on {endpoint}, but they are {StreamPhrases.KindsOf(sample)}; none are {StreamPhrases.NameOf(context.Expected)}.";
         string advice = ServerSettings.Enable(context.Expected);
         if (context.Expected == PacketKind.Motion)
-            advice += $" To receive these calculation data beside the motion, set CalculationPort to {endpoint.Port}.";
+            advice += $" To receive this calculation data in addition to motion, set CalculationPort to {endpoint.Port}.";
 
         return new Conclusion([new ExplainedVerdict(verdict, text, advice)], sample);
     }
@@ -74,7 +74,7 @@ internal static class StreamExamination
 
         log.Failed("format", $"{sample.Packets} packets without values");
         return new Conclusion(
-            DiagnosisVerdict.NoValues, $"Packets arrive on {endpoint}, but none of them carries a pose.", ServerSettings.Play);
+            DiagnosisVerdict.NoValues, $"Packets arrive on {endpoint}, but none of them contains a pose.", ServerSettings.Play);
     }
 
     private static void JudgeVersion(StepLog log, AvatarSample avatar, List<ExplainedVerdict> verdicts)
@@ -84,7 +84,7 @@ internal static class StreamExamination
             log.Warning("version", "none: text, which has no frame index");
             verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.TextFormat,
-                "Text is read as well as binary packets, but it has no frame index, so that lost frames cannot be counted, few digits, and takes more "
+                "The reader supports text as well as binary packets. Text has few digits and no frame index, so lost frames cannot be counted. It also needs more "
                 + "of the network and of both computers.",
                 ServerSettings.Binary));
             return;
@@ -95,7 +95,7 @@ internal static class StreamExamination
             log.Warning("version", $"{avatar.Version}, the old header, which has no frame index");
             verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.OldHeader,
-                "The old header (data version 1.0) is read as well as the new one, but it has no frame index: lost frames cannot be counted.",
+                "The reader supports the old header (data version 1.0) as well as the new one. It has no frame index, so lost frames cannot be counted.",
                 ServerSettings.NewHeader));
             return;
         }
@@ -110,7 +110,7 @@ internal static class StreamExamination
         {
             verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.UnusualValueCount,
-                $"A frame of {StreamPhrases.NameOf(unusual)} carries {unusual.ValueCount} values, where the skeleton of 59 bones has "
+                $"A frame of {StreamPhrases.NameOf(unusual)} has {unusual.ValueCount} values; the skeleton of 59 bones has "
                 + $"{UsualCounts(unusual.Kind)}.",
                 ServerSettings.Skeleton));
         }
@@ -119,9 +119,9 @@ internal static class StreamExamination
         {
             verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.ForeignBytes,
-                $"{100 * sample.BytesSkipped / sample.Bytes} % of the bytes that arrive belong to no frame; they are skipped. Frames are cut on the "
+                $"{100 * sample.BytesSkipped / sample.Bytes} % of the bytes that arrive belong to no frame; they are skipped. Frames are damaged on the "
                 + "way, or another stream is mixed in.",
-                "Connect to the server itself, without a program in between, and over UDP let only one program send to the port."));
+                "Connect to the server directly, without a program in between. Over UDP, let only one program send to the port."));
         }
 
         int senders = avatars.Select(static avatar => avatar.Sender).Distinct().Count();
@@ -129,8 +129,8 @@ internal static class StreamExamination
         {
             verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.SeveralSenders,
-                $"{senders} programs send frames to this port; the reader keeps them apart.",
-                "If only one is meant, switch the broadcasting of the others off, or give them another destination port."));
+                $"{senders} programs send frames to this port; the reader separates them.",
+                "If you want only one, switch off the broadcasting of the others, or give them another destination port."));
         }
 
         string detail = $"{StreamPhrases.DescribeFormat(avatars[0])}; {StreamPhrases.DescribeAvatars(avatars)}";

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace NeuronMocap.Diagnostics;
 
-// Says what a stream is.
+// Describes a stream in words.
 internal static class StreamPhrases
 {
     private const int MaxNames = 4;
@@ -33,7 +33,7 @@ internal static class StreamPhrases
         ? string.Empty
         : avatar.Version == DataVersion.Studio ? ", as Axis Studio sends" : ", the new header";
 
-    // "motion (BVH) data", or "motion (BVH) and calculation data".
+    // For example "motion (BVH) data" or "motion (BVH) and calculation data".
     public static string KindsOf(StreamSample sample)
     {
         PacketKind[] kinds = [.. ((PacketKind[])[PacketKind.Motion, PacketKind.Calculation, PacketKind.StudioCalculation]).Where(sample.Has)];

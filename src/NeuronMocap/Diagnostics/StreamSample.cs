@@ -4,14 +4,14 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
-// Everything that arrives while a diagnosis looks. The receive loop writes; the two tasks tell that something came, the rest is read when
-// the loop has ended.
+// All data that arrives during a diagnosis. The receive loop writes. The two tasks signal that data arrived; all other members are read after the loop has
+// ended.
 internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
 {
-    // Enough to recognise a format and to quote a greeting.
+    // Enough to recognize a format and to quote a greeting.
     private const int KeptBytes = 256;
 
-    // Anyone can make up avatar numbers.
+    // A sender can invent avatar numbers.
     private const int MaxAvatars = 1024;
 
     private readonly TaskCompletionSource<bool> _started = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -19,7 +19,7 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
     private readonly Dictionary<(PacketKind Kind, int Sender, uint Avatar), AvatarSample> _avatars = [];
     private readonly Dictionary<SkipReason, (long Bytes, List<byte> Start)> _skipped = [];
 
-    // The first bytes have come; those that may begin a packet count when the rest of it is there.
+    // Completes when the first bytes have arrived. Bytes that may begin a packet count only when the packet is complete.
     public Task Started => _started.Task;
 
     public Task WantedFrame => _wantedFrame.Task;
@@ -34,7 +34,7 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
 
     public long Commands { get; private set; }
 
-    // Whether every frame came as text.
+    // Whether all frames arrived as text.
     public bool IsText => _avatars.Count > 0 && _avatars.Values.All(static avatar => avatar.Version == DataVersion.None);
 
     public long BytesSkipped => _skipped.Values.Sum(static skipped => skipped.Bytes);
@@ -43,12 +43,12 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
 
     public bool Has(PacketKind kind) => _avatars.Keys.Any(key => key.Kind == kind);
 
-    // What the bytes probably are that belong to no packet; the reason with the most of them decides.
+    // Guesses the format of the bytes that belong to no packet. The reason with the most bytes is decisive.
     public FormatGuess Guess() => Largest is { Value.Bytes: > 0 } largest
         ? FormatGuess.Of(largest.Value.Start.ToArray(), largest.Key)
         : FormatGuess.Of([], SkipReason.NoTokens);
 
-    // The skipped bytes as text, where they are text.
+    // Returns the skipped bytes as text, if they are text.
     public string? Quote() => BannerText.Of(Largest.Value.Start is { } start ? start.ToArray() : []);
 
     public void OnPacket(in ReceivedPacket packet)

@@ -5,7 +5,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
-// What to say where no bytes come over TCP, and where to look instead.
+// Conclusions for a TCP port that sends no bytes, including the search at other places.
 internal static class TcpConclusions
 {
     public static Conclusion UnknownHost(DiagnosisContext context, Exception? exception)
@@ -19,7 +19,7 @@ internal static class TcpConclusions
             return new Conclusion(
                 DiagnosisVerdict.HostNotFound,
                 $"'{host}' is neither a host name nor an address.",
-                "Host takes the name or address alone; the port has an option of its own.");
+                "Host must be only a name or an address; the port is a separate option.");
         }
 
         if (exception is TimeoutException or SocketException { SocketErrorCode: SocketError.TryAgain })
@@ -44,7 +44,7 @@ internal static class TcpConclusions
             return new Conclusion(
                 DiagnosisVerdict.AccessDenied,
                 $"This computer does not allow a connection to {context.Link.Host}.",
-                "Check the address: an address of a whole network (such as 192.168.1.255) is not a server's. Then check this computer's firewall.");
+                "Check the address: the address of a whole network (such as 192.168.1.255) is not a server's address. Then check this computer's firewall.");
         }
 
         if (context.Link.LocalAddress is { } local && reason != ConnectionReason.Unreachable)
@@ -53,7 +53,7 @@ internal static class TcpConclusions
             return new Conclusion(
                 DiagnosisVerdict.LocalAddressUnavailable,
                 $"The local address {local} does not belong to this computer, or is of another kind (IPv4, IPv6) than the server's.",
-                "Set LocalAddress to one that does, or leave it out.");
+                "Set LocalAddress to an address of this computer, or leave it out.");
         }
 
         if (reason is not (ConnectionReason.Unreachable or ConnectionReason.AddressUnavailable))
@@ -62,14 +62,14 @@ internal static class TcpConclusions
             return new Conclusion(
                 DiagnosisVerdict.NetworkError,
                 $"This computer cannot send to {context.Link.Host} ({reason}).",
-                "Check the address: one of IPv6 needs IPv6 on this computer, and a link-local one (fe80::…) the number of its network (%2).");
+                "Check the address. An IPv6 address needs IPv6 on this computer; a link-local address (fe80::…) also needs the number of its network (%2).");
         }
 
         context.Log.Failed("route", "none found");
         return new Conclusion(
             DiagnosisVerdict.Unreachable,
             $"This computer has no route to {context.Link.Host}.",
-            "Check the address, and that the cable is in or Wi-Fi is on; both computers have to be in the same network.");
+            "Check the address, and that the cable is plugged in or Wi-Fi is on. Both computers must be in the same network.");
     }
 
     public static async Task<Conclusion> NotConnectedAsync(DiagnosisContext context, LinkEnd failure, IPAddress address)
@@ -108,8 +108,8 @@ internal static class TcpConclusions
         PortScanResult search = await AlternativePortScan.FindAsync(context, address, isUdp: false).ConfigureAwait(false);
         var plain = new ExplainedVerdict(
             DiagnosisVerdict.ClosedImmediately,
-            $"{context.Link.Target} accepts the connection and closes it without sending anything. A forwarded port (a container, a VPN, a tunnel) "
-            + "behind which nothing listens does so, a server that allows no further client, or another program.",
+            $"{context.Link.Target} accepts the connection and closes it without sending anything. Possible causes are a forwarded port (a container, a VPN, "
+            + "a tunnel) with nothing listening behind it, a server that accepts no more clients, or another program.",
             "Close other programs that receive the stream, check the port, and connect to the server itself. "
             + $"{ServerSettings.BroadcastTcp(context.Expected, context.Link.Port, !IPAddress.IsLoopback(address))}");
         return Conclude(context, plain, search);
@@ -122,18 +122,18 @@ internal static class TcpConclusions
             return await AddOtherPortsAsync(context, Answered(context, answer), address, isUdp: false).ConfigureAwait(false);
 
         if (context.Options.SearchOtherPorts)
-            context.Log.Ok("question", "asked who it is, it says nothing");
+            context.Log.Ok("question", "the server does not answer requests");
 
         PortScanResult search = await AlternativePortScan.FindAsync(context, address, isUdp: false).ConfigureAwait(false);
         var plain = new ExplainedVerdict(
             DiagnosisVerdict.Silent,
             $"{context.Link.Target} accepts the connection, but sends nothing: most likely no suit is connected and calibrated and no take is played.",
-            $"{ServerSettings.Play} Where the avatar does move in the server's window, its BVH broadcasting is off for this port. "
+            $"{ServerSettings.Play} If the avatar moves in the server's window, its BVH broadcasting is off for this port. "
             + ServerSettings.BroadcastTcp(context.Expected, context.Link.Port, isRemote: false));
         return Conclude(context, plain, search);
     }
 
-    // Something else comes from the port; frames may come from another one.
+    // Something else arrives on this port; another port may have the frames.
     public static async Task<Conclusion> AddOtherPortsAsync(DiagnosisContext context, Conclusion conclusion, IPAddress? address, bool isUdp)
     {
         if (!conclusion.Verdicts[0].IsFault)
@@ -146,9 +146,9 @@ internal static class TcpConclusions
         ExplainedVerdict instead = found.Endpoint.Transport == TransportKind.Udp
             ? new ExplainedVerdict(
                 DiagnosisVerdict.SentOverUdp,
-                $"Frames do arrive on {found.Endpoint}, from {found.Sender}.",
+                $"Frames arrive on {found.Endpoint} instead, from {found.Sender}.",
                 $"Receive over UDP on port {found.Endpoint.Port} here.")
-            : new ExplainedVerdict(DiagnosisVerdict.OtherPort, $"Frames do arrive on {found.Endpoint}.", $"Use port {found.Endpoint.Port} over TCP here.");
+            : new ExplainedVerdict(DiagnosisVerdict.OtherPort, $"Frames arrive on {found.Endpoint} instead.", $"Use port {found.Endpoint.Port} over TCP here.");
         return conclusion with { Verdicts = [.. conclusion.Verdicts, instead], Endpoint = found.Endpoint };
     }
 
@@ -158,18 +158,18 @@ internal static class TcpConclusions
         string quoted = answer.Quote() is { } quote ? $" (\"{quote}\")" : string.Empty;
         if (guess.Format == ForeignFormat.CommandReply)
         {
-            context.Log.Failed("question", "asked for the rotation order, it answers: a command port");
+            context.Log.Failed("question", "the server answers a request for the rotation order: this is a command port");
             return new Conclusion(
                 DiagnosisVerdict.CommandPort,
-                $"{context.Link.Target} is the server's command port: it answers commands, and frames never come from it.",
+                $"{context.Link.Target} is the server's command port: it answers commands and never sends frames.",
                 ServerSettings.DataPort);
         }
 
         string answers = guess.Format == ForeignFormat.OtherProgram ? guess.Text : $"bytes that no motion capture server sends, {answer.FirstBytes}";
-        context.Log.Failed("question", $"asked who it is, it sends {answers}{quoted}");
+        context.Log.Failed("question", $"the server answers a request with {answers}{quoted}");
         return new Conclusion(
             DiagnosisVerdict.OtherProgram,
-            $"On {context.Link.Target} another program listens: it sends nothing until asked, then {answers}{quoted} when asked.",
+            $"Another program listens on {context.Link.Target}. It sends nothing before a request, and then {answers}{quoted}.",
             $"Check the port against the one in the server's broadcasting settings; it is usually {ProtocolConstants.DefaultPort}.");
     }
 
@@ -186,7 +186,7 @@ internal static class TcpConclusions
             + ServerSettings.BroadcastTcp(context.Expected, context.Link.Port, !IPAddress.IsLoopback(address)));
     }
 
-    // A stream that was found in another place explains more than the silence in this one.
+    // A stream that was found at another place explains more than the silence at this one.
     private static Conclusion Conclude(DiagnosisContext context, ExplainedVerdict plain, in PortScanResult search)
     {
         if (search.Found is not { } found)
@@ -199,7 +199,7 @@ internal static class TcpConclusions
             }]);
         }
 
-        string instead = $"Nothing comes from TCP port {context.Link.Port}, but frames arrive on {found.Endpoint}";
+        string instead = $"Nothing arrives from TCP port {context.Link.Port}, but frames arrive on {found.Endpoint}";
         ExplainedVerdict better = found.Endpoint.Transport == TransportKind.Tcp
             ? new ExplainedVerdict(
                 DiagnosisVerdict.OtherPort,

@@ -4,10 +4,10 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
-// Walks the chain to a TCP server, from its name to its frames, and looks elsewhere where the chain breaks.
+// Examines each step on the way to a TCP server, from its name to its frames. If a step fails, it looks at other places.
 internal sealed class TcpExamination(DiagnosisContext context)
 {
-    // More addresses than any computer has that is meant.
+    // No real server has more addresses.
     private const int MaxAddresses = 4;
 
     private readonly LinkOptions _link = context.Link;
@@ -100,7 +100,8 @@ internal sealed class TcpExamination(DiagnosisContext context)
         return [.. routed];
     }
 
-    // All addresses at once, and the first in their order that connects: one that does not answer shall not use up the time of the next.
+    // Connects to all addresses at once and takes the first in their order that connects. An address without an answer must not use up the time of the
+    // next one.
     private async Task<(TcpLink? Link, IPAddress Address, LinkEnd Failure)> ConnectAsync(TcpLink[] links, IPAddress[] addresses)
     {
         Task<LinkEnd>[] opening = [.. links.Select(link => link.OpenAsync(context.CancellationToken))];

@@ -3,7 +3,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
-// Walks the chain from this computer's UDP port to the frames, and looks elsewhere where nothing arrives.
+// Examines each step from this computer's UDP port to the frames. If nothing arrives, it looks at other places.
 internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPAddress> allowedSenders)
 {
     private readonly LinkOptions _link = context.Link;
@@ -55,7 +55,7 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
         return new Conclusion(
             DiagnosisVerdict.SenderNotAllowed,
             $"Datagrams arrive on {endpoint}, but only from {senders}, which AllowedSenders does not list.",
-            "If that is the computer that runs Axis Neuron, give AllowedSenders its address, or leave it out to let everyone send.");
+            "If that is the computer that runs Axis Neuron, set AllowedSenders to its address, or leave it out to allow all senders.");
     }
 
     private Conclusion NotBound(ConnectionReason reason)
@@ -65,19 +65,19 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
             ConnectionReason.PortInUse => (
                 DiagnosisVerdict.PortInUse,
                 "another program uses it",
-                $"UDP port {_link.Port} of this computer is used by another program, which gets what arrives.",
-                "Close that program; or choose another port here, and the same in the server's broadcasting settings as the client's or "
+                $"UDP port {_link.Port} of this computer is used by another program, which gets the datagrams.",
+                "Close that program. Or choose another port here, and the same port in the server's broadcasting settings as the client's or "
                 + "destination's port."),
             ConnectionReason.AddressUnavailable => (
                 DiagnosisVerdict.LocalAddressUnavailable,
                 $"{_link.LocalAddress} is not an address of this computer",
                 $"The local address {_link.LocalAddress} does not belong to this computer.",
-                "Set LocalAddress to one that does, or leave it out to receive on all."),
+                "Set LocalAddress to an address of this computer, or leave it out to receive on all."),
             ConnectionReason.AccessDenied => (
                 DiagnosisVerdict.AccessDenied,
                 "the system does not allow it",
                 $"This computer does not allow UDP port {_link.Port}.",
-                "Choose a port of 1024 or more, here and on the server."),
+                "Choose port 1024 or higher, here and on the server."),
             _ => (
                 DiagnosisVerdict.NetworkError,
                 "it cannot be opened",
@@ -100,8 +100,8 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
         string destination = $"{(addresses.Count > 0 ? addresses[0] : "127.0.0.1")}:{port}";
         return new Conclusion(
             DiagnosisVerdict.Silent,
-            $"Nothing arrives on UDP port {port} of this computer. The server sends to another address or port, over TCP, or nothing "
-            + "at all; or a firewall keeps it out, this computer's or one that drops datagrams of more than one network packet.",
+            $"Nothing arrives on UDP port {port} of this computer. The server sends nothing, or sends over TCP or to another address or port. Or a firewall "
+            + "blocks the datagrams: the one of this computer, or one that drops datagrams of more than one network packet.",
             $"{ServerSettings.BroadcastUdp(context.Expected, destination)} A server on this computer sends to 127.0.0.1:{port}. Allow this program in this computer's "
             + $"firewall. {ServerSettings.Play}");
     }
@@ -111,7 +111,7 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
         ExplainedVerdict verdict = found.Endpoint.Transport == TransportKind.Udp
             ? new ExplainedVerdict(
                 DiagnosisVerdict.OtherPort,
-                $"Frames arrive on {found.Endpoint}, from {found.Sender}, and not on the port that was asked for.",
+                $"Frames arrive on {found.Endpoint}, from {found.Sender}, not on the requested port.",
                 $"Use port {found.Endpoint.Port} here, or change the client's or destination's port in the server's broadcasting settings.")
             : new ExplainedVerdict(
                 DiagnosisVerdict.OfferedOverTcp,
@@ -120,7 +120,7 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
         return new Conclusion([verdict], Endpoint: found.Endpoint);
     }
 
-    // A name that cannot be looked up is no fault here: over UDP nobody needs it.
+    // A name that cannot be resolved is not a fault here, because UDP does not need it.
     private async Task<IPAddress?> ResolveHostAsync()
     {
         try

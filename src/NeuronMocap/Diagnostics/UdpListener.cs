@@ -6,7 +6,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Diagnostics;
 
-// Listens on a UDP port of this computer for a moment, and remembers who sends and how much at a time, which the reader's link does not.
+// Listens on a UDP port of this computer for a short time. Unlike the reader's link, it records the senders and the sizes of their datagrams.
 internal sealed class UdpListener(LinkOptions options, SenderFilter filter, StreamSample sample) : IDisposable
 {
     private const int MaxDatagram = 65_536;
@@ -19,10 +19,10 @@ internal sealed class UdpListener(LinkOptions options, SenderFilter filter, Stre
 
     public int LargestDatagram { get; private set; }
 
-    // Once open.
+    // Valid after Open.
     public int Port { get; private set; }
 
-    // Once open; null where the system does not say.
+    // Valid after Open; null if the system does not report it.
     public int? ReceiveBufferSize { get; private set; }
 
     public ConnectionReason Open()
@@ -40,7 +40,7 @@ internal sealed class UdpListener(LinkOptions options, SenderFilter filter, Stre
         }
     }
 
-    // Until the socket is closed.
+    // Runs until the socket is closed.
     public async Task ReceiveAsync()
     {
         var senders = new UdpSenders(new PacketScanner(options.MaxValues), sample, filter);
@@ -61,7 +61,7 @@ internal sealed class UdpListener(LinkOptions options, SenderFilter filter, Stre
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
         {
-            // Closed, as every listening ends.
+            // The socket was closed, which ends every listener.
         }
     }
 

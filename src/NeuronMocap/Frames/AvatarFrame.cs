@@ -5,19 +5,22 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap;
 
-/// <summary>
-/// One avatar at one instant, as it came off the wire: what motion and calculation frames have in common.
+/// <summary>One avatar at one moment, as received: the members that motion and calculation frames have in common.</summary>
+/// <remarks>
 /// <para>
-/// A frame that a handler, a <see cref="LatestFrames"/> or a <see cref="Recording.RecordedFrameReader"/> gets is only lent. It is valid until the
-/// handler returns, or until the next frame is taken. <c>Clone</c> makes a copy that stays valid.
+/// Handlers, <see cref="LatestFrames"/> and <see cref="Recording.RecordedFrameReader"/> reuse their frame objects. Such a frame is valid until the handler
+/// returns, or until you take the next frame. Use <c>Clone</c> to make a copy that stays valid.
 /// </para>
 /// <para>
-/// Every member of a frame that is no longer valid throws an <see cref="InvalidOperationException"/>. The objects are used again in turn, so that
-/// nothing is allocated: a handler gets the same object again 31 frames later, and <see cref="LatestFrames"/> gives it 7 frames of
-/// the avatar later. An object that was read too late once is not used again. The spans of a frame are not checked: they must not be used for longer than
-/// the frame. A thread that reads a frame while another thread lets it expire may get an exception or parts of the next frame.
+/// Every member of a frame that is no longer valid throws an <see cref="InvalidOperationException"/>. Reusing the objects avoids allocations. A handler
+/// gets the same object again 31 frames later. <see cref="LatestFrames"/> returns it again 7 frames of the avatar later. An object that was read too late
+/// is not reused.
 /// </para>
-/// </summary>
+/// <para>
+/// The spans of a frame are not checked: do not use them after the frame expires. If one thread reads a frame while another thread lets it expire, the
+/// reading thread gets an exception or parts of the next frame.
+/// </para>
+/// </remarks>
 public abstract class AvatarFrame
 {
     private protected FrameData _data;
@@ -27,41 +30,47 @@ public abstract class AvatarFrame
     {
     }
 
-    /// <summary>Number of the avatar on the server, from 0. The wire has no sign; numbers from 2³¹ on, which no server uses, are negative here.</summary>
+    /// <summary>
+    /// Number of the avatar on the server, from 0. The number is unsigned in the stream. Numbers from 2³¹ on, which no server uses, are negative here.
+    /// </summary>
     public abstract int AvatarIndex { get; }
 
     /// <summary>Name of the avatar on the server. Allocates only when a name is new.</summary>
     public abstract string AvatarName { get; }
 
     /// <summary>
-    /// The server's frame counter, or null where the header has none. Its start, its wrap and what frequency reducing does to it are
-    /// not documented: use it to find gaps, and <see cref="Timestamp"/> for time.
+    /// The server's frame counter; null if the header has none. Use it to find gaps, and use <see cref="Timestamp"/> for time. Its first value, where it
+    /// wraps, and the effect of frequency reduction are not documented.
     /// </summary>
     public abstract uint? FrameIndex { get; }
 
-    /// <summary>All values behind the header, in wire order, bit for bit as received. Valid as long as the frame.</summary>
+    /// <summary>All values after the header, in stream order, bit for bit as received. Valid as long as the frame.</summary>
     public ReadOnlySpan<float> Values => _data.Values;
 
-    /// <summary>When the bytes that completed the frame were received: ticks of <see cref="Stopwatch"/>, a clock that never jumps.</summary>
+    /// <summary>
+    /// When the bytes that completed the frame were received, in ticks of <see cref="Stopwatch"/>. This clock never jumps.
+    /// </summary>
     public long Timestamp => _data.WhileValid(_timestamp);
 
     /// <summary>Time since the frame was received.</summary>
     public TimeSpan Age => TimeSpan.FromSeconds((Stopwatch.GetTimestamp() - Timestamp) / (double)Stopwatch.Frequency);
 
     /// <summary>
-    /// Which server the frame came from: over UDP, 0 for the first one that sent, 1 for the next one; always 0 over TCP.
-    /// Two servers may use the same <see cref="AvatarIndex"/>. A server keeps its number when it restarts on another port of the same address.
+    /// Number of the sender that the frame came from. Over UDP, 0 is the first server that sent, and 1 is the next; over TCP it is always 0.
     /// </summary>
+    /// <remarks>
+    /// Two servers can use the same <see cref="AvatarIndex"/>. A server keeps its number when it restarts on another port of the same address.
+    /// </remarks>
     public int Sender => _data.WhileValid(PacketOrigin.SenderOf(Origin));
 
     /// <summary>Makes a copy that owns its memory and stays valid.</summary>
-    /// <returns>A frame of the same kind, equal to this one, time of receipt included.</returns>
+    /// <returns>A frame of the same kind, equal to this one, including its time of receipt.</returns>
     public AvatarFrame Clone() => CreateClone();
 
-    // The sender, and which run of it: another run may count its frames from anywhere.
+    // The sender and its current run. Another run of the sender can start its frame numbers anywhere.
     internal int Origin { get; private protected set; }
 
-    // Header and values. Of a line of text, what TextLine made of it.
+    // Header and values. For a line of text, the packet that TextLine made of it.
     internal ReadOnlySpan<byte> Packet => _data.Packet;
 
     internal bool WasReadLate => _data.WasReadLate;
@@ -75,13 +84,13 @@ public abstract class AvatarFrame
         OnData();
     }
 
-    // When whoever the frame was lent to has had it.
+    // Called when the consumer is finished with the frame.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void Expire() => _data.Expire();
 
     private protected abstract AvatarFrame CreateClone();
 
-    // Header fields are read when asked for: most handlers need few of them.
+    // Header fields are read on demand, because most handlers need only a few of them.
     private protected virtual void OnData()
     {
     }

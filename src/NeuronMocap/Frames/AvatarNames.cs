@@ -2,7 +2,7 @@ using System.Collections.Concurrent;
 
 namespace NeuronMocap.Frames;
 
-// Makes each avatar's name a string once, so that asking for it in every frame allocates nothing. Bounded, because names come from the network.
+// Caches the string of each avatar's name, so reading it in every frame allocates nothing. The cache is bounded because names come from the network.
 internal static class AvatarNames
 {
     private const int Limit = 1024;
@@ -15,7 +15,7 @@ internal static class AvatarNames
         if (Texts.TryGetValue(name, out string? text))
             return text;
 
-        // A sender that makes up names empties the cache now and then; real names come back with their next frame.
+        // A sender that invents names empties the cache from time to time. Real names return with their next frame.
         if (Interlocked.Increment(ref _count) > Limit)
         {
             Texts.Clear();

@@ -5,11 +5,11 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Frames;
 
-// The wire image of one packet behind a frame: borrowed from the receive path where the processor can read floats in place, else copied.
-// None before the first packet and after Expire: every read then throws, at the price of the check for null that a span of an array makes anyway.
+// The bytes of the packet behind a frame: borrowed from the receive path if the processor can read floats in place, otherwise copied.
+// There are none before the first packet and after Expire: every read then throws. This costs only the null check that a span of an array makes anyway.
 internal struct FrameData
 {
-    // 32-bit ARM faults on a misaligned float; a stream that lost or gained bytes puts packets at any address.
+    // 32-bit ARM faults on a misaligned float. After lost or extra bytes in the stream, packets can start at any address.
     private static readonly bool ReadsMisaligned =
         RuntimeInformation.ProcessArchitecture is Architecture.X64 or Architecture.X86 or Architecture.Arm64;
 
@@ -19,7 +19,7 @@ internal struct FrameData
     private byte[]? _own;
     private bool _wasReadLate;
 
-    // Whether somebody kept the frame for longer than it was lent. Set on any thread.
+    // Whether the frame was used after it expired. Set on any thread.
     public readonly bool WasReadLate => _wasReadLate;
 
     public ReadOnlySpan<byte> Header => Bytes.AsSpan(_offset, ProtocolConstants.HeaderSize);
@@ -37,11 +37,11 @@ internal struct FrameData
         get => _bytes ?? throw ReadLate();
     }
 
-    // What was taken from the packet when it came is as dead as the packet.
+    // Values read from the packet on arrival expire together with the packet.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public T WhileValid<T>(T value) => _bytes is null ? throw ReadLate() : value;
 
-    // Before the memory is used again. A thread that reads at this very moment may still get the packet, or parts of the next one.
+    // Called before the memory is reused. A thread that reads at this moment may still get the packet, or parts of the next one.
     public void Expire() => Volatile.Write(ref _bytes, null);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -60,7 +60,7 @@ internal struct FrameData
         _length = length;
     }
 
-    // Takes a packet whose values already have this machine's byte order.
+    // Takes a packet whose values already have the byte order of this computer.
     public void Copy(ReadOnlySpan<byte> packet)
     {
         if (_own is null || _own.Length < packet.Length)

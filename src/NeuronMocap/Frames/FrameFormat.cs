@@ -4,17 +4,17 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Frames;
 
-// How the frames of one reader are to be understood: what its options say, else what the frame itself says, else what the command channel
-// said, else what Axis Neuron does unless told otherwise. Any thread.
+// How to interpret the frames of one reader. The options come first, then the frame itself, then the answers of the command channel, then the defaults of
+// Axis Neuron. Any thread.
 internal sealed class FrameFormat(RotationOrder? order, SkeletonVariant? variant)
 {
-    // Axis Studio's 1.1.0.1, as its four bytes are read.
+    // Version 1.1.0.1 of Axis Studio, as its four bytes are read.
     private const uint StudioVersion = 0x01010001;
 
-    // Replaced as a whole, so that it is read as a whole.
+    // Replaced as a whole, so that readers always see one consistent value.
     private volatile DiscoveredFormat _discovered = DiscoveredFormat.None;
 
-    // Who is asked for what neither the options nor the frames say.
+    // Where the reader asks for facts that neither the options nor the frames contain.
     public string FormatOrigin { get; init; } = "the command channel";
 
     public RotationOrder? OptionOrder => order;
@@ -27,20 +27,20 @@ internal sealed class FrameFormat(RotationOrder? order, SkeletonVariant? variant
 
     public static implicit operator FrameFormat(SkeletonFormat format) => new(format.RotationOrder, format.Variant);
 
-    // Null leaves what is known. One thread at a time.
+    // Null keeps the known value. One thread at a time.
     public void Learn(RotationOrder? order, SkeletonVariant? variant) =>
         _discovered = _discovered with { Order = order ?? _discovered.Order, Variant = variant ?? _discovered.Variant };
 
-    // Null when all was answered. One thread at a time.
+    // Null if everything was answered. One thread at a time.
     public void LearnFailure(string? failure) => _discovered = _discovered with { Failure = failure };
 
-    // The caller has seen a motion header.
+    // The caller has checked that this is a motion header.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public SkeletonFormat Of(ReadOnlySpan<byte> header) => new(
         order ?? ReadOrder(header) ?? _discovered.Order ?? SkeletonFormat.Default.RotationOrder,
         Variant);
 
-    // The order that Axis Studio writes into the first reserved field (protocol.md section 9); null where there is none.
+    // Reads the order that Axis Studio writes into the first reserved field (protocol.md section 9); null if there is no order.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static RotationOrder? ReadOrder(ReadOnlySpan<byte> header)
     {

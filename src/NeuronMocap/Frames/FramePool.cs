@@ -2,23 +2,23 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Frames;
 
-// The one way in which packets become the frames of a consumer. Frames are lent one after the other. Those of one kind take turns: while one is
-// valid, those that were lent before it are not, and whoever kept one of them finds out. One that was found out is not lent again, so that it
-// never comes back to life. One thread at a time.
+// Turns packets into the frames of a consumer; all consumers use it. Frames of one kind are reused in turn. Only the newest of them is valid; a consumer
+// that kept an earlier frame gets exceptions from it. After such an exception a frame is not reused, so it never becomes valid again. One thread at a
+// time.
 internal sealed class FramePool(FrameFormat format, int count)
 {
-    // A prime: with as many frames as there are avatars, or a multiple, the same avatar would get the same one every time.
+    // A prime. If the number were a multiple of the number of avatars, each avatar would always get the same frames.
     public const int OfHandlers = 31;
 
-    // Of one avatar, or of a reader whose frames are read one by one.
+    // For one avatar, or for a reader whose frames are read one by one.
     public const int OfTakers = 7;
 
     private readonly Turns[] _turns = new Turns[(int)PacketKind.StudioCalculation + 1];
 
-    // Makes the frames of a kind before the first one comes.
+    // Makes the frames of a kind before the first packet arrives.
     public void Prepare(PacketKind kind) => _turns[(int)kind].Frames ??= CreateAll(kind);
 
-    // Valid until its Expire, which comes before the packet's memory is used again.
+    // The frame is valid until its Expire, which is called before the packet's memory is reused.
     public AvatarFrame Lend(in ReceivedPacket packet)
     {
         ref Turns turns = ref _turns[(int)packet.Kind];

@@ -1,20 +1,20 @@
 namespace NeuronMocap.Frames;
 
-// What the index of a frame says about the frame, compared with those before it.
+// What a frame's index says about the frame, compared with earlier frames.
 internal enum IndexChange
 {
-    // Nothing to compare with: it is the first one, or one of the two has no index.
+    // The index cannot be compared: this is the first frame, or one of the two frames has no index.
     None,
 
-    // Ahead of all before it: the next frame, or one behind a gap.
+    // Later than all earlier frames: the next frame, or the first frame after a gap.
     Ahead,
 
-    // The newest one once more.
+    // The newest frame again.
     Same,
 
-    // Behind the newest: it came late or twice.
+    // Earlier than the newest frame: it arrived late or twice.
     Late,
 
-    // The server counts anew.
+    // The server restarted its count.
     Restart,
 }

@@ -2,30 +2,30 @@ using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Frames;
 
-// Follows the frame index of one avatar and decides what a step of it means: the next frame, a gap, a late frame, a server that counts anew,
-// or a server that sends only every second or third frame (Axis Neuron's frequency reducing: the index then steps evenly by 2 or 3).
-// One thread writes, any thread reads: each figure is whole by itself. The index wraps at 2^32; unsigned differences do not care.
+// Follows the frame index of one avatar and classifies each step: the next frame, a gap, a late frame, or a restart of the server's count. A server can
+// also send only every second or third frame (Axis Neuron's frequency reduction); the index then steps evenly by 2 or 3. One thread writes, any thread
+// reads; each figure is consistent on its own. The index wraps at 2^32, which unsigned differences handle.
 internal sealed class IndexTracker
 {
-    // A server that restarts, or is set to another take, starts counting elsewhere: a step beyond this is no gap.
+    // A server that restarts or switches to another take can start its count anywhere. A larger step than this is therefore not a gap.
     private const uint LargestGap = 10_000;
 
-    // UDP may swap neighbours; a frame that comes this late is late, not a new start. One bit for each in the mask of those that are missing.
+    // UDP can swap neighbouring frames. A frame within this delay is late, not a restart. The mask of missing frames has one bit for each.
     private const int LargestDelay = 63;
 
-    // So many frames in a row that come late, fill no gap and count up evenly are no late frames: the server counts anew, as at the start of
-    // a take.
+    // The number of late frames in a row that mean a restart of the count, as at the start of a take. They must fill no gap and count up evenly.
     private const int RestartRun = 3;
 
-    // So many steps in a row that share a divisor above the known step, most of them the divisor itself, are the server's and no loss. Half
-    // of all frames lost at random do that once in about two weeks; every second frame lost as by clockwork cannot be told from frequency reducing.
+    // The number of steps in a row that mean a reduced frequency instead of lost frames. The steps must share a divisor above the known step, and most
+    // must equal it. If half of all frames are lost at random, this happens once in about two weeks. A regular loss of every second frame looks the same
+    // as frequency reduction.
     private const int ReductionRun = 16;
 
     // With a larger step, two swapped frames would look like a restart.
     private const uint LargestReduction = 60;
 
     private uint? _newest;
-    private ulong _missing; // bit n: the frame n before the newest counts as lost
+    private ulong _missing; // Bit n: the frame n before the newest counts as lost.
     private int _step = 1;
     private EvenSteps _even;
     private uint _lateIndex;
@@ -39,7 +39,7 @@ internal sealed class IndexTracker
 
     public long Lost => Volatile.Read(ref _lost);
 
-    // The part of the lost frames that turns out to be none if the steps go on as evenly as they just did.
+    // The number of lost frames that will be subtracted if the next steps are as even as the last ones.
     public long Unsettled => Volatile.Read(ref _unsettled);
 
     public long Gaps => Volatile.Read(ref _gaps);
@@ -48,13 +48,13 @@ internal sealed class IndexTracker
 
     public long Restarts => Volatile.Read(ref _restarts);
 
-    // By how much the index grows from frame to frame.
+    // The step of the index from frame to frame.
     public int Step => Volatile.Read(ref _step);
 
-    // Writing thread only. Null before the first index, and after a frame without one.
+    // Writing thread only. Null before the first index, and after a frame without an index.
     public uint? Newest => _newest;
 
-    // Forgets where the index stood, but not its step, which is a setting of the server: a smaller one shows with the next frame.
+    // Forgets the last index but keeps the step, which is a setting of the server. A smaller step shows with the next frame.
     public void StartAt(uint? index)
     {
         _newest = index;
@@ -84,7 +84,7 @@ internal sealed class IndexTracker
         return OnOtherStep(next, step, back);
     }
 
-    // It is known from elsewhere that the counting begins anew.
+    // Called if another source says that the count restarts.
     public void Restart()
     {
         Volatile.Write(ref _restarts, _restarts + 1);
@@ -102,7 +102,7 @@ internal sealed class IndexTracker
         return IndexChange.Ahead;
     }
 
-    // A gap, or another frequency.
+    // Handles a larger or smaller step: a gap, or another frequency.
     private void Widen(uint next, uint step)
     {
         Advance(next, step);
@@ -126,7 +126,7 @@ internal sealed class IndexTracker
             Reduce();
     }
 
-    // What the steps of the run passed over was never sent.
+    // The server never sent the frames between the steps of the run.
     private void Reduce()
     {
         ulong sent = _even.Sum <= LargestDelay ? ulong.MaxValue << (int)_even.Sum : 0;
@@ -150,11 +150,11 @@ internal sealed class IndexTracker
             Volatile.Write(ref _outOfOrder, _outOfOrder + 1);
             Volatile.Write(ref _lost, Math.Max(_lost - 1, 0));
 
-            // It closes a gap of one, shortens a gap at its edge, or parts one in two.
+            // The frame closes a gap of one, shortens a gap at its edge, or splits a gap in two.
             int neighbours = MissingAt(back - _step) + MissingAt(back + _step);
             Volatile.Write(ref _gaps, Math.Max(_gaps + neighbours - 1, 0));
 
-            // The server does send what the steps of the run passed over: neighbours that arrive swapped step as evenly as a reduced frequency.
+            // This frame shows that the server does send the frames between the steps: swapped neighbours step as evenly as a reduced frequency.
             if (back < _even.Sum && back % _even.Divisor != 0)
                 EndRun();
             return IndexChange.Late;
@@ -202,7 +202,7 @@ internal sealed class IndexTracker
         Volatile.Write(ref _unsettled, 0);
     }
 
-    // Steps in a row, all above the known one, and the largest number that divides them all.
+    // A run of steps above the known step, and their greatest common divisor.
     private struct EvenSteps
     {
         private long _lost;
@@ -213,12 +213,12 @@ internal sealed class IndexTracker
 
         public long Sum { get; private set; }
 
-        // How many of them are the divisor itself: steps from one frame to the next, if the divisor is what the server sends by.
+        // How many steps equal the divisor. If the divisor is the server's step, these lead from one frame to the next.
         public int AtDivisor { get; private set; }
 
         public readonly bool IsMostlyDivisor => AtDivisor * 2 > Count;
 
-        // Frames counted as lost that are none, if the divisor is what the server sends by.
+        // How many frames counted as lost were never sent, if the divisor is the server's step.
         public readonly long Excess => Count == 0 ? 0 : _lost - ((Sum / Divisor) - Count);
 
         public void Add(uint step, uint lost, uint known)

@@ -6,13 +6,12 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap;
 
-/// <summary>
-/// The pose of one avatar at one instant, from the BVH stream (manual section 1.2.1, protocol.md section 3.1).
-/// <para>
-/// Positions are centimetres, angles degrees; right-handed axes, Y up, X to the subject's left, Z forward; everything is relative to the
-/// parent bone, the hips to the Reference node or the world. For how long a frame is valid, see <see cref="AvatarFrame"/>.
-/// </para>
-/// </summary>
+/// <summary>The pose of one avatar at one moment, from the BVH stream (manual section 1.2.1, protocol.md section 3.1).</summary>
+/// <remarks>
+/// Positions are in centimetres, and angles are in degrees. The axes are right-handed: Y up, X to the subject's left, Z forward. Each transform is
+/// relative to the parent bone; that of the hips is relative to the Reference node or the world. <see cref="AvatarFrame"/> describes how long a frame is
+/// valid.
+/// </remarks>
 public sealed class MotionFrame : AvatarFrame
 {
     private readonly FrameFormat _source;
@@ -20,13 +19,13 @@ public sealed class MotionFrame : AvatarFrame
     private ChannelLayout _layout;
     private bool _hasSkeleton;
 
-    /// <summary>Makes a frame that owns its memory: to test code that takes frames, or to feed one from another source.</summary>
+    /// <summary>Makes a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
     /// <param name="header">The header; its count is replaced by the number of values.</param>
-    /// <param name="values">The values in wire order; copied.</param>
+    /// <param name="values">The values in stream order; copied.</param>
     /// <param name="format">
-    /// How the values are to be understood; null for the rotation order that the header of an Axis Studio frame says, else YXZ, and Appendix A.
+    /// How to interpret the values. Null for the names of Appendix A and the rotation order in the header of an Axis Studio frame, or else YXZ.
     /// </param>
-    /// <exception cref="InvalidOperationException">There are more values than the header's layout can count.</exception>
+    /// <exception cref="InvalidOperationException">There are more values than the layout of the header can count.</exception>
     public MotionFrame(in MotionHeader header, ReadOnlySpan<float> values, SkeletonFormat? format = null)
         : this(format ?? new FrameFormat(order: null, variant: null))
     {
@@ -37,7 +36,7 @@ public sealed class MotionFrame : AvatarFrame
 
     internal MotionFrame(FrameFormat format) => _source = format;
 
-    /// <summary>All fields of the packet's header, reserved ones included.</summary>
+    /// <summary>All fields of the packet's header, including reserved fields.</summary>
     public MotionHeader Header => MotionHeader.Read(_data.Header);
 
     /// <inheritdoc/>
@@ -49,64 +48,67 @@ public sealed class MotionFrame : AvatarFrame
     /// <inheritdoc/>
     public override uint? FrameIndex => MotionHeader.ReadFrameIndex(_data.Header);
 
-    /// <summary>
-    /// How the values are understood: as the reader's options say; where they leave it open, as this frame says (Axis Studio), as the server
-    /// answered on its command channel, or YXZ and Appendix A.
-    /// </summary>
+    /// <summary>How the values are interpreted.</summary>
+    /// <remarks>
+    /// The reader's options come first, then the frame itself (Axis Studio), then the answers of the server's command channel. The defaults are YXZ and
+    /// the names of Appendix A.
+    /// </remarks>
     public SkeletonFormat Format => _data.WhileValid(_format);
 
-    /// <summary>The timecode that the server stamped the frame with; null where it does not (all but Axis Studio): <see cref="MotionHeader.Timecode"/>.</summary>
+    /// <summary>
+    /// The timecode that the server wrote into the frame; null if there is none. Only Axis Studio writes one: see <see cref="MotionHeader.Timecode"/>.
+    /// </summary>
     public Timecode? Timecode => Header.Timecode;
 
     /// <summary>
-    /// Whether the values are those of the 59 bones: 180, 186, 354 or 360 of them. Without, only <see cref="AvatarFrame.Values"/> and the
-    /// header are of use, and the members that ask for a bone throw.
+    /// Whether the frame holds the values of the 59 bones: 180, 186, 354 or 360 values. Otherwise only <see cref="AvatarFrame.Values"/> and the header are
+    /// useful, and members that take a bone throw.
     /// </summary>
     public bool HasSkeleton => _data.WhileValid(_hasSkeleton);
 
-    /// <summary>Where the values stand; it follows from their number, whatever the header's flags say.</summary>
+    /// <summary>The places of the values. The layout follows from their number, regardless of the flags in the header.</summary>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
     public ChannelLayout Layout => HasSkeleton ? _layout : throw NoSkeleton();
 
     /// <summary>Position and rotation of a bone relative to its parent: <see cref="GetPosition"/> and <see cref="GetRotation"/>.</summary>
     /// <param name="bone">A bone.</param>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
     public BoneTransform this[Bone bone] => new(GetPosition(bone), GetRotation(bone));
 
     /// <summary>
-    /// Position of a bone relative to its parent. Where the stream does not carry it (displacement off, not the hips) it is the default
-    /// body's, see <see cref="DefaultOffsets"/>: right in direction, not in length.
+    /// Gets the position of a bone relative to its parent. If displacement is off, the stream contains only the position of the hips. Other bones then
+    /// have the positions of the default body, which are right in direction but not in length: see <see cref="DefaultOffsets"/>.
     /// </summary>
     /// <param name="bone">A bone.</param>
     /// <returns>Centimetres.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
     public Vector3 GetPosition(Bone bone)
     {
         int index = Layout.GetPositionIndex(bone);
         return index < 0 ? DefaultOffsets.Get(bone, _format.Variant) : ReadVector(index);
     }
 
-    /// <summary>The three rotation values of a bone as they stand in the stream.</summary>
+    /// <summary>Gets the three rotation values of a bone, as received.</summary>
     /// <param name="bone">A bone.</param>
     /// <returns>Degrees, in the order of <see cref="SkeletonFormat.RotationOrder"/>: for YXZ, component X is the angle about Y.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
     public Vector3 GetEulerAngles(Bone bone) => ReadVector(Layout.GetRotationIndex(bone));
 
     /// <summary>
-    /// Rotation of a bone relative to its parent. Compare and interpolate these, not the angles: neighbouring frames may describe nearly
-    /// the same rotation by angles that are 180 degrees apart.
+    /// Gets the rotation of a bone relative to its parent. Compare and interpolate these rotations, not the angles: two frames in a row can describe
+    /// nearly the same rotation with angles that differ by 180 degrees.
     /// </summary>
     /// <param name="bone">A bone.</param>
     /// <returns>A unit quaternion.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
     public Quaternion GetRotation(Bone bone) => EulerAngles.ToQuaternion(GetEulerAngles(bone), _format.RotationOrder);
 
     /// <summary>
-    /// The Reference node, which moves and turns the whole body (manual section 1.2.1, part 4); the identity when the server's Reference
+    /// Gets the Reference node, which moves and turns the whole body (manual section 1.2.1, part 4). This is the identity if the server's Reference
     /// setting is off.
     /// </summary>
     /// <returns>Centimetres and a unit quaternion, in the world.</returns>
@@ -115,18 +117,18 @@ public sealed class MotionFrame : AvatarFrame
         ? new BoneTransform(ReadVector(0), EulerAngles.ToQuaternion(ReadVector(3), _format.RotationOrder))
         : BoneTransform.Identity;
 
-    /// <summary>Writes the transforms of all bones relative to their parents.</summary>
-    /// <param name="destination">Room for 59, in <see cref="Bone"/> order.</param>
+    /// <summary>Copies the transforms of all bones relative to their parents.</summary>
+    /// <param name="destination">At least 59 elements, in <see cref="Bone"/> order.</param>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentException">There is less room.</exception>
+    /// <exception cref="ArgumentException">The destination is too short.</exception>
     public void CopyLocalTransforms(Span<BoneTransform> destination) =>
         CopyLocalTransforms(destination, SkeletonBody.GetDefault(_format.Variant));
 
-    /// <summary>Writes the transforms of all bones relative to their parents, those of a known body.</summary>
-    /// <param name="destination">Room for 59, in <see cref="Bone"/> order.</param>
-    /// <param name="body">Gives the positions that the stream does not carry.</param>
+    /// <summary>Copies the transforms of all bones relative to their parents, for a known body.</summary>
+    /// <param name="destination">At least 59 elements, in <see cref="Bone"/> order.</param>
+    /// <param name="body">Provides the positions that the stream does not contain.</param>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentException">There is less room.</exception>
+    /// <exception cref="ArgumentException">The destination is too short.</exception>
     public void CopyLocalTransforms(Span<BoneTransform> destination, SkeletonBody body)
     {
         ForwardKinematics.CheckRoom(destination, nameof(destination));
@@ -134,20 +136,20 @@ public sealed class MotionFrame : AvatarFrame
     }
 
     /// <summary>
-    /// Writes where all bones are in the world, the Reference node included. Positions that the stream does not carry are the default body's.
-    /// Allocates nothing.
+    /// Copies the transforms of all bones in the world, including the Reference node. The default body provides positions that the stream does not
+    /// contain. Allocates nothing.
     /// </summary>
-    /// <param name="destination">Room for 59, in <see cref="Bone"/> order.</param>
+    /// <param name="destination">At least 59 elements, in <see cref="Bone"/> order.</param>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentException">There is less room.</exception>
+    /// <exception cref="ArgumentException">The destination is too short.</exception>
     public void CopyWorldTransforms(Span<BoneTransform> destination) =>
         CopyWorldTransforms(destination, SkeletonBody.GetDefault(_format.Variant));
 
-    /// <summary>Writes where all bones of a known body are in the world, the Reference node included. Allocates nothing.</summary>
-    /// <param name="destination">Room for 59, in <see cref="Bone"/> order.</param>
-    /// <param name="body">Gives the positions that the stream does not carry, and says where the shoulders hang.</param>
+    /// <summary>Copies the transforms of all bones of a known body in the world, including the Reference node. Allocates nothing.</summary>
+    /// <param name="destination">At least 59 elements, in <see cref="Bone"/> order.</param>
+    /// <param name="body">Provides the positions that the stream does not contain, and the bones from which the shoulders hang.</param>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentException">There is less room.</exception>
+    /// <exception cref="ArgumentException">The destination is too short.</exception>
     public void CopyWorldTransforms(Span<BoneTransform> destination, SkeletonBody body)
     {
         CopyLocalTransforms(destination, body);
@@ -155,7 +157,7 @@ public sealed class MotionFrame : AvatarFrame
     }
 
     /// <summary>Makes a copy that owns its memory and stays valid.</summary>
-    /// <returns>A frame equal to this one, time of receipt included.</returns>
+    /// <returns>A frame equal to this one, including its time of receipt.</returns>
     public new MotionFrame Clone()
     {
         var clone = new MotionFrame(_source);
@@ -173,7 +175,7 @@ public sealed class MotionFrame : AvatarFrame
     }
 
     private static InvalidOperationException NoSkeleton() =>
-        new("The frame does not hold the 59 bones; see HasSkeleton.");
+        new("The frame does not contain the 59 bones; see HasSkeleton.");
 
     private Vector3 ReadVector(int index)
     {

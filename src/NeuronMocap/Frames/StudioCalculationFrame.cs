@@ -7,24 +7,24 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap;
 
 /// <summary>
-/// What sensors measure and bones do of one avatar at one instant, as Axis Studio sends it in place of Axis Neuron's calculation data
-/// (protocol.md section 9). Bones stand in the order of the BVH stream. For how long a frame is valid, see <see cref="AvatarFrame"/>.
+/// Sensor readings and bone motion of one avatar at one moment. Axis Studio sends them in place of Axis Neuron's calculation data (protocol.md section 9).
 /// </summary>
+/// <remarks>The bones are in the order of the BVH stream. <see cref="AvatarFrame"/> describes how long a frame is valid.</remarks>
 public sealed class StudioCalculationFrame : AvatarFrame
 {
-    /// <summary>Number of bytes behind the header of a frame of 59 bones.</summary>
+    /// <summary>Number of bytes after the header in a frame of 59 bones.</summary>
     public const int FullByteCount = BoneHierarchy.BoneCount * ValuesPerBone * sizeof(float);
 
-    // 20 numbers and the flag.
+    // 20 numbers and the flag of a lost sensor.
     private const int ValuesPerBone = 21;
 
     private const int Flag = 20;
 
     private bool _hasSkeleton;
 
-    /// <summary>Makes a frame that owns its memory: to test code that takes frames, or to feed one from another source.</summary>
+    /// <summary>Makes a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
     /// <param name="header">The header; its count is replaced by the number of bytes.</param>
-    /// <param name="payload">What follows the header on the wire; copied.</param>
+    /// <param name="payload">The bytes after the header; copied.</param>
     public StudioCalculationFrame(in StudioCalculationHeader header, ReadOnlySpan<byte> payload)
     {
         byte[] packet = new byte[ProtocolConstants.HeaderSize + payload.Length];
@@ -48,66 +48,73 @@ public sealed class StudioCalculationFrame : AvatarFrame
     /// <inheritdoc/>
     public override uint? FrameIndex => StudioCalculationHeader.ReadFrameIndex(_data.Header);
 
-    /// <summary>All bytes behind the header. Valid as long as the frame.</summary>
+    /// <summary>All bytes after the header. Valid as long as the frame.</summary>
     public ReadOnlySpan<byte> Payload => _data.Packet[ProtocolConstants.HeaderSize..];
 
     /// <summary>
-    /// Whether the frame carries the 59 bones in the one layout that is known: version 2.0, <see cref="StudioCalculationHeader.FullDataMask"/>
-    /// and 4956 bytes. Without, only <see cref="Payload"/>, <see cref="AvatarFrame.Values"/> and the header are of use, and the members that
-    /// ask for a bone throw.
+    /// Whether the frame contains the 59 bones in the one known layout: version 2.0, <see cref="StudioCalculationHeader.FullDataMask"/> and 4956 bytes.
+    /// Otherwise only <see cref="Payload"/>, <see cref="AvatarFrame.Values"/> and the header are useful, and members that take a bone throw.
     /// </summary>
     public bool HasSkeleton => _data.WhileValid(_hasSkeleton);
 
-    /// <summary>Rotation of a bone's sensor.</summary>
+    /// <summary>Gets the rotation of a bone's sensor.</summary>
     /// <param name="bone">A bone.</param>
-    /// <returns>The quaternion as received; the stream's order is x y z w.</returns>
+    /// <returns>The quaternion as received; the order in the stream is x y z w.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
     public Quaternion GetSensorRotation(Bone bone) => ReadQuaternion(bone, 0);
 
-    /// <summary>Angular velocity measured by a bone's sensor.</summary>
+    /// <summary>Gets the angular velocity that a bone's sensor measures.</summary>
     /// <param name="bone">A bone.</param>
-    /// <returns>In the sensor's own axes. The unit is not documented; radians per second, if it is that of <see cref="CalculationFrame.GetAngularVelocity"/>.</returns>
+    /// <returns>
+    /// The value in the sensor's own axes. The unit is not documented; it is radians per second if it equals that of
+    /// <see cref="CalculationFrame.GetAngularVelocity"/>.
+    /// </returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
     public Vector3 GetAngularVelocity(Bone bone) => ReadVector(bone, 4);
 
-    /// <summary>Acceleration measured by a bone's sensor.</summary>
+    /// <summary>Gets the acceleration that a bone's sensor measures.</summary>
     /// <param name="bone">A bone.</param>
-    /// <returns>In the sensor's own axes. The unit is not documented; multiples of gravity, if it is that of <see cref="CalculationFrame.GetAcceleration"/>.</returns>
+    /// <returns>
+    /// The value in the sensor's own axes. The unit is not documented; it is multiples of gravity if it equals that of
+    /// <see cref="CalculationFrame.GetAcceleration"/>.
+    /// </returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
     public Vector3 GetAcceleration(Bone bone) => ReadVector(bone, 7);
 
-    /// <summary>Velocity of a bone's joint in the world.</summary>
+    /// <summary>Gets the velocity of a bone's joint in the world.</summary>
     /// <param name="bone">A bone.</param>
-    /// <returns>In the axes that the server is set to; the unit is not documented, metres per second is likely.</returns>
+    /// <returns>The velocity in the axes set on the server. The unit is not documented; metres per second is likely.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
     public Vector3 GetVelocity(Bone bone) => ReadVector(bone, 10);
 
-    /// <summary>Position of a bone's joint in the world.</summary>
+    /// <summary>Gets the position of a bone's joint in the world.</summary>
     /// <param name="bone">A bone.</param>
-    /// <returns>Metres, in the axes that the server is set to.</returns>
+    /// <returns>Metres, in the axes set on the server.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
     public Vector3 GetPosition(Bone bone) => ReadVector(bone, 13);
 
-    /// <summary>Rotation of a bone, in the world as far as is known. The sensor's is <see cref="GetSensorRotation"/>.</summary>
+    /// <summary>
+    /// Gets the rotation of a bone; as far as is known, in the world. For the rotation of its sensor, use <see cref="GetSensorRotation"/>.
+    /// </summary>
     /// <param name="bone">A bone.</param>
-    /// <returns>The quaternion as received; the stream's order is x y z w.</returns>
+    /// <returns>The quaternion as received; the order in the stream is x y z w.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
     public Quaternion GetBoneRotation(Bone bone) => ReadQuaternion(bone, 16);
 
-    /// <summary>Whether the server has lost the sensor of a bone.</summary>
+    /// <summary>Determines whether the server has lost the sensor of a bone.</summary>
     /// <param name="bone">A bone.</param>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
     public bool IsSensorLost(Bone bone) => BitConverter.SingleToInt32Bits(Read(bone, Flag, 1)[0]) != 0;
 
     /// <summary>Makes a copy that owns its memory and stays valid.</summary>
-    /// <returns>A frame equal to this one, time of receipt included.</returns>
+    /// <returns>A frame equal to this one, including its time of receipt.</returns>
     public new StudioCalculationFrame Clone()
     {
         var clone = new StudioCalculationFrame();
@@ -146,7 +153,7 @@ public sealed class StudioCalculationFrame : AvatarFrame
         if ((uint)bone >= BoneHierarchy.BoneCount)
             throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone does not exist.");
         if (!HasSkeleton)
-            throw new InvalidOperationException("The frame does not hold the 59 bones; see HasSkeleton.");
+            throw new InvalidOperationException("The frame does not contain the 59 bones; see HasSkeleton.");
 
         return Values.Slice(((int)bone * ValuesPerBone) + field, count);
     }

@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace System;
 
-// Which system this is, under the names of later frameworks.
+// Detects the operating system; the names are those of later frameworks.
 internal static class SystemKinds
 {
     extension(OperatingSystem)

@@ -1,6 +1,6 @@
 namespace System;
 
-// The argument checks of later frameworks, under the same names, so that the code that calls them is the same for both targets.
+// The argument checks of later frameworks, under the same names, so the calling code is the same for both targets.
 internal static class ThrowHelpers
 {
     extension(ArgumentNullException)

@@ -4,10 +4,8 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap;
 
-/// <summary>
-/// The 32 bytes of an avatar's name as they stand in a header: UTF-8, padded with zeros, without a terminator when all 32 are used.
-/// Comparing and copying it allocates nothing; <see cref="ToString"/> does.
-/// </summary>
+/// <summary>The 32 bytes of an avatar's name in a header: UTF-8, padded with zeros, without a terminator if all 32 bytes are used.</summary>
+/// <remarks>Comparing and copying a name allocates nothing; <see cref="ToString"/> allocates a string.</remarks>
 [StructLayout(LayoutKind.Sequential)]
 public readonly struct AvatarName : IEquatable<AvatarName>
 {
@@ -16,13 +14,13 @@ public readonly struct AvatarName : IEquatable<AvatarName>
     private readonly ulong _part2;
     private readonly ulong _part3;
 
-    /// <summary>Takes the name from its wire image.</summary>
+    /// <summary>Makes a name from its bytes in a header.</summary>
     /// <param name="bytes">At most 32 bytes; fewer are padded with zeros.</param>
     /// <exception cref="ArgumentException">There are more than 32 bytes.</exception>
     public AvatarName(ReadOnlySpan<byte> bytes)
     {
         if (bytes.Length > ProtocolConstants.AvatarNameSize)
-            throw new ArgumentException($"A name has at most {ProtocolConstants.AvatarNameSize} bytes.", nameof(bytes));
+            throw new ArgumentException($"A name must have at most {ProtocolConstants.AvatarNameSize} bytes.", nameof(bytes));
 
         Span<byte> padded = stackalloc byte[ProtocolConstants.AvatarNameSize];
         padded.Clear();
@@ -30,7 +28,7 @@ public readonly struct AvatarName : IEquatable<AvatarName>
         this = MemoryMarshal.Read<AvatarName>(padded);
     }
 
-    /// <summary>Takes the name from text. What does not fit into 32 bytes of UTF-8 is cut off, between two characters.</summary>
+    /// <summary>Makes a name from text. Text beyond 32 bytes of UTF-8 is cut off, between two characters.</summary>
     /// <param name="text">The name.</param>
     public AvatarName(string text)
     {
@@ -41,7 +39,7 @@ public readonly struct AvatarName : IEquatable<AvatarName>
         this = MemoryMarshal.Read<AvatarName>(padded);
     }
 
-    /// <summary>Writes the 32 bytes of the wire image.</summary>
+    /// <summary>Copies the 32 bytes of the name.</summary>
     /// <param name="destination">At least 32 bytes.</param>
     public void CopyTo(Span<byte> destination)
     {
@@ -49,8 +47,8 @@ public readonly struct AvatarName : IEquatable<AvatarName>
         MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref copy, 1)).CopyTo(destination);
     }
 
-    /// <summary>The text up to the first zero byte. Bytes that are not UTF-8 become replacement characters.</summary>
-    /// <returns>A new string on every call.</returns>
+    /// <summary>Gets the text up to the first zero byte. Bytes that are not UTF-8 become replacement characters.</summary>
+    /// <returns>A new string in every call.</returns>
     public override string ToString()
     {
         Span<byte> bytes = stackalloc byte[ProtocolConstants.AvatarNameSize];
@@ -69,14 +67,14 @@ public readonly struct AvatarName : IEquatable<AvatarName>
     /// <inheritdoc/>
     public override int GetHashCode() => HashCode.Combine(_part0, _part1, _part2, _part3);
 
-    /// <summary>Whether both names have the same 32 bytes.</summary>
+    /// <summary>Determines whether both names have the same 32 bytes.</summary>
     /// <param name="left">A name.</param>
-    /// <param name="right">Another.</param>
+    /// <param name="right">Another name.</param>
     public static bool operator ==(AvatarName left, AvatarName right) => left.Equals(right);
 
-    /// <summary>Whether the names differ in any of their 32 bytes.</summary>
+    /// <summary>Determines whether the names differ in any of their 32 bytes.</summary>
     /// <param name="left">A name.</param>
-    /// <param name="right">Another.</param>
+    /// <param name="right">Another name.</param>
     public static bool operator !=(AvatarName left, AvatarName right) => !left.Equals(right);
 
     internal static AvatarName Read(ReadOnlySpan<byte> source) =>

@@ -3,25 +3,27 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap;
 
-/// <summary>The header of a calculation packet: manual section 2.1.4; protocol.md section 2.3.</summary>
+/// <summary>The header of a calculation packet: see manual section 2.1.4 and protocol.md section 2.3.</summary>
 public readonly record struct CalculationHeader
 {
-    /// <summary>Makes a header of data version 1.0.0.3, the manual's example.</summary>
+    /// <summary>Makes a header of data version 1.0.0.3, as in the manual's example.</summary>
     public CalculationHeader() => Version = DataVersion.Calculation;
 
-    /// <summary>Version of the data format. Unlike a motion header's it decides nothing and is not checked.</summary>
+    /// <summary>Version of the data format. Unlike the version of a motion header, it has no effect and is not checked.</summary>
     public DataVersion Version { get; init; }
 
-    /// <summary>Number of binary32 values that follow the header: 338 for 21 bones, 946 for 59.</summary>
+    /// <summary>Number of binary32 values after the header: 338 for 21 bones, 946 for 59 bones.</summary>
     public int ValueCount { get; init; }
 
-    /// <summary>Number of the avatar on the server, from 0. The wire has no sign; numbers from 2³¹ on, which no server uses, are negative here.</summary>
+    /// <summary>
+    /// Number of the avatar on the server, from 0. The number is unsigned in the stream. Numbers from 2³¹ on, which no server uses, are negative here.
+    /// </summary>
     public int AvatarIndex { get; init; }
 
     /// <summary>Name of the avatar.</summary>
     public AvatarName AvatarName { get; init; }
 
-    /// <summary>The server's frame counter; see <see cref="MotionHeader.FrameIndex"/> for what it is good for.</summary>
+    /// <summary>The server's frame counter; <see cref="MotionHeader.FrameIndex"/> describes its use.</summary>
     public uint FrameIndex { get; init; }
 
     /// <summary>First reserved field, kept as received.</summary>
@@ -33,13 +35,13 @@ public readonly record struct CalculationHeader
     /// <summary>Third reserved field, kept as received.</summary>
     public uint Reserved3 { get; init; }
 
-    /// <summary>Bytes of the whole packet: 64 and four for every value.</summary>
+    /// <summary>Size of the whole packet in bytes: 64, and 4 for every value.</summary>
     public int PacketSize => ProtocolConstants.HeaderSize + (ValueCount * sizeof(float));
 
     /// <summary>Reads a header.</summary>
     /// <param name="source">Bytes that start at the first token.</param>
-    /// <param name="header">The header, when there is one.</param>
-    /// <returns>False when fewer than 64 bytes are given, a token is wrong or the packet would have more bytes than an int counts.</returns>
+    /// <param name="header">The header, if the method returns true.</param>
+    /// <returns>False if there are fewer than 64 bytes, a token is wrong, or the size of the packet exceeds an int.</returns>
     public static bool TryRead(ReadOnlySpan<byte> source, out CalculationHeader header)
     {
         header = default;
@@ -70,7 +72,7 @@ public readonly record struct CalculationHeader
         BinaryPrimitives.WriteUInt32LittleEndian(target[58..], Reserved3);
     }
 
-    // The caller has seen 64 bytes and both tokens.
+    // The caller has checked that there are 64 bytes and both tokens.
     internal static CalculationHeader Read(ReadOnlySpan<byte> source) => new()
     {
         Version = DataVersion.Read(source[2..]),
@@ -83,7 +85,7 @@ public readonly record struct CalculationHeader
         Reserved3 = BinaryPrimitives.ReadUInt32LittleEndian(source[58..]),
     };
 
-    // Single fields, for the receive path, which does not need the others.
+    // Reads single fields for the receive path, which does not need the others.
     internal static uint ReadValueCount(ReadOnlySpan<byte> source) => BinaryPrimitives.ReadUInt32LittleEndian(source[6..]);
 
     internal static uint ReadAvatarIndex(ReadOnlySpan<byte> source) => BinaryPrimitives.ReadUInt32LittleEndian(source[10..]);

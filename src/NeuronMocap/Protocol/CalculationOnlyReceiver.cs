@@ -1,9 +1,9 @@
 namespace NeuronMocap.Protocol;
 
-// In front of who receives from a calculation port: motion that comes there too would be that of the first connection once more.
+// Filters the packets of a calculation port. Motion on this port would repeat the motion of the first connection.
 internal sealed class CalculationOnlyReceiver(IPacketReceiver receiver) : IPacketReceiver
 {
-    // The bytes of a line were told before it.
+    // OnText already received the bytes of a line of text.
     public void OnPacket(in ReceivedPacket packet)
     {
         if (packet.Kind != PacketKind.Motion)

@@ -2,34 +2,34 @@ using System.Buffers.Binary;
 
 namespace NeuronMocap.Protocol;
 
-/// <summary>
-/// The header of a request or a reply on the command channel, a TCP connection of its own (protocol.md sections 2.5 and 6). Requests and replies
-/// look the same; nothing but its place in the conversation, and the command's number where the server repeats it, says what a reply answers.
-/// </summary>
+/// <summary>The header of a request or a reply on the command channel, which is a separate TCP connection (protocol.md sections 2.5 and 6).</summary>
+/// <remarks>
+/// Requests and replies look the same. Only the order of the packets shows which request a reply answers. Some servers also repeat the command's number.
+/// </remarks>
 public readonly record struct CommandChannelHeader
 {
-    /// <summary>Bytes of a header.</summary>
+    /// <summary>Size of a header in bytes.</summary>
     public const int Size = 16;
 
-    /// <summary>Where the second token stands.</summary>
+    /// <summary>Offset of the second token.</summary>
     internal const int Token2Offset = 14;
 
-    /// <summary>Without a known meaning: the vendor's library sends what its memory holds. 0 in what is made here.</summary>
+    /// <summary>A field without a known meaning: the vendor's library sends uninitialized memory. It is 0 in new headers.</summary>
     public ushort CommandType { get; init; }
 
-    /// <summary>Number of the command, see <see cref="CommandChannelId"/>; not every server need repeat it in a reply.</summary>
+    /// <summary>Number of the command: see <see cref="CommandChannelId"/>. Some servers may not repeat it in a reply.</summary>
     public ushort CommandId { get; init; }
 
-    /// <summary>Bytes that follow the header; the wire can say anything, and so this can be negative or huge.</summary>
+    /// <summary>Number of bytes after the header. The stream can contain any value, so this can be negative or huge.</summary>
     public int PayloadSize { get; init; }
 
-    /// <summary>Without a meaning; as <see cref="CommandType"/>.</summary>
+    /// <summary>A field without a known meaning; the same as <see cref="CommandType"/>.</summary>
     public uint Reserved { get; init; }
 
     /// <summary>Reads a header.</summary>
     /// <param name="source">Bytes that start at the first token.</param>
-    /// <param name="header">The header, when there is one.</param>
-    /// <returns>False when fewer than 16 bytes are given or a token is wrong.</returns>
+    /// <param name="header">The header, if the method returns true.</param>
+    /// <returns>False if there are fewer than 16 bytes, or if a token is wrong.</returns>
     public static bool TryRead(ReadOnlySpan<byte> source, out CommandChannelHeader header)
     {
         header = default;
@@ -48,7 +48,7 @@ public readonly record struct CommandChannelHeader
 
     /// <summary>Writes the 16 bytes of the header.</summary>
     /// <param name="destination">At least 16 bytes.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There are fewer.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The destination is shorter.</exception>
     public void Write(Span<byte> destination)
     {
         Span<byte> target = destination[..Size];

@@ -3,36 +3,42 @@ using System.Buffers.Binary;
 namespace NeuronMocap.Protocol;
 
 /// <summary>
-/// The header of an old-generation command packet, which travels on the data connection between motion packets, in both directions
-/// (protocol.md sections 2.6 and 7). Of its 40 bytes of parameters two numbers are known; the vendor's client leaves the rest to chance.
+/// The header of a command packet of the old generation. It travels in both directions on the data connection, between motion packets (protocol.md
+/// sections 2.6 and 7).
 /// </summary>
+/// <remarks>Only two numbers in its 40 bytes of parameters are known. The vendor's client does not initialize the rest.</remarks>
 public readonly record struct DataCommandHeader
 {
-    // Bytes of an entry in a list of bone sizes: a name of 60, a length of 4.
+    // Size of an entry in a list of bone sizes: 60 bytes of name, 4 bytes of length.
     internal const int BoneSizeEntry = 64;
 
-    /// <summary>Makes the header that the vendor's b12 library sends: version 1.0.0.2, no payload.</summary>
+    /// <summary>Makes a header as the vendor's b12 library sends it: version 1.0.0.2, no payload.</summary>
     public DataCommandHeader() => Version = DataVersion.Old;
 
     /// <summary>Version of the data format.</summary>
     public DataVersion Version { get; init; }
 
-    /// <summary>What the command is about. Servers may send numbers that the enumeration lacks.</summary>
+    /// <summary>The value that the command is about. Servers can send numbers that the enumeration does not contain.</summary>
     public DataCommandId CommandId { get; init; }
 
-    /// <summary>Entries of the payload: 64-byte bone sizes for command 0, bytes of text for command 4, else without meaning.</summary>
+    /// <summary>
+    /// Number of entries of the payload: bone sizes of 64 bytes for command 0, bytes of text for command 4. It has no meaning for other commands.
+    /// </summary>
     public uint DataCount { get; init; }
 
-    /// <summary>
-    /// The first parameter. In requests: the avatar, from 0, or for the two event commands the <see cref="DataCommandId"/> to watch. In
-    /// replies: the avatar (frequency, combination mode) or the number of avatars.
-    /// </summary>
+    /// <summary>The first parameter.</summary>
+    /// <remarks>
+    /// In requests it is the avatar, from 0; for the two event commands it is the <see cref="DataCommandId"/> to watch. In replies it is the avatar
+    /// (frequency, combination mode) or the number of avatars.
+    /// </remarks>
     public int Parameter { get; init; }
 
     /// <summary>The second parameter, in replies only: frames per second, or the <see cref="SensorCombination"/>.</summary>
     public int Value { get; init; }
 
-    /// <summary>Bytes that follow the header, as command and count say; the length field on the wire is not reliable.</summary>
+    /// <summary>
+    /// Number of bytes after the header, computed from the command and the count. The length field in the stream is not reliable.
+    /// </summary>
     public long PayloadSize => CommandId switch
     {
         DataCommandId.BoneSize => DataCount * (long)BoneSizeEntry,
@@ -42,8 +48,8 @@ public readonly record struct DataCommandHeader
 
     /// <summary>Reads a header.</summary>
     /// <param name="source">Bytes that start at the first token.</param>
-    /// <param name="header">The header, when there is one.</param>
-    /// <returns>False when fewer than 64 bytes are given or a token is wrong.</returns>
+    /// <param name="header">The header, if the method returns true.</param>
+    /// <returns>False if there are fewer than 64 bytes, or if a token is wrong.</returns>
     public static bool TryRead(ReadOnlySpan<byte> source, out DataCommandHeader header)
     {
         header = default;
@@ -54,7 +60,7 @@ public readonly record struct DataCommandHeader
         return true;
     }
 
-    /// <summary>Writes the 64 bytes of the header; parameters without a name are zero.</summary>
+    /// <summary>Writes the 64 bytes of the header; parameters without a known meaning are zero.</summary>
     /// <param name="destination">At least 64 bytes.</param>
     public void Write(Span<byte> destination)
     {

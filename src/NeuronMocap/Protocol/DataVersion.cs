@@ -3,9 +3,9 @@ using System.Runtime.CompilerServices;
 namespace NeuronMocap;
 
 /// <summary>
-/// Version of the stream's data format, four bytes on the wire, lowest part first (manual section 2.1.2, protocol.md section 2.4).
-/// Major and minor choose the header layout; revision and build change nothing that a reader has to know.
+/// Version of the stream's data format. It has four bytes in the stream, lowest part first (manual section 2.1.2, protocol.md section 2.4).
 /// </summary>
+/// <remarks>Major and minor determine the layout of the header. Revision and build do not affect a reader.</remarks>
 /// <param name="Major">Byte 5 of a header.</param>
 /// <param name="Minor">Byte 4 of a header.</param>
 /// <param name="Revision">Byte 3 of a header.</param>
@@ -28,24 +28,24 @@ public readonly record struct DataVersion(byte Major, byte Minor, byte Revision,
     public static DataVersion StudioCalculation => new(2, 0, 0, 0);
 
     /// <summary>
-    /// 0.0.0.0: there is none, because the frame came as text (protocol.md section 8). Never on the wire: motion packets that say so are refused.
+    /// 0.0.0.0: the frame has no version, because it arrived as text (protocol.md section 8). A binary motion packet with this version is rejected.
     /// </summary>
     public static DataVersion None => default;
 
-    /// <summary>Finds the layout of the motion header that this version announces.</summary>
-    /// <param name="layout">The layout, when the version is known.</param>
-    /// <returns>False for every version but 1.0 and 1.1, whose headers nobody has documented.</returns>
+    /// <summary>Gets the layout of the motion header for this version.</summary>
+    /// <param name="layout">The layout, if the version is known.</param>
+    /// <returns>False for every version except 1.0 and 1.1; other headers are not documented.</returns>
     public bool TryGetLayout(out HeaderLayout layout)
     {
         layout = Layout;
         return Major == 1 && Minor <= 1;
     }
 
-    /// <summary>The version as in "1.1.0.0".</summary>
+    /// <summary>Gets the version as text, for example "1.1.0.0".</summary>
     /// <returns>Four numbers, major first.</returns>
     public override string ToString() => $"{Major}.{Minor}.{Revision}.{Build}";
 
-    // What has no version has no frame index either, as the Old layout.
+    // A frame without a version has no frame index either, like the Old layout.
     internal HeaderLayout Layout => this is { Major: <= 1, Minor: 0 } ? HeaderLayout.Old : HeaderLayout.New;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

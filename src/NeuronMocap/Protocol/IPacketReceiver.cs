@@ -1,11 +1,11 @@
 namespace NeuronMocap.Protocol;
 
-// Where the receive path delivers what it found in a stream of bytes: on the receive thread, in the order of arrival.
+// Receives the packets that the receive path finds in a stream of bytes, on the receive thread, in the order of arrival.
 internal interface IPacketReceiver
 {
     void OnPacket(in ReceivedPacket packet);
 
-    // Bytes of the text stream, before OnPacket where they are a line with a frame; else what stands between lines.
+    // Bytes of the text stream. For a line with a frame, this is called before OnPacket; otherwise these are bytes between lines.
     void OnText(ReadOnlySpan<byte> bytes);
 
     void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason);

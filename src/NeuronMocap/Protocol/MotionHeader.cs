@@ -4,40 +4,40 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap;
 
-/// <summary>
-/// The header of a motion (BVH) packet: manual section 2.1.3; protocol.md section 2.1 (layout New) and 2.2 (layout Old).
-/// One type serves both layouts; what a layout does not carry is null or zero.
-/// </summary>
+/// <summary>The header of a motion (BVH) packet: see manual section 2.1.3 and protocol.md sections 2.1 (layout New) and 2.2 (layout Old).</summary>
+/// <remarks>One type serves both layouts. Fields that a layout does not have are null or zero.</remarks>
 public readonly record struct MotionHeader
 {
     /// <summary>Makes the header of an Axis Neuron frame: data version 1.1.0.0.</summary>
     public MotionHeader() => Version = DataVersion.New;
 
-    /// <summary>Version of the data format. It decides the layout: 1.0 is Old, everything else New.</summary>
+    /// <summary>Version of the data format. It determines the layout: 1.0 is Old, everything else is New.</summary>
     public DataVersion Version { get; init; }
 
-    /// <summary>Number of binary32 values that follow the header: 180, 186, 354 or 360 for the 59 bones.</summary>
+    /// <summary>Number of binary32 values after the header: 180, 186, 354 or 360 for the 59 bones.</summary>
     public int ValueCount { get; init; }
 
-    /// <summary>Whether every bone carries a position (cm) before its rotation; off, only the hips do.</summary>
+    /// <summary>Whether every bone has a position (cm) before its rotation. Otherwise only the hips have one.</summary>
     public bool HasDisplacement { get; init; }
 
-    /// <summary>Whether six values of the Reference node stand before the hips.</summary>
+    /// <summary>Whether six values of the Reference node precede the hips.</summary>
     public bool HasReference { get; init; }
 
-    /// <summary>Number of the avatar on the server, from 0. The wire has no sign; numbers from 2³¹ on, which no server uses, are negative here.</summary>
+    /// <summary>
+    /// Number of the avatar on the server, from 0. The number is unsigned in the stream. Numbers from 2³¹ on, which no server uses, are negative here.
+    /// </summary>
     public int AvatarIndex { get; init; }
 
     /// <summary>Name of the avatar.</summary>
     public AvatarName AvatarName { get; init; }
 
     /// <summary>
-    /// The server's frame counter; null in the Old layout, which has none. Where it starts, how it wraps and what frequency reducing
-    /// does to it is not documented: good for counting gaps, not for timing.
+    /// The server's frame counter; null in the Old layout, which has none. Use it to count gaps, not for timing. Its first value, where it wraps, and the
+    /// effect of frequency reduction are not documented.
     /// </summary>
     public uint? FrameIndex { get; init; }
 
-    /// <summary>First reserved field. Axis Studio writes the rotation order here. Absent from the Old layout.</summary>
+    /// <summary>First reserved field. Axis Studio writes the rotation order here. The Old layout does not have this field.</summary>
     public uint Reserved { get; init; }
 
     /// <summary>Second reserved field. Axis Studio writes hours, minutes and seconds of the timecode here.</summary>
@@ -47,23 +47,25 @@ public readonly record struct MotionHeader
     public uint Reserved2 { get; init; }
 
     /// <summary>
-    /// The timecode that Axis Studio writes into the reserved fields; null for other data versions than 1.1.0.1, where the fields hold no time of
-    /// day, and where both are 0, as a server without a clock leaves them.
+    /// The timecode that Axis Studio writes into the reserved fields; null for data versions other than 1.1.0.1.
     /// </summary>
+    /// <remarks>
+    /// In other data versions, the fields do not hold a time of day. The timecode is also null if both fields are 0, as a server without a clock leaves
+    /// them.
+    /// </remarks>
     public Timecode? Timecode => Version == DataVersion.Studio ? NeuronMocap.Timecode.Read(Reserved1, Reserved2) : null;
 
-    /// <summary>The layout that <see cref="Version"/> announces.</summary>
+    /// <summary>The layout that corresponds to <see cref="Version"/>.</summary>
     public HeaderLayout Layout => Version.Layout;
 
-    /// <summary>Bytes of the whole packet: 64 and four for every value.</summary>
+    /// <summary>Size of the whole packet in bytes: 64, and 4 for every value.</summary>
     public int PacketSize => ProtocolConstants.HeaderSize + (ValueCount * sizeof(float));
 
     /// <summary>Reads a header.</summary>
     /// <param name="source">Bytes that start at the first token.</param>
-    /// <param name="header">The header, when there is one.</param>
+    /// <param name="header">The header, if the method returns true.</param>
     /// <returns>
-    /// False when fewer than 64 bytes are given, a token is wrong, the version is unknown or the packet would have more bytes than an int
-    /// counts.
+    /// False if there are fewer than 64 bytes, a token is wrong, the version is unknown, or the size of the packet exceeds an int.
     /// </returns>
     public static bool TryRead(ReadOnlySpan<byte> source, out MotionHeader header)
     {
@@ -79,9 +81,11 @@ public readonly record struct MotionHeader
         return true;
     }
 
-    /// <summary>Writes the 64 bytes of the header, in the layout that <see cref="Version"/> announces.</summary>
+    /// <summary>Writes the 64 bytes of the header, in the layout that corresponds to <see cref="Version"/>.</summary>
     /// <param name="destination">At least 64 bytes.</param>
-    /// <exception cref="InvalidOperationException"><see cref="ValueCount"/> does not fit the layout: 0 to 65,535 in New, not negative in Old.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// <see cref="ValueCount"/> does not fit the layout: it must be 0 to 65,535 in New, and not negative in Old.
+    /// </exception>
     public void Write(Span<byte> destination)
     {
         Span<byte> target = destination[..ProtocolConstants.HeaderSize];
@@ -94,14 +98,14 @@ public readonly record struct MotionHeader
             WriteOld(target);
     }
 
-    // The caller has seen 64 bytes and both tokens.
+    // The caller has checked that there are 64 bytes and both tokens.
     internal static MotionHeader Read(ReadOnlySpan<byte> source)
     {
         DataVersion version = DataVersion.Read(source[2..]);
         return version.Layout == HeaderLayout.Old ? ReadOld(source, version) : ReadNew(source, version);
     }
 
-    // Single fields, for the receive path, which does not need the others.
+    // Reads single fields for the receive path, which does not need the others.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static uint ReadValueCount(ReadOnlySpan<byte> source) => DataVersion.IsOld(source[2..])
         ? BinaryPrimitives.ReadUInt32LittleEndian(source[6..])

@@ -1,8 +1,8 @@
 namespace NeuronMocap.Protocol;
 
-// Joins the pieces in which one sender's bytes arrive. Packets and lines that lie whole in a piece are read in place; only the unfinished tail
-// of a piece is copied, and grows by no more than the scanner asked for until it is a packet or is known to be none. Not thread-safe.
-// The tap, where there is one, is shown the pieces as they come.
+// Joins the pieces in which one sender's bytes arrive. Packets and lines that lie completely in a piece are read in place. Only the unfinished tail of a
+// piece is copied. The tail grows by the number of bytes that the scanner asks for, until it is a packet or is known not to be one. The tap, if any, gets
+// each piece as received. Not thread-safe.
 internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver receiver, StreamTap? tap = null)
 {
     private const int InitialCapacity = 4096;
@@ -12,10 +12,10 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
     private int _tailLength;
     private int _needed;
 
-    // What the packets carry: PacketOrigin.
+    // The PacketOrigin of the packets.
     public int Origin { get; set; }
 
-    // Bytes that arrived and are not yet known to be a packet.
+    // Number of received bytes that are not yet known to be a packet.
     public int PendingBytes => _tailLength;
 
     public void Push(ArraySegment<byte> piece, long timestamp)
@@ -36,11 +36,11 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
             KeepTail(Deliver(piece.Array!, piece.Offset, piece.Count, timestamp));
     }
 
-    // Whether a piece begins with a line of text of its own while the tail is an unfinished one. A tail of digits alone may be the start of the
+    // Whether a piece begins with its own line of text while the tail is an unfinished line. A tail that consists only of digits may be the start of the
     // piece's first number.
     public bool StartsAnew(ReadOnlySpan<byte> piece) => _scanner.IsInsideLine && TextLine.BeginsLine(piece);
 
-    // Gives up the unfinished tail: what follows it is known to be missing.
+    // Drops the unfinished tail, because the bytes after it are known to be missing.
     public void Abandon()
     {
         int length = _tailLength;
@@ -50,14 +50,14 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
             receiver.OnSkipped(_tail.AsSpan(0, length), SkipReason.Incomplete);
     }
 
-    // For bytes that continue nothing, and begin something.
+    // Called if the next bytes do not continue the earlier ones, and begin a packet or a line.
     public void BeginAnew() => _scanner.Begin();
 
-    // For a sender that was heard too late to know whether its first bytes begin anything.
+    // Called for a sender that was heard too late to know whether its first bytes begin a packet or a line.
     public void JoinLate() => _scanner.Restart();
 
-    // Returns what no packet was found in yet. What every packet passes from here on is inlined by hand where it is small: code that is
-    // compiled ahead of time has no profile that tells.
+    // Returns the bytes in which no packet was found yet. Small methods on the path of every packet are inlined by attribute, because code that is
+    // compiled ahead of time has no profile.
     private ArraySegment<byte> Deliver(byte[] bytes, int offset, int count, long timestamp)
     {
         while (count > 0)
@@ -90,7 +90,7 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
             receiver.OnPacket(new ReceivedPacket(scan.Kind, _scanner.Image, 0, _scanner.ImageLength, timestamp, Origin));
     }
 
-    // The rest may lie inside the tail itself; the copy handles the overlap.
+    // The rest may lie inside the tail itself; BlockCopy handles the overlap.
     private void KeepTail(ArraySegment<byte> rest)
     {
         if (rest.Count > 0 && (rest.Array != _tail || rest.Offset > 0))
@@ -109,7 +109,7 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
         _tailLength += bytes.Count;
     }
 
-    // For what has arrived, not for what a header announces: else 64 bytes of anybody's would take 100 KB here.
+    // Reserves memory for received bytes, not for the size in a header. Otherwise 64 bytes from any sender would allocate 100 KB.
     private void Reserve(int length)
     {
         if (_tail.Length < length)

@@ -3,15 +3,13 @@ using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Protocol;
 
-/// <summary>
-/// Writes packets as a server does. Allocates nothing; the caller owns the memory.
-/// </summary>
+/// <summary>Writes packets as a server does. Allocates nothing; the caller owns the memory.</summary>
 public static class PacketEncoder
 {
     /// <summary>Writes a motion packet.</summary>
-    /// <param name="destination">Room for 64 bytes and four for every value.</param>
+    /// <param name="destination">Room for 64 bytes, and 4 for every value.</param>
     /// <param name="header">The header; its count is replaced by the number of values.</param>
-    /// <param name="values">The values in wire order: cm and degrees.</param>
+    /// <param name="values">The values in stream order, in cm and degrees.</param>
     /// <returns>Number of bytes written.</returns>
     /// <exception cref="ArgumentException">The destination is too short.</exception>
     /// <exception cref="InvalidOperationException">There are more values than the layout can count.</exception>
@@ -24,9 +22,9 @@ public static class PacketEncoder
     }
 
     /// <summary>Writes a calculation packet.</summary>
-    /// <param name="destination">Room for 64 bytes and four for every value.</param>
+    /// <param name="destination">Room for 64 bytes, and 4 for every value.</param>
     /// <param name="header">The header; its count is replaced by the number of values.</param>
-    /// <param name="values">The values in wire order: metres, metres per second and the sensors' units.</param>
+    /// <param name="values">The values in stream order, in metres, metres per second and the units of the sensors.</param>
     /// <returns>Number of bytes written.</returns>
     /// <exception cref="ArgumentException">The destination is too short.</exception>
     public static int WriteCalculation(Span<byte> destination, in CalculationHeader header, ReadOnlySpan<float> values)
@@ -41,7 +39,7 @@ public static class PacketEncoder
     /// <param name="destination">Room for 64 bytes and the payload.</param>
     /// <param name="header">The header; its count is replaced by the number of bytes.</param>
     /// <param name="payload">
-    /// What follows the header, as it shall stand on the wire: for each of the 59 bones 20 binary32 values and a 32-bit flag, little-endian.
+    /// The bytes after the header, exactly as sent. Each of the 59 bones has 20 binary32 values and a 32-bit flag, little-endian.
     /// </param>
     /// <returns>Number of bytes written.</returns>
     /// <exception cref="ArgumentException">The destination is too short.</exception>
@@ -49,7 +47,7 @@ public static class PacketEncoder
     {
         int length = ProtocolConstants.HeaderSize + payload.Length;
         if (destination.Length < length)
-            throw new ArgumentException($"A packet of {payload.Length} bytes needs {length} bytes; there are {destination.Length}.", nameof(destination));
+            throw new ArgumentException($"A packet of {payload.Length} bytes needs {length} bytes; the destination has {destination.Length}.", nameof(destination));
 
         (header with { ByteCount = payload.Length }).Write(destination);
         payload.CopyTo(destination[ProtocolConstants.HeaderSize..]);
@@ -60,7 +58,7 @@ public static class PacketEncoder
     {
         int length = ProtocolConstants.HeaderSize + (valueCount * sizeof(float));
         if (destination.Length < length)
-            throw new ArgumentException($"A packet of {valueCount} values needs {length} bytes; there are {destination.Length}.", nameof(destination));
+            throw new ArgumentException($"A packet of {valueCount} values needs {length} bytes; the destination has {destination.Length}.", nameof(destination));
 
         return length;
     }

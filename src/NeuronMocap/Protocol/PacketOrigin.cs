@@ -1,12 +1,12 @@
 namespace NeuronMocap.Protocol;
 
-// Who a packet is from: the number that users see as the frame's sender, and how often that sender started anew. Both in one number, because every
-// packet carries it. A new run may count its frames from anywhere: what follows is neither late nor a gap.
+// The origin of a packet: the sender number that users see, and how often that sender restarted. Both are in one number, because every packet carries it.
+// A new run can start its frame numbers anywhere, so its frames are neither late nor a gap.
 internal static class PacketOrigin
 {
     private const int RunShift = 24;
 
-    // The largest number of senders; after it the numbers begin again.
+    // The largest number of senders; the numbers then start again.
     private const int SenderMask = (1 << RunShift) - 1;
 
     public static int Create(int sender, int run) => (sender & SenderMask) | (run << RunShift);

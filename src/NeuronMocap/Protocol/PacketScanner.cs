@@ -2,26 +2,26 @@ using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Protocol;
 
-/// <summary>
-/// Finds where packets begin and end in a stream of bytes; it does not interpret what they carry.
+/// <summary>Finds the boundaries of packets in a stream of bytes. It does not interpret their contents.</summary>
+/// <remarks>
 /// <para>
-/// A packet begins where its first token stands and its second one stands 62 bytes later; its header then gives the length. The stream has
-/// no checksum and no length prefix, so after anything unexpected the only way back is the next such place (protocol.md section 5).
-/// Limits are checked on the header, before anyone waits for or stores the announced payload.
+/// A packet has its second token 62 bytes after the first one; its header then gives the length. The stream has no checksum and no length prefix. After
+/// unexpected bytes, the scanner can therefore only search for the next such place (protocol.md section 5). It checks limits in the header, before a
+/// caller waits for the announced payload or stores it.
 /// </para>
 /// <para>
-/// All state between two calls is the bytes that the caller keeps and the length that <see cref="ScanStatus.NeedMoreData"/> asked for: waiting
-/// for that length before the next call makes a stream that drips in byte by byte cost no more than one that arrives whole.
-/// Any splitting of the same bytes gives the same packets and the same total of skipped bytes. Thread-safe.
+/// The scanner has no state. The caller keeps the bytes, and the length that <see cref="ScanStatus.NeedMoreData"/> asked for. Wait for that length before
+/// the next call: a stream that arrives byte by byte then costs no more than one that arrives in large pieces.
 /// </para>
-/// </summary>
+/// <para>Any splitting of the same bytes gives the same packets and the same total of skipped bytes. Thread-safe.</para>
+/// </remarks>
 public sealed class PacketScanner
 {
     private readonly int _maxValues;
 
     /// <summary>Makes a scanner.</summary>
     /// <param name="maxValues">Largest number of values that a packet may announce, 1 to 1,000,000; packets with more are skipped.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The limit is outside its range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The limit is out of range.</exception>
     public PacketScanner(int maxValues = ProtocolConstants.DefaultMaxValues)
     {
         if (maxValues is < 1 or > 1_000_000)
@@ -32,9 +32,9 @@ public sealed class PacketScanner
 
     internal int MaxValues => _maxValues;
 
-    /// <summary>Looks at the start of some bytes.</summary>
-    /// <param name="source">Bytes in the order of their arrival; only read.</param>
-    /// <returns>A packet, a number of bytes to wait for, or a number of bytes to skip; never a length of zero.</returns>
+    /// <summary>Examines the start of a sequence of bytes.</summary>
+    /// <param name="source">Bytes in the order of their arrival; they are only read.</param>
+    /// <returns>A packet, a number of bytes to wait for, or a number of bytes to skip. The length is never zero.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public ScanResult Scan(ReadOnlySpan<byte> source)
     {
@@ -55,11 +55,11 @@ public sealed class PacketScanner
         return source.Length < length ? NeedMoreData(length) : new ScanResult(ScanStatus.Packet, length, kind);
     }
 
-    // Whether the bytes begin with a whole header that this scanner accepts.
+    // Whether the bytes begin with a complete header that this scanner accepts.
     internal bool StartsPacket(ReadOnlySpan<byte> source) =>
         source.Length >= ProtocolConstants.HeaderSize && Scan(source).Status != ScanStatus.Skipped;
 
-    // Less than a header.
+    // Handles fewer bytes than a header.
     private static ScanResult ScanStart(ReadOnlySpan<byte> source)
     {
         if (source.Length == 0)
@@ -67,14 +67,14 @@ public sealed class PacketScanner
         if (!MayStartPacket(source))
             return Skip(source, SkipReason.NoTokens);
 
-        // One byte asks for the second, not for 64: the second byte of noise has to be enough to skip it, or the total would depend on the
-        // splitting.
+        // After one byte, wait for the second byte, not for 64. The second byte of noise must be enough to skip it; otherwise the total would depend on
+        // the splitting.
         return NeedMoreData(source.Length < 2 ? 2 : ProtocolConstants.HeaderSize);
     }
 
     private static ScanResult NeedMoreData(int length) => new(ScanStatus.NeedMoreData, length);
 
-    // Up to the next place that may start a packet; at least one byte.
+    // Skips to the next place that may start a packet; at least one byte.
     private static ScanResult Skip(ReadOnlySpan<byte> source, SkipReason reason)
     {
         int position = 1;
@@ -94,7 +94,7 @@ public sealed class PacketScanner
         return new ScanResult(ScanStatus.Skipped, position, Reason: reason);
     }
 
-    // The second token is looked at only where the whole header is there: a shorter one has to wait whatever the splitting.
+    // Checks the second token only if the whole header is there. A shorter header must wait, whatever the splitting.
     private static bool MayStartPacket(ReadOnlySpan<byte> source)
     {
         if (source.Length >= ProtocolConstants.HeaderSize)

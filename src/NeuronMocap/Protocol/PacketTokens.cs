@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Protocol;
 
-// The pair of tokens that frames every header: two bytes at offset 0, two at offset 62.
+// The pair of tokens that encloses every header: two bytes at offset 0, and two at offset 62.
 internal static class PacketTokens
 {
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -19,7 +19,7 @@ internal static class PacketTokens
         _ => PacketKind.None,
     };
 
-    // The caller has seen 64 bytes.
+    // The caller has checked that there are 64 bytes.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static PacketKind KindOf(ReadOnlySpan<byte> header)
     {

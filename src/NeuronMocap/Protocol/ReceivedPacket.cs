@@ -2,9 +2,9 @@ using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Protocol;
 
-// One whole packet on its way to the consumers. The bytes belong to the receive buffer and are valid only during the call that hands them over.
-// Array, offset and length stand by themselves: a nested segment is copied as a whole right after its parts were written, which stalls the
-// processor in every frame.
+// One complete packet on its way to the consumers. Its bytes belong to the receive buffer and are valid only during the call that delivers them. Array,
+// offset and length are separate fields. A nested segment would be copied as a whole directly after its parts were written, which stalls the processor in
+// every frame.
 internal readonly struct ReceivedPacket(PacketKind kind, byte[] array, int offset, int length, long timestamp, int origin)
 {
     public ReceivedPacket(PacketKind kind, ArraySegment<byte> bytes, long timestamp, int origin)
@@ -22,7 +22,7 @@ internal readonly struct ReceivedPacket(PacketKind kind, byte[] array, int offse
 
     public readonly long Timestamp = timestamp;
 
-    // See PacketOrigin.
+    // The PacketOrigin.
     public readonly int Origin = origin;
 
     public int Sender => PacketOrigin.SenderOf(Origin);
@@ -33,13 +33,13 @@ internal readonly struct ReceivedPacket(PacketKind kind, byte[] array, int offse
         get => Array.AsSpan(Offset, Length);
     }
 
-    // Of frames. Calculation packets of either kind have it in the same place.
+    // For frames only. Both kinds of calculation packets have the index in the same place.
     public uint AvatarIndex =>
         Kind == PacketKind.Motion ? MotionHeader.ReadAvatarIndex(Bytes) : CalculationHeader.ReadAvatarIndex(Bytes);
 
-    // Whether it came as a line of text: the bytes are then what TextLine made of it, and lack the second token of what comes off the wire.
+    // Whether the packet arrived as a line of text. TextLine then made the bytes, and they lack the second token that binary packets have.
     public bool IsText => TextLine.IsImage(Bytes);
 
-    // Whether it carries values: commands do not, and a server may send packets of none.
+    // Whether the packet has values. Commands have none, and a server can send other packets without values.
     public bool IsFrame => Kind != PacketKind.Command && Length > ProtocolConstants.HeaderSize;
 }

@@ -1,59 +1,59 @@
 namespace NeuronMocap.Protocol;
 
-/// <summary>The three answers of <see cref="PacketScanner"/>.</summary>
+/// <summary>The three possible results of <see cref="PacketScanner"/>.</summary>
 public enum ScanStatus
 {
-    /// <summary>The bytes may start a packet, but not all of it is there: call again when <see cref="ScanResult.Length"/> bytes are.</summary>
+    /// <summary>The bytes may start a packet but are incomplete. Call again when there are <see cref="ScanResult.Length"/> bytes.</summary>
     NeedMoreData,
 
-    /// <summary>The first <see cref="ScanResult.Length"/> bytes are one whole packet.</summary>
+    /// <summary>The first <see cref="ScanResult.Length"/> bytes are one complete packet.</summary>
     Packet,
 
-    /// <summary>The first <see cref="ScanResult.Length"/> bytes belong to no packet: drop them and go on.</summary>
+    /// <summary>The first <see cref="ScanResult.Length"/> bytes belong to no packet; skip them.</summary>
     Skipped,
 }
 
-/// <summary>Why bytes were skipped.</summary>
+/// <summary>The reason why bytes were skipped.</summary>
 public enum SkipReason
 {
-    /// <summary>There was no pair of tokens: noise, the rest of a packet whose start was missed, or another protocol.</summary>
+    /// <summary>There was no pair of tokens: the bytes are noise, the rest of a packet whose start was missed, or another protocol.</summary>
     NoTokens,
 
-    /// <summary>Both tokens of a motion header, but a data version other than 1.0 and 1.1.</summary>
+    /// <summary>A motion header has both tokens, but a data version other than 1.0 and 1.1.</summary>
     UnknownVersion,
 
-    /// <summary>Both tokens, but more values or a larger payload than the limit allows.</summary>
+    /// <summary>A header has both tokens, but announces more values or a larger payload than the limit allows.</summary>
     TooLarge,
 
-    /// <summary>The start of a packet whose rest never came: a lost datagram, or a connection that ended.</summary>
+    /// <summary>The start of a packet whose rest never arrived: a datagram was lost, or the connection ended.</summary>
     Incomplete,
 
     /// <summary>
-    /// A line of the text stream with another number of values than the 59 bones have, or with a word that is no number: protocol.md section 8.
+    /// A line of the text stream lacks the values of the 59 bones, or contains a word that is not a number: protocol.md section 8.
     /// </summary>
     MalformedLine,
 
     /// <summary>
-    /// A line of the text stream with a few words more than a frame has: the avatar's name has spaces, and numbers among its words, which cannot be
-    /// told from the values. Names with spaces are read when no word of them is a number.
+    /// A line of the text stream has a few more words than a frame. The avatar's name contains spaces, and numbers among its words, which look like
+    /// values. Names with spaces can be read if none of their words is a number.
     /// </summary>
     AmbiguousName,
 
-    /// <summary>Over UDP, a datagram of one sender too many: 64 others deliver frames.</summary>
+    /// <summary>Over UDP, the sender of a datagram exceeds the limit: 64 other senders already deliver frames.</summary>
     TooManySenders,
 
-    /// <summary>Motion data on the port of calculation data (CalculationPort).</summary>
+    /// <summary>Motion data arrived on the port of calculation data (CalculationPort).</summary>
     NotCalculation,
 
     /// <summary>
-    /// A line of the text stream with as many numbers as a motion frame has values, and without the avatar's number and name in front of them.
+    /// A line of the text stream has as many numbers as a motion frame has values, but not the avatar's number and name before them.
     /// </summary>
     MissingAvatar,
 }
 
-/// <summary>What <see cref="PacketScanner"/> found at the start of the bytes it was given.</summary>
-/// <param name="Status">Which of the three answers this is.</param>
-/// <param name="Length">Bytes of the packet, bytes to drop, or bytes that must be there before the next call can tell more.</param>
-/// <param name="Kind">Kind of the packet; <see cref="PacketKind.None"/> unless there is one.</param>
-/// <param name="Reason">Why the bytes are dropped; without meaning unless they are.</param>
+/// <summary>The result of <see cref="PacketScanner"/> for the start of the given bytes.</summary>
+/// <param name="Status">The kind of the result.</param>
+/// <param name="Length">Number of bytes of the packet, bytes to skip, or bytes that the next call needs.</param>
+/// <param name="Kind">Kind of the packet; <see cref="PacketKind.None"/> if there is no packet.</param>
+/// <param name="Reason">Why the bytes are skipped; meaningful only if they are.</param>
 public readonly record struct ScanResult(ScanStatus Status, int Length, PacketKind Kind = PacketKind.None, SkipReason Reason = SkipReason.NoTokens);

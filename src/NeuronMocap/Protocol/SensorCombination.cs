@@ -1,6 +1,6 @@
 namespace NeuronMocap;
 
-/// <summary>Which sensors an avatar wears: the vendor's "SensorCombinationModes" (protocol.md section 2.4).</summary>
+/// <summary>The set of sensors that an avatar wears: the vendor's "SensorCombinationModes" (protocol.md section 2.4).</summary>
 public enum SensorCombination
 {
     /// <summary>One arm.</summary>

@@ -2,19 +2,19 @@ using System.Net;
 
 namespace NeuronMocap.Protocol;
 
-// Shows every piece of bytes as it arrived, before anything is made of it, to whoever records it. While nobody does, a piece costs a comparison.
+// Passes every piece of bytes to recordings as it arrived, before it is parsed. Without a recording, a piece costs one comparison.
 //
-// Opening, pieces and closing come one after the other, on threads that hand over to each other. A listener may come and go on any thread in
-// between: the lock makes it see a connection either as one that stands already or as one that opens. Where a reader has two connections, each has a
-// tap of its own; they share listeners, and the receive lock of the reader keeps their threads apart. Handlers hold it when they add a listener, so
-// it is always taken before the lock.
+// Open, OnBytes and Close are called one after another, on threads that hand over to each other. Other threads can add and remove listeners at any time.
+// The lock ensures that a listener sees a connection either as already open or as opening. A reader with two connections has a tap for each. The taps
+// share their listeners, and the receive lock of the reader separates their threads. Handlers hold the receive lock when they add a listener, so it is
+// always taken before the lock.
 internal sealed class StreamTap
 {
     private readonly object? _receiveLock;
     private readonly StreamTap _first;
     private readonly bool _isCalculation;
 
-    // The first one's, for all of them.
+    // All taps use the lock of the first tap.
     private readonly object _lock = new();
     private readonly List<StreamTap> _taps = [];
     private volatile IStreamListener[]? _listeners;
@@ -39,11 +39,11 @@ internal sealed class StreamTap
 
     public bool IsListened => _first._listeners is not null;
 
-    // For the connection of a calculation port; before anything is received.
+    // For the connection of a calculation port. Called before anything is received.
     public StreamTap AddCalculation() => new(this);
 
-    // Receive thread. The sender is the address of a datagram's sender as the system writes it, otherwise empty; its number is that of this
-    // address and port alone.
+    // Receive thread. The sender is the address of the datagram's sender, in the format of the system, or empty for TCP. Its number identifies this
+    // address and port.
     public void OnBytes(int number, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
     {
         if (_first._listeners is not { } listeners)
@@ -72,7 +72,7 @@ internal sealed class StreamTap
         }
     }
 
-    // Of a connection that never came to stand, nothing is told.
+    // Reports nothing for a connection that was never established.
     public void Close(string reason, long timestamp)
     {
         lock (_receiveLock ?? _first._lock)
@@ -103,7 +103,7 @@ internal sealed class StreamTap
         }
     }
 
-    // A piece that is just being told may still reach it.
+    // The listener may still receive a piece that is being passed on at this moment.
     public void Remove(IStreamListener listener)
     {
         lock (_first._lock)
@@ -123,7 +123,7 @@ internal sealed class StreamTap
     }
 }
 
-// Called one at a time. May neither wait nor throw.
+// Called one at a time. Implementations must not wait or throw.
 internal interface IStreamListener
 {
     void OnOpened(StreamConnection connection, bool wasOpen, long timestamp);
@@ -135,6 +135,6 @@ internal interface IStreamListener
 
 internal sealed record StreamConnection(int Number, bool IsDatagrams, EndPoint? Local, EndPoint? Remote)
 {
-    // Whether it is that of the calculation port, beside the reader's first one.
+    // Whether this is the connection of the calculation port, beside the reader's first connection.
     public bool IsCalculation { get; init; }
 }

@@ -3,50 +3,52 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap;
 
-/// <summary>The header of Axis Studio's calculation packet, token 0xDCCF: protocol.md section 9.</summary>
+/// <summary>The header of Axis Studio's calculation packet, token 0xDCCF: see protocol.md section 9.</summary>
 public readonly record struct StudioCalculationHeader
 {
-    /// <summary>Value of <see cref="DataMask"/> in the packets whose layout is known: all seven groups of values of each bone.</summary>
+    /// <summary>Value of <see cref="DataMask"/> in packets with the known layout: all seven groups of values for each bone.</summary>
     public const uint FullDataMask = 0xFE;
 
-    /// <summary>Makes the header that Axis Studio sends: version 2.0.0.0, all groups of values.</summary>
+    /// <summary>Makes a header as Axis Studio sends it: version 2.0.0.0, all groups of values.</summary>
     public StudioCalculationHeader()
     {
         Version = DataVersion.StudioCalculation;
         DataMask = FullDataMask;
     }
 
-    /// <summary>Version of the data format. The layout of the values is known for 2.0 only.</summary>
+    /// <summary>Version of the data format. The layout of the values is known only for 2.0.</summary>
     public DataVersion Version { get; init; }
 
-    /// <summary>Number of bytes, not of values, that follow the header: 4956 for 59 bones.</summary>
+    /// <summary>Number of bytes, not of values, after the header: 4956 for 59 bones.</summary>
     public int ByteCount { get; init; }
 
-    /// <summary>Number of the avatar on the server, from 0. The wire has no sign; numbers from 2³¹ on, which no server uses, are negative here.</summary>
+    /// <summary>
+    /// Number of the avatar on the server, from 0. The number is unsigned in the stream. Numbers from 2³¹ on, which no server uses, are negative here.
+    /// </summary>
     public int AvatarIndex { get; init; }
 
     /// <summary>Name of the avatar.</summary>
     public AvatarName AvatarName { get; init; }
 
-    /// <summary>The server's frame counter; see <see cref="MotionHeader.FrameIndex"/> for what it is good for.</summary>
+    /// <summary>The server's frame counter; <see cref="MotionHeader.FrameIndex"/> describes its use.</summary>
     public uint FrameIndex { get; init; }
 
     /// <summary>The category field, kept as received; its meaning is not documented.</summary>
     public uint Category { get; init; }
 
-    /// <summary>Which groups of values each bone carries; <see cref="FullDataMask"/> in all captures.</summary>
+    /// <summary>The groups of values that each bone has; <see cref="FullDataMask"/> in all captures.</summary>
     public uint DataMask { get; init; }
 
     /// <summary>The reserved field, kept as received.</summary>
     public uint Reserved { get; init; }
 
-    /// <summary>Bytes of the whole packet.</summary>
+    /// <summary>Size of the whole packet in bytes.</summary>
     public int PacketSize => ProtocolConstants.HeaderSize + ByteCount;
 
     /// <summary>Reads a header.</summary>
     /// <param name="source">Bytes that start at the first token.</param>
-    /// <param name="header">The header, when there is one.</param>
-    /// <returns>False when fewer than 64 bytes are given, a token is wrong or the packet would have more bytes than an int counts.</returns>
+    /// <param name="header">The header, if the method returns true.</param>
+    /// <returns>False if there are fewer than 64 bytes, a token is wrong, or the size of the packet exceeds an int.</returns>
     public static bool TryRead(ReadOnlySpan<byte> source, out StudioCalculationHeader header)
     {
         header = default;
@@ -77,7 +79,7 @@ public readonly record struct StudioCalculationHeader
         BinaryPrimitives.WriteUInt32LittleEndian(target[58..], Reserved);
     }
 
-    // The caller has seen 64 bytes and both tokens.
+    // The caller has checked that there are 64 bytes and both tokens.
     internal static StudioCalculationHeader Read(ReadOnlySpan<byte> source) => new()
     {
         Version = DataVersion.Read(source[2..]),
@@ -90,7 +92,7 @@ public readonly record struct StudioCalculationHeader
         Reserved = BinaryPrimitives.ReadUInt32LittleEndian(source[58..]),
     };
 
-    // Single fields, for the receive path, which does not need the others.
+    // Reads single fields for the receive path, which does not need the others.
     internal static uint ReadByteCount(ReadOnlySpan<byte> source) => BinaryPrimitives.ReadUInt32LittleEndian(source[6..]);
 
     internal static uint ReadAvatarIndex(ReadOnlySpan<byte> source) => BinaryPrimitives.ReadUInt32LittleEndian(source[10..]);

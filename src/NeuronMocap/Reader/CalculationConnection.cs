@@ -4,7 +4,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Reader;
 
-// The second connection of a reader, to the port of calculation data. It connects, ends and reconnects by itself.
+// The second connection of a reader, to the port of calculation data. It connects, ends and reconnects independently.
 internal sealed class CalculationConnection
 {
     private readonly StatusPublisher _status;
@@ -24,7 +24,7 @@ internal sealed class CalculationConnection
 
     public ConnectionStatus Status => _status.Current;
 
-    // Completes when stopped or, with reconnecting off, after the first link.
+    // Completes when the reader is stopped or, if reconnecting is off, after the first link.
     public async Task RunAsync(CancellationToken cancellationToken)
     {
         ConnectionStatus last;

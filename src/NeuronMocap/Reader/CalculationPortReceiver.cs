@@ -3,7 +3,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Reader;
 
-// What happens to a packet of the calculation port until it goes the way of those of the first connection. Receive loop of its own link.
+// Handles the packets of the calculation port until they join the path of the first connection. Called by the receive loop of its own link.
 internal sealed class CalculationPortReceiver(ReceivePipeline pipeline, StreamRecognizer recognizer, LinkActivity activity, StreamTap tap) : IPacketReceiver, ILinkListener
 {
     public StreamTap? Tap => tap;

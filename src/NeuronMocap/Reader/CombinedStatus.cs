@@ -2,8 +2,8 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Reader;
 
-// Makes one status of those of two connections. The first one's counts; of the one to the calculation port it gets a sentence, and a reason where
-// there is no other. Statuses come in the order of each connection, on any thread.
+// Combines the statuses of two connections. The status of the first connection is decisive. The calculation port adds a sentence, and a reason if the
+// first connection has none. The statuses of each connection arrive in order, on any thread.
 internal sealed class CombinedStatus(Action<ConnectionStatus> changed, int calculationPort)
 {
     private readonly StatusPublisher _combined = new(changed);
@@ -23,11 +23,11 @@ internal sealed class CombinedStatus(Action<ConnectionStatus> changed, int calcu
     public void OnCalculation(ConnectionStatus status) => _combined.TrySet(
         told =>
         {
-            // The reader stops, and its first connection tells that.
+            // The reader is stopping; its first connection reports that.
             if (status is { State: ConnectionState.Stopped, Reason: ConnectionReason.Requested })
                 return false;
 
-            // The next attempt says nothing that the failure of the last one did not.
+            // The next attempt adds nothing to the failure of the last one.
             if (status.State != ConnectionState.Connecting || _calculation.State is ConnectionState.Created)
                 _calculation = status;
 
@@ -55,7 +55,7 @@ internal sealed class CombinedStatus(Action<ConnectionStatus> changed, int calcu
         (ConnectionState.Connected, _) => "connected; waiting for frames.",
         (ConnectionState.Receiving, ConnectionReason.None) => "receiving.",
         (ConnectionState.Waiting or ConnectionState.Stopped, ConnectionReason.Refused) =>
-            "connection refused. Switch calculation data on in Axis Neuron's broadcasting settings, and check that its port is the same.",
+            "connection refused. Switch on calculation data in Axis Neuron's broadcasting settings, and check that its port is the same.",
         (ConnectionState.Waiting or ConnectionState.Stopped, ConnectionReason.PortInUse) => "used by another program.",
         _ => _calculation.Message,
     };

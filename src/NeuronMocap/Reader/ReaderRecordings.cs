@@ -7,7 +7,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Reader;
 
-// The recordings and exports of one reader, and what is written at the head of its recordings. Any thread.
+// The recordings and exports of one reader, and the metadata at the head of its recordings. Any thread.
 internal sealed class ReaderRecordings
 {
     private readonly object _lock = new();
@@ -31,16 +31,16 @@ internal sealed class ReaderRecordings
 
     public StreamTap Tap { get; }
 
-    // Those that ended stay until the report has told it.
+    // Ended outputs stay in this list until their end is reported.
     public IReadOnlyList<IFileOutput> All => _all;
 
-    // Whether somebody waits for reports.
+    // Whether a consumer of reports exists.
     public Func<bool> IsObserved { get; set; } = static () => false;
 
-    // Called when a recording has begun, and may want to know more about the server.
+    // Called when a recording has begun and may need more information about the server.
     public Action Started { get; set; } = static () => { };
 
-    // Called when a recording or an export has ended, on its thread: somebody waits for the report.
+    // Called when a recording or an export has ended, on its thread: its end must be reported.
     public Action Report { get; set; } = static () => { };
 
     public StreamRecorder Start(string path, RecordingOptions options, object reader)
@@ -57,7 +57,7 @@ internal sealed class ReaderRecordings
         return recorder;
     }
 
-    // Ends with the reader; the caller tells OnEnded.
+    // The output ends with the reader. The caller makes sure that OnEnded is called.
     public void Add(IFileOutput output)
     {
         lock (_lock)
@@ -68,7 +68,7 @@ internal sealed class ReaderRecordings
                 _all = [.. _all, output];
         }
 
-        // It may have ended before it was known here.
+        // The output may have ended before it was added.
         if (output.Completion.IsCompleted)
             OnEnded(output);
     }
@@ -95,7 +95,7 @@ internal sealed class ReaderRecordings
             Learn(RecordingMetadata.StreamFormatKey, format.ToString());
     }
 
-    // Ends all of them, and those that somebody begins now. Completes when their files are closed, or after half of what a stop may take.
+    // Ends all outputs, and any output that is added now. Completes when their files are closed, or after half of the stop timeout.
     public async Task StopAsync()
     {
         lock (_lock)

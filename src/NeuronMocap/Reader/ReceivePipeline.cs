@@ -9,7 +9,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Reader;
 
-// What happens to a packet between the receive thread and the consumers, and who the consumers are.
+// The path of a packet from the receive thread to the consumers, and the list of consumers.
 internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderStatistics
 {
     private const string StreamName = "stream";
@@ -23,7 +23,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     private readonly ReaderRecordings _recordings;
     private readonly Func<bool>? _backPressure;
 
-    // Of a reader with two connections, whose threads take turns from here on: everything behind has one producer. Null for one connection.
+    // For a reader with two connections. Their threads take turns from here on, so all later code has one producer. Null for one connection.
     private readonly object? _receiveLock;
     private readonly StreamCounters _counters;
     private readonly PacketDispatcher _dispatcher;
@@ -72,7 +72,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
 
     public DataCommands Commands { get; }
 
-    // The thread that is handing out a packet, or 0. Other threads may see an old value.
+    // The thread that is delivering a packet, or 0. Other threads may see an old value.
     public int DeliveringThread { get; private set; }
 
     public void OnPacket(in ReceivedPacket packet)
@@ -106,7 +106,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         }
     }
 
-    // Of either of two connections.
+    // For either of two connections.
     public void DeliverInTurn(in ReceivedPacket packet)
     {
         lock (_receiveLock!)
@@ -140,7 +140,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         _activity.OnSkipped(bytes, reason);
     }
 
-    // Of either connection.
+    // For either connection.
     public void CountText(int bytes)
     {
         if (_stopped)
@@ -156,7 +156,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
             _counters.CountText(bytes);
     }
 
-    // Of either connection.
+    // For either connection.
     public void CountSkipped(int bytes, SkipReason reason)
     {
         if (_receiveLock is null)
@@ -180,10 +180,10 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
 
     public void OnLinkClosed() => Commands.OnLinkClosed();
 
-    // From here on nothing is delivered, even where the receive thread still holds bytes; packets are counted.
+    // After this call nothing is delivered, even if the receive thread still has bytes; it only counts the packets.
     public void Stop() => _stopped = true;
 
-    // No more packets will come.
+    // Called when no more packets will arrive.
     public void End() => _counters.Queues.CompleteAdding();
 
     public FrameQueue OpenQueue(int capacity, string name) => Open(CreateQueue(capacity, name, PacketKind.None, _backPressure));
@@ -225,7 +225,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
             Commands.OnPacket(packet);
     }
 
-    // Nobody else counts while a connection is opened, but a second one does.
+    // While a connection is opened, only a second connection can count at the same time.
     private void Resume(bool isCalculation)
     {
         lock (_receiveLock ?? _lock)

@@ -2,7 +2,7 @@ using NeuronMocap.Diagnostics;
 
 namespace NeuronMocap.Reader;
 
-// The program that receives a stream, for people to copy.
+// Writes a program that receives a stream, for users to copy.
 internal static class SampleProgram
 {
     public static string For(NeuronReaderOptions options, StreamEndpoint endpoint, PacketKind wanted)

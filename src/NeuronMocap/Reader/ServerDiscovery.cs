@@ -7,19 +7,19 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Reader;
 
-// Learns from the server's command channel what an Axis Neuron stream does not say: the order of the rotation values; the variant of the skeleton, from
-// the names in the BVH header; and the sizes of bodies, where somebody wants them. It asks on every connection of the reader and repeats what failed,
-// less and less often. What it learns about the format, or why it learnt nothing, becomes part of the status message. Nothing waits for it. Any thread.
+// Asks the server's command channel for what an Axis Neuron stream does not contain: the order of the rotation values and the skeleton variant, which
+// follows from the names in the BVH header. On request it also asks for the sizes of bodies. It asks on every connection of the reader, and repeats failed
+// questions at growing intervals. The status message contains what it learns about the format, or why it learns nothing. No code waits for it. Any thread.
 internal sealed class ServerDiscovery(NeuronCommandOptions options, FrameFormat format, Action learnt) : IDisposable
 {
-    // Whoever switches the command channel on while frames arrive does not want to start the reader anew.
+    // A user who switches on the command channel while frames arrive should not have to restart the reader.
     private static readonly long FirstRetry = 5 * Stopwatch.Frequency;
     private const int MaxDoublings = 3;
 
-    // Servers count from 0, and all avatars of one have the same kind of skeleton.
+    // Servers count from 0, and all avatars of a server have the same kind of skeleton.
     private const int FirstAvatar = 0;
 
-    // Indices come from the network: nobody shall fill the memory with avatars that are made up.
+    // Indices come from the network, so invented avatars must not fill the memory.
     private const int MaxBodies = 256;
 
     private readonly object _lock = new();
@@ -33,13 +33,13 @@ internal sealed class ServerDiscovery(NeuronCommandOptions options, FrameFormat 
     private long _failed;
     private volatile bool _hasNewBodies;
 
-    // What others ask, an export for example, is asked only once as well.
+    // Questions of others, for example of an export, also go through this object and are asked only once.
     public ServerInquiry Inquiry { get; } = new(options);
 
-    // Called with the sizes of the first avatar, once WantSizes was called.
+    // Called with the sizes of the first avatar, after WantSizes was called.
     public Action<BoneDimensions> SizesLearnt { get; set; } = static _ => { };
 
-    // A connection stands.
+    // A connection is established.
     public void Begin()
     {
         Inquiry.Renew();
@@ -52,7 +52,7 @@ internal sealed class ServerDiscovery(NeuronCommandOptions options, FrameFormat 
         Ask(isRetry: false);
     }
 
-    // Timer, while a connection stands.
+    // Timer, while connected.
     public void Check(long now)
     {
         bool isDue;
@@ -68,14 +68,14 @@ internal sealed class ServerDiscovery(NeuronCommandOptions options, FrameFormat 
             Ask(isDue);
     }
 
-    // From now on, and on every connection.
+    // Asks for sizes now and on every connection.
     public void WantSizes()
     {
         _areSizesWanted = true;
         Ask(isRetry: false);
     }
 
-    // Null until the server has told it. The first call makes the timer ask; none waits.
+    // Null until the server has answered. The first call makes the timer ask; no call waits.
     public SkeletonBody? FindBody(int avatarIndex)
     {
         if (_bodies.TryGetValue(avatarIndex, out BodyAnswer? answer))
@@ -87,14 +87,14 @@ internal sealed class ServerDiscovery(NeuronCommandOptions options, FrameFormat 
         return null;
     }
 
-    // Asks nothing more of its own accord. An export may still wait for an answer.
+    // Asks no more questions on its own. An export may still wait for an answer.
     public void Stop()
     {
         lock (_lock)
             _isStopped = true;
     }
 
-    // Ends the questions, without waiting for it.
+    // Cancels the questions, without waiting for their end.
     public void Dispose()
     {
         Stop();
@@ -130,7 +130,7 @@ internal sealed class ServerDiscovery(NeuronCommandOptions options, FrameFormat 
             }
             catch (Exception)
             {
-                // A fault of ours, or out of memory: tried again as after any other failure.
+                // The library has a bug, or the system is out of memory. Retries as after any other failure.
             }
 
             EndRound(isComplete, isRetry);
@@ -159,7 +159,7 @@ internal sealed class ServerDiscovery(NeuronCommandOptions options, FrameFormat 
         }
     }
 
-    // False when something has no answer. A server that is silent twice is not asked the rest: that would take very long.
+    // Returns false if a question has no answer. After two questions without an answer, the rest are not asked, because that would take very long.
     private async Task<bool> AskEverythingAsync(bool isRetry)
     {
         bool isComplete = true;

@@ -7,20 +7,20 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Reader;
 
-// Finds out from the frames of a connection what the server sends, and says it in words. The receive loop writes, anyone asks for the words.
+// Detects from the frames of a connection what the server sends, and describes it in words. The receive loop writes, any thread reads the description.
 internal sealed class StreamRecognizer(FrameFormat format)
 {
-    // One who sends the same now and then keeps another sender of the port, who sends something else, from being told in turns with it.
+    // Stays with one sender for a second, so two senders with different streams cannot make the status flip.
     private static readonly long TakeOverAfter = Stopwatch.Frequency;
 
-    // Of each kind, the newest frame's version and first reserved field: what the format and the rotation order follow from.
+    // For each kind, the version and the first reserved field of the newest frame, which determine the format and the rotation order.
     private readonly ulong[] _keys = new ulong[(int)PacketKind.StudioCalculation + 1];
     private volatile int _recognized;
     private volatile Described? _described;
     private int _sender;
     private long _seen;
 
-    // A new connection stands.
+    // A new connection is established.
     public void Reset()
     {
         Array.Clear(_keys, 0, _keys.Length);
@@ -28,7 +28,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
         _seen = 0;
     }
 
-    // Of frames only. Whether something is new: for all others two comparisons.
+    // For frames only. Returns whether the frame changes the description; for all other frames this costs two comparisons.
     public bool OnFrame(in ReceivedPacket packet)
     {
         if (packet.Sender == _sender)
@@ -39,7 +39,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
         return (_keys[(int)packet.Kind] != key || _recognized == 0) && Recognize(packet, key);
     }
 
-    // Often asked and seldom new: the words are made once.
+    // The description is read often and changes rarely, so its text is made once.
     public StreamDescription Describe()
     {
         (int recognized, DiscoveredFormat discovered) = (_recognized, format.Discovered);
@@ -77,14 +77,14 @@ internal sealed class StreamRecognizer(FrameFormat format)
         _ => $"rotation order {SkeletonFormat.Default.RotationOrder} assumed, the stream does not say",
     };
 
-    // Appendix A's is what everybody expects: nothing to say about where nobody said anything.
+    // The default, that of Appendix A, needs no mention if no other value was reported.
     private string DescribeVariant(DiscoveredFormat discovered) => (format.OptionVariant, discovered.Variant) switch
     {
         (null, { } learnt) => $"; bones with {learnt}, as {format.FormatOrigin} says",
         _ => string.Empty,
     };
 
-    // What is wrong with how the frames are understood, or may be.
+    // Finds a certain or possible error in how the frames are interpreted.
     private (ConnectionReason Reason, string Text) FindFault(Recognized stream, DiscoveredFormat discovered)
     {
         (RotationOrder? told, string teller) = stream.Order is { } order ? (order, "the stream") : (discovered.Order, format.FormatOrigin);
@@ -99,18 +99,18 @@ internal sealed class StreamRecognizer(FrameFormat format)
         {
             return (
                 ConnectionReason.SkeletonVariantMismatch,
-                $" The options say bones with {variant}, which is used, but {format.FormatOrigin} says {learnt}: one of them is wrong. Leave "
+                $" The options say bones with {variant}, which the reader uses, but {format.FormatOrigin} says {learnt}: one of them is wrong. Leave "
                 + $"SkeletonVariant out to use {learnt}.");
         }
 
         return discovered.Failure is { } failure
-            ? (ConnectionReason.NotDiscovered, $" What the stream does not say could not be asked for (CommandPort): {failure}")
+            ? (ConnectionReason.NotDiscovered, $" The command channel (CommandPort) did not provide the missing format settings: {failure}")
             : (ConnectionReason.None, string.Empty);
     }
 
     private bool Recognize(in ReceivedPacket packet, ulong key)
     {
-        // That it sends is what keeps the others out, not that it changes what it sends.
+        // Any frame of the current sender, even an unchanged one, keeps other senders out.
         if (packet.Sender != _sender && packet.Timestamp - _seen < TakeOverAfter && _recognized != 0)
             return false;
 
@@ -118,7 +118,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
         _sender = packet.Sender;
         _seen = packet.Timestamp;
 
-        // Where motion and calculation data share a connection, the motion says what the server is set to.
+        // If motion and calculation data share a connection, the motion shows the settings of the server.
         bool isMotion = packet.Kind == PacketKind.Motion;
         var known = Recognized.FromNumber(_recognized);
         if (!isMotion && known.IsMotion)
@@ -149,7 +149,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
 
     private sealed record Described(int Recognized, DiscoveredFormat Discovered, StreamDescription Description);
 
-    // One whole number, so that whoever reads it sees all of it: 0 for nothing.
+    // Fits into one integer, so readers always see a consistent value; 0 means nothing.
     private readonly record struct Recognized(StreamFormat Format, bool IsMotion, RotationOrder? Order)
     {
         public static Recognized FromNumber(int number) =>

@@ -4,7 +4,7 @@ using NeuronMocap.Delivery;
 
 namespace NeuronMocap.Telemetry;
 
-// One reader's, or one consumer's, share of a histogram. Its tags are made once, so that recording allocates nothing.
+// The part of a histogram for one reader or one consumer. Its tags are made once, so recording allocates nothing.
 internal sealed class DurationRecorder(Histogram<double> histogram, params KeyValuePair<string, object?>[] tags) : IDurationRecorder
 {
     private readonly KeyValuePair<string, object?>[] _motion = [.. tags, MeterTags.Motion];
@@ -21,7 +21,7 @@ internal sealed class DurationRecorder(Histogram<double> histogram, params KeyVa
         }
         catch (Exception)
         {
-            // A listener of the application's threw. The meter has no place for that, and the receive loop goes on.
+            // A listener of the application threw. The meter cannot report that, and the receive loop continues.
         }
     }
 

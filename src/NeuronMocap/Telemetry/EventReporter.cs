@@ -7,8 +7,8 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Telemetry;
 
-// Turns what a reader counts into events for a log. States are told as they change, on the thread that tells them; losses are found by a timer
-// that looks at the counters, so that the receive thread has nothing to do with them, however many there are.
+// Turns a reader's counters into events for a log. Changes of state are reported at once, on the thread that publishes them. A timer compares the counters
+// to find losses, so losses cost the receive thread nothing, however many there are.
 internal sealed class EventReporter(string name, IReaderStatistics figures, Action<ReaderEvent> report)
 {
     private static readonly (SkipReason Reason, string Name)[] SkipReasons =
@@ -33,13 +33,13 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
     private volatile Exception? _failure;
     private volatile bool _ended;
 
-    // For a report that another thread is just making: half of what a stop may take, so that the last status is still told within it.
+    // How long to wait for a report on another thread: half of the stop timeout, so the last status is still published within it.
     public TimeSpan EndTimeout { get; init; } = TimeSpan.FromSeconds(1);
 
-    // Whether the calling thread is making a report, so that a handler calls.
+    // Whether the calling thread is making a report, which means that a handler is calling.
     public bool IsReporting => Monitor.IsEntered(_lock);
 
-    // Completes after the end, when no report runs any more, and lets those who wait go on without a thread of the pool.
+    // Completes after the end, when no report runs. Code that awaits it continues without a pool thread.
     public Task Ended => _endedCompletion.Task;
 
     // One thread at a time, in the order of the changes.
@@ -49,7 +49,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
     // Any thread.
     public void OnFailure(Exception exception) => _failure = exception;
 
-    // Timer, and the thread of an output that has ended. A report may take longer than the timer's period: then the next one is left out.
+    // Called by the timer, and by the thread of an output that has ended. If a report takes longer than the timer's period, the next report is skipped.
     public void Check(long now)
     {
         if (!Monitor.TryEnter(_lock))
@@ -66,8 +66,8 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
         }
     }
 
-    // Once, when nothing more is received: what no report told yet. Whoever is just making a report is waited for on a thread of its own: this one
-    // may be a handler's, and the pool's are not always free.
+    // Called once, when receiving has ended, to report the rest. A running report is awaited on a separate thread: the calling thread may be that of a
+    // handler, and the pool may have no free thread.
     public Task EndAsync(long now)
     {
         _ended = true;
@@ -97,7 +97,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
     {
         Monitor.Exit(_lock);
 
-        // Still entered where a handler's Dispose came to the end on the handler's thread.
+        // The lock is still held if a handler's Dispose reached the end on the handler's thread.
         if (_ended && !IsReporting)
             _endedCompletion.TrySetResult(true);
     }
@@ -106,7 +106,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
     {
         try
         {
-            // Before the loss and after it: what turns out to be a reduced frequency in between is taken off both.
+            // Read before and after the loss: frames that turn out to be a reduced frequency in between are subtracted from both.
             long unsettled = figures.UnsettledLoss;
             ReaderStatistics statistics = figures.GetStatistics();
             unsettled = force ? 0 : Math.Max(unsettled, figures.UnsettledLoss);
@@ -122,7 +122,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
         }
         catch (Exception)
         {
-            // Out of memory, or a handler's exception whose Message throws. Neither may end the process; the statistics have the counts.
+            // The system is out of memory, or the Message of a handler's exception throws. Neither may end the process; the statistics contain the counts.
         }
     }
 
@@ -139,7 +139,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
     {
         foreach (ConsumerStatistics consumer in figures.GetConsumers())
         {
-            // An export tells of its own.
+            // An export reports its own losses.
             if (string.Equals(consumer.Name, NeuronReader.ExportQueueName, StringComparison.Ordinal))
                 continue;
             if (Take(ReaderEventId.FramesDropped, consumer.Name, consumer.Dropped, now, force) is not { Count: > 0 } dropped)
@@ -204,7 +204,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
         report(failure is null ? news : news with { Id = ids.Failed, Level = ReaderEventLevel.Error, Exception = failure, Count = output.Lost, Total = output.Lost });
     }
 
-    // Nothing once the end has come: the last report tells the rest.
+    // Returns an empty event after the end, because the last report includes the rest.
     private ReaderEvent Take(ReaderEventId id, string? subject, long total, long now, bool force)
     {
         if (_ended && !force)
@@ -221,10 +221,10 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
     {
         SkipReason.UnknownVersion => "a data version other than 1.0 and 1.1",
         SkipReason.TooLarge => "more values than MaxValues allows",
-        SkipReason.Incomplete => "packets whose rest never came",
+        SkipReason.Incomplete => "packets whose rest never arrived",
         SkipReason.MalformedLine => "lines of text that are not frames of 59 bones",
-        SkipReason.AmbiguousName => "lines of text whose avatar's name has spaces and numbers in it",
-        SkipReason.TooManySenders => "more senders than 64 at a time",
+        SkipReason.AmbiguousName => "lines of text whose avatar name contains spaces and numbers",
+        SkipReason.TooManySenders => "more than 64 senders at a time",
         SkipReason.NotCalculation => "motion data on the port of calculation data",
         SkipReason.MissingAvatar => "lines of text without the avatar's number and name",
         _ => "no tokens of a packet",

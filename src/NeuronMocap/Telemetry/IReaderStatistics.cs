@@ -4,12 +4,12 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Telemetry;
 
-// What a reader counts. Any thread.
+// The counters of a reader. Any thread.
 internal interface IReaderStatistics
 {
     ConnectionState State { get; }
 
-    // Lost frames that the next few frames may still show to be a change of the server's frequency.
+    // Number of lost frames that may turn out to be a change of the server's frequency after the next few frames.
     long UnsettledLoss { get; }
 
     ReaderStatistics GetStatistics();
@@ -18,7 +18,7 @@ internal interface IReaderStatistics
 
     long GetSkipped(SkipReason reason);
 
-    // Recordings and exports. Those that have ended included, until Forget.
+    // Recordings and exports, including ended ones until Forget.
     IReadOnlyList<IFileOutput> Outputs { get; }
 
     void Forget(IFileOutput output);

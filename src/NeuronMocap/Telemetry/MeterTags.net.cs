@@ -1,6 +1,6 @@
 namespace NeuronMocap.Telemetry;
 
-// The names of the tags, and the tags that never change. All have few values: no avatar, whose names and numbers come from the network.
+// The names of the tags, and the tags that never change. All have few values, so none contains an avatar: avatar names and numbers come from the network.
 internal static class MeterTags
 {
     public const string Reader = "neuron.reader.name";

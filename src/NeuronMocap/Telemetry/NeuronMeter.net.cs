@@ -6,8 +6,8 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Telemetry;
 
-// The meter of all readers of the process. Its counters are observable: they read what the receive thread counts anyway, when a listener
-// asks, and cost the receive thread nothing. Readers are held weakly, so that one that was forgotten can be collected.
+// The meter of all readers of the process. Its counters are observable. When a listener asks, they read the existing counts, so they cost the receive
+// thread nothing. References to readers are weak, so a forgotten reader can be collected.
 internal static class NeuronMeter
 {
     private const string Prefix = "neuron.reader.";
@@ -33,7 +33,7 @@ internal static class NeuronMeter
 
     private static readonly Meter Meter = CreateMeter();
 
-    // 120 and 60 Hz, half and a third of them, and what an outage of the network looks like.
+    // The intervals of 120 and 60 Hz, of half and a third of these rates, and of a network outage.
     public static Histogram<double> FrameInterval { get; } = CreateHistogram(
         "frame.interval",
         "Time between two frames of the same avatar.",
@@ -44,7 +44,7 @@ internal static class NeuronMeter
         "Time from the reception of a frame until the application took it.",
         [0.00001, 0.00005, 0.0001, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.25, 0.5, 1, 5]);
 
-    // Gives the name under which the reader reports. Two readers of one name get numbers, for their figures would replace each other.
+    // Returns the name under which the reader reports. Readers of the same name get numbers, because their figures would otherwise replace each other.
     public static string Add(string name, ReaderMetrics reader)
     {
         lock (Lock)
@@ -85,13 +85,13 @@ internal static class NeuronMeter
             entry => reader.Measure(figures.GetSkipped(entry.Reason), new KeyValuePair<string, object?>(MeterTags.Reason, entry.Tag))));
         AddCounter("refused", "{datagram}", "Datagrams of senders that are not allowed.", Total(static total => total.RefusedDatagrams));
         AddCounter("dropped", "{frame}", "Frames that found a queue full.", PerConsumer(static consumer => consumer.Dropped));
-        AddCounter("restarts", "{restart}", "Times that the server began to count frames anew.", Total(static total => total.Restarts));
+        AddCounter("restarts", "{restart}", "Times that the server restarted its frame count.", Total(static total => total.Restarts));
         AddCounter("reconnects", "{connection}", "Connections made after the first.", Total(static total => total.Reconnects));
         AddCounter("failures", "{exception}", "Exceptions of the application's handlers.", Total(static total => total.CallbackFailures));
 
-        // No counters that only grow: a frame that comes late is lost no more.
+        // These counters can also decrease, because a frame that arrives late is no longer lost.
         AddUpDown("lost", "{frame}", "Frames that the server sent and that did not arrive.", Total(static total => total.Lost));
-        AddUpDown("gaps", "{gap}", "Rows of lost frames.", Total(static total => total.Gaps));
+        AddUpDown("gaps", "{gap}", "Runs of lost frames.", Total(static total => total.Gaps));
         AddUpDown("queue.length", "{frame}", "Frames that wait in queues.", PerConsumer(static consumer => consumer.Waiting));
         AddUpDown("state", "{reader}", "1 for the state of the connection, 0 for every other.", static (reader, figures) => States.Select(
             entry => reader.Measure(figures.State == entry.State ? 1L : 0L, new KeyValuePair<string, object?>(MeterTags.State, entry.Tag))));
@@ -115,7 +115,7 @@ internal static class NeuronMeter
         (reader, figures) => figures.GetConsumers().Select(
             consumer => reader.Measure(figure(consumer), new KeyValuePair<string, object?>(MeterTags.Consumer, consumer.Name)));
 
-    // Nothing before the first frame: there is no age.
+    // Returns nothing before the first frame, because there is no age yet.
     private static IEnumerable<Measurement<double>> MeasureAge(ReaderMetrics reader, IReaderStatistics figures)
     {
         long newest = figures.GetStatistics().LastFrameTimestamp;

@@ -1,18 +1,18 @@
 namespace NeuronMocap;
 
-/// <summary>What an event is about. The numbers are stable; on .NET they are the event ids of the log.</summary>
+/// <summary>The subject of an event. The numbers are stable; on .NET they are the event ids of the log.</summary>
 public enum ReaderEventId
 {
-    /// <summary>The reader looks for the server.</summary>
+    /// <summary>The reader tries to connect to the server.</summary>
     Connecting = 1,
 
-    /// <summary>The connection stands, or the UDP port is bound; no frame has arrived yet.</summary>
+    /// <summary>The connection is established, or the UDP port is bound; no frame has arrived yet.</summary>
     Connected = 2,
 
     /// <summary>Frames arrive.</summary>
     Receiving = 3,
 
-    /// <summary>The connection stands, but no frames arrive.</summary>
+    /// <summary>The connection is established, but no frames arrive.</summary>
     Silent = 4,
 
     /// <summary>The connection failed or ended; another attempt follows.</summary>
@@ -21,76 +21,76 @@ public enum ReaderEventId
     /// <summary>The reader ended for good.</summary>
     Stopped = 6,
 
-    /// <summary>Frames did not arrive that the server had sent.</summary>
+    /// <summary>Frames that the server sent did not arrive.</summary>
     FramesLost = 10,
 
-    /// <summary>A queue was full.</summary>
+    /// <summary>A queue was full and dropped frames.</summary>
     FramesDropped = 11,
 
     /// <summary>Bytes arrived that belong to no packet.</summary>
     BytesSkipped = 12,
 
-    /// <summary>A handler of the application threw.</summary>
+    /// <summary>A handler of the application threw an exception.</summary>
     CallbackFailed = 13,
 
-    /// <summary>A recording began.</summary>
+    /// <summary>A recording has started.</summary>
     RecordingStarted = 20,
 
-    /// <summary>A recording has ended, as it was told to.</summary>
+    /// <summary>A recording has ended as requested.</summary>
     RecordingStopped = 21,
 
-    /// <summary>A recording was not written fast enough and lacks what arrived meanwhile.</summary>
+    /// <summary>A recording was not written fast enough and lacks data that arrived in the meantime.</summary>
     RecordingIncomplete = 22,
 
-    /// <summary>A recording ended because it could not be written any more: the disk is full, for example.</summary>
+    /// <summary>A recording ended because its file can no longer be written, for example because the disk is full.</summary>
     RecordingFailed = 23,
 
-    /// <summary>An old file of a recording could not be deleted; the recording goes on and tries again.</summary>
+    /// <summary>An old file of a recording could not be deleted; the recording continues and tries again.</summary>
     RecordingFileKept = 24,
 
-    /// <summary>A BVH export began.</summary>
+    /// <summary>A BVH export has started.</summary>
     ExportStarted = 30,
 
-    /// <summary>A BVH export has ended, as it was told to.</summary>
+    /// <summary>A BVH export has ended as requested.</summary>
     ExportStopped = 31,
 
-    /// <summary>A BVH export was not written fast enough and lacks frames that arrived meanwhile.</summary>
+    /// <summary>A BVH export was not written fast enough and lacks frames that arrived in the meantime.</summary>
     ExportIncomplete = 32,
 
-    /// <summary>A BVH export ended because it could not be written any more: the disk is full, for example.</summary>
+    /// <summary>A BVH export ended because its file can no longer be written, for example because the disk is full.</summary>
     ExportFailed = 33,
 }
 
-/// <summary>How much an event matters; as the levels of the same names in Microsoft.Extensions.Logging.</summary>
+/// <summary>The severity of an event; the same as the levels of these names in Microsoft.Extensions.Logging.</summary>
 public enum ReaderEventLevel
 {
-    /// <summary>For whoever looks for a fault: attempts to connect, and the same problem once more.</summary>
+    /// <summary>Helps to find a fault: attempts to connect, and repetitions of a problem.</summary>
     Debug,
 
-    /// <summary>The ordinary course.</summary>
+    /// <summary>A normal event.</summary>
     Information,
 
-    /// <summary>Something is missing or was lost; the reader goes on.</summary>
+    /// <summary>Data is missing or was lost; the reader continues.</summary>
     Warning,
 
-    /// <summary>The reader ended because its connection failed or was cut off, or a handler threw.</summary>
+    /// <summary>The reader ended because its connection failed or was closed, or a handler threw an exception.</summary>
     Error,
 }
 
-/// <summary>Something that deserves a line in a log: a change of the connection's state, or what was lost since the last such line.</summary>
-/// <param name="Id">What it is about.</param>
-/// <param name="Level">How much it matters.</param>
+/// <summary>An event that deserves a line in a log: a change of the connection's state, or the losses since the last such line.</summary>
+/// <param name="Id">The subject of the event.</param>
+/// <param name="Level">The severity of the event.</param>
 /// <param name="Reader">Name of the reader: <see cref="NeuronReaderOptions.Name"/>.</param>
 /// <param name="Message">One or two English sentences for people.</param>
 public readonly record struct ReaderEvent(ReaderEventId Id, ReaderEventLevel Level, string Reader, string Message)
 {
-    /// <summary>The new state of the connection, for a change of it.</summary>
+    /// <summary>The new state of the connection, if the event is a change of state; otherwise null.</summary>
     public ConnectionStatus? Status { get; init; }
 
-    /// <summary>How many frames, bytes, pieces or exceptions came since the last event of this kind; 0 for a change of the state.</summary>
+    /// <summary>Number of frames, bytes, pieces or exceptions since the last event of this kind; 0 for a change of state.</summary>
     public long Count { get; init; }
 
-    /// <summary>How many came since the reader was made; 0 for a change of the state.</summary>
+    /// <summary>The same number since the reader was made; 0 for a change of state.</summary>
     public long Total { get; init; }
 
     /// <summary>
@@ -99,10 +99,10 @@ public readonly record struct ReaderEvent(ReaderEventId Id, ReaderEventLevel Lev
     /// </summary>
     public string? Subject { get; init; }
 
-    /// <summary>The newest exception of a handler, or what ended a recording or an export; otherwise null.</summary>
+    /// <summary>The newest exception of a handler, or the one that ended a recording or an export; otherwise null.</summary>
     public Exception? Exception { get; init; }
 
-    /// <summary>Level, reader and message.</summary>
+    /// <summary>Gets the level, the reader and the message.</summary>
     /// <returns>A line for a log.</returns>
     public override string ToString() => $"{Level}: {Reader}: {Message}";
 }

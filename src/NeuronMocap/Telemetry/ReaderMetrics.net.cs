@@ -3,7 +3,7 @@ using NeuronMocap.Delivery;
 
 namespace NeuronMocap.Telemetry;
 
-// One reader's part in the meter. The meter knows it from here until it is disposed of.
+// One reader's part of the meter. The meter knows it until it is disposed.
 internal sealed class ReaderMetrics : IDisposable
 {
     private readonly KeyValuePair<string, object?> _tag;
@@ -16,7 +16,7 @@ internal sealed class ReaderMetrics : IDisposable
         Intervals = new DurationRecorder(NeuronMeter.FrameInterval, _tag);
     }
 
-    // The reader's, with a number where another reader has it already.
+    // The reader's name, with a number if another reader already has the name.
     public string Name { get; }
 
     public IDurationRecorder? Intervals { get; }

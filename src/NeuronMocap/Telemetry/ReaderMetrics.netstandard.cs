@@ -3,7 +3,7 @@ using NeuronMocap.Delivery;
 
 namespace NeuronMocap.Telemetry;
 
-// There are no meters without a package on this target: its readers are asked for their statistics.
+// Meters would need a package on this target framework. Use a reader's statistics instead.
 [SuppressMessage("Performance", "CA1822", Justification = "The members are those of the other target.")]
 internal sealed class ReaderMetrics(string name) : IDisposable
 {

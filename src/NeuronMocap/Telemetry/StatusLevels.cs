@@ -2,10 +2,10 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Telemetry;
 
-// Decides how much a change of the connection's state matters to a log. A server that is down for an hour is one warning, not one for every
-// attempt: a problem is told again when frames came in between. One that sends a frame and closes, for ever, is one warning in ten seconds.
-// The last line above Debug tells how things stand: an outage comes to a line at an attempt after the ten seconds at the latest, and
-// Receiving follows whatever was told. One thread at a time.
+// Determines the log level for a change of the connection's state. A server that is down for an hour causes one warning, not one for every attempt: a
+// problem is reported again only if frames arrived in between. A server that repeatedly sends a frame and closes causes one warning in ten seconds. The
+// last line above Debug always shows the current situation. An outage gets a line at the first attempt after the ten seconds at the latest, and Receiving
+// follows any reported problem. One thread at a time.
 internal sealed class StatusLevels
 {
     private static readonly long Period = 10 * Stopwatch.Frequency;
@@ -41,7 +41,7 @@ internal sealed class StatusLevels
 
     private bool IsNew(in ConnectionStatus status)
     {
-        // Silence is not told once more while it lasts, and cannot come more often than its timeout allows: no period for it.
+        // Silence is not reported again while it lasts, and cannot occur more often than its timeout allows, so it needs no period.
         if (_lastByStatus.TryGetValue((status.State, status.Reason), out (long Time, int Reception) last)
             && (last.Reception == _receptions || (status.State != ConnectionState.Silent && status.Timestamp - last.Time < Period)))
         {

@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Telemetry;
 
-// Decides when the growth of a counter is worth a report: the first at once, what follows in one report every ten seconds.
+// Decides when the growth of a counter deserves a report: the first growth at once, later growth in one report every ten seconds.
 internal sealed class ThrottledCount
 {
     private static readonly long Period = 10 * Stopwatch.Frequency;
@@ -11,7 +11,7 @@ internal sealed class ThrottledCount
     private long _lastReport;
     private bool _hasReported;
 
-    // The growth to report now, or 0. force: it is the last chance.
+    // Returns the growth to report now, or 0. force: this is the last chance.
     public long Take(long total, long now, bool force)
     {
         long growth = total - _reported;

@@ -4,14 +4,14 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Transport;
 
-// Reads addresses as people write them: HOST, HOST:PORT, ADDRESS, [IPV6]:PORT.
+// Parses addresses in the form used on command lines: HOST, HOST:PORT, ADDRESS, [IPV6]:PORT.
 internal static class AddressText
 {
     private const string TcpScheme = "tcp://";
     private const string UdpScheme = "udp://";
 
-    /// <summary>Reads the address of a server, with or without tcp:// before it.</summary>
-    /// <exception cref="FormatException">The text is not an address; the message says what is wrong with it.</exception>
+    /// <summary>Parses the address of a server, with or without a leading tcp://.</summary>
+    /// <exception cref="FormatException">The text is not an address; the message says why.</exception>
     public static (string Host, int Port) ParseServer(string text, int defaultPort)
     {
         string word = text.Trim();
@@ -27,9 +27,9 @@ internal static class AddressText
         return (host, port is null ? defaultPort : ParsePort(text, port, lowest: 1));
     }
 
-    /// <summary>Reads udp://:PORT and udp://ADDRESS:PORT, where the address is one of this computer.</summary>
-    /// <returns>The port, and null for all addresses; null where the text does not begin with udp://.</returns>
-    /// <exception cref="FormatException">The text begins with udp:// and is not an address; the message says what is wrong with it.</exception>
+    /// <summary>Parses udp://:PORT and udp://ADDRESS:PORT; the address must be one of this computer.</summary>
+    /// <returns>The port, and the address or null for all addresses. Null if the text does not begin with udp://.</returns>
+    /// <exception cref="FormatException">The text begins with udp:// but is not an address; the message says why.</exception>
     public static (int Port, IPAddress? LocalAddress)? ParseUdp(string text)
     {
         string word = text.Trim();
@@ -40,7 +40,7 @@ internal static class AddressText
         if (port is null)
             throw new FormatException($"'{text}' has no port. Use udp://:PORT with the port of this computer that the server sends to.");
 
-        // Zero stands for any free port.
+        // Zero means any free port.
         int number = ParsePort(text, port, lowest: 0);
         IPAddress? address = null;
         if (host.Length > 0 && !IPAddress.TryParse(host, out address))
@@ -54,7 +54,7 @@ internal static class AddressText
     private static bool IsNotOfHost(char character) =>
         character is '[' or ']' or '/' or '\\' || char.IsWhiteSpace(character) || char.IsControl(character);
 
-    // Two colons and no brackets: all of it is an IPv6 address.
+    // A word with two colons and no brackets is an IPv6 address without a port.
     private static (string Host, string? Port) Split(string word)
     {
         int end = word.StartsWith('[') ? word.IndexOf(']', StringComparison.Ordinal) : -1;

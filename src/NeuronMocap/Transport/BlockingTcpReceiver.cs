@@ -5,12 +5,12 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// Waits on a thread of its own: the system wakes that thread and no other, and blocking receives allocate nothing on any runtime, Unity's
-// included. Nothing on this socket may ever be asynchronous: on .NET it is then non-blocking underneath for ever after, and every receive
-// that has to wait goes over other threads and allocates.
+// Waits on its own thread. The system wakes only that thread, and blocking receives allocate nothing on any runtime, including Unity's. No operation on
+// this socket may ever be asynchronous: on .NET the socket then stays non-blocking internally. Every receive that has to wait would then use other threads
+// and allocate.
 internal sealed class BlockingTcpReceiver(Action? released = null) : TcpReceiver
 {
-    // Ten frames at once are more than an ordinary server ever has ready; one that sends as fast as it can gets up to the largest.
+    // An ordinary server never has ten frames ready at once. For a server that sends as fast as it can, the buffer grows to the largest size.
     private const int SmallestBuffer = 16 * 1024;
     private const int LargestBuffer = 256 * 1024;
 
@@ -37,8 +37,8 @@ internal sealed class BlockingTcpReceiver(Action? released = null) : TcpReceiver
 
             assembler.Push(new ArraySegment<byte>(buffer, 0, count), Stopwatch.GetTimestamp());
 
-            // More is waiting than there is room for: fewer, larger receives from here on. One long stall of a handler is enough for that; the
-            // memory then stays the connection's.
+            // More bytes are waiting than the buffer holds, so use fewer, larger receives from now on. One long stall of a handler is enough for that. The
+            // connection then keeps the memory.
             if (count == buffer.Length && count < LargestBuffer)
                 buffer = new byte[2 * count];
         }

@@ -2,7 +2,8 @@ namespace NeuronMocap.Transport;
 
 internal static class CancellableDelay
 {
-    // Completes after the time, or when cancelled: then what awaits it goes on on the thread that stops, where Task.Delay alone takes one of the pool's.
+    // Completes after the time, or when cancelled. After a cancellation, the awaiting code continues on the cancelling thread; Task.Delay alone would use
+    // a pool thread.
     public static async Task WaitAsync(TimeSpan time, CancellationToken cancellationToken)
     {
         var stopped = new TaskCompletionSource<bool>();

@@ -2,7 +2,7 @@ using System.Net;
 
 namespace NeuronMocap.Transport;
 
-// The sentences that tell a person what happened and which setting to look at.
+// The messages that tell a person what happened and which setting to check.
 internal static class ConnectionMessages
 {
     public static string HostNotFound(string host) =>
@@ -12,7 +12,7 @@ internal static class ConnectionMessages
         $"{target} closed the connection: Axis Neuron was stopped, or its broadcasting was switched off.";
 
     public static string ConnectionLost(string target) =>
-        $"{target} has stopped answering: its computer was switched off, or the network between is down.";
+        $"{target} has stopped answering: its computer was switched off, or the network between the computers is down.";
 
     public static string ResolverTimedOut(LinkOptions options) =>
         $"The name '{options.Host}' could not be resolved within {options.ConnectTimeout.TotalSeconds:0.#} s. Check the network, or give the IP "
@@ -21,33 +21,33 @@ internal static class ConnectionMessages
     public static string NotYetAnswered(string status) =>
         $"{status} Nothing has answered yet: check Host and Port, that both computers are on the same network, and that no firewall blocks the port.";
 
-    // Nothing that the network does: the message of such an exception tells a user nothing.
+    // The network never causes these exceptions, and their messages do not help a user.
     public static string Failed(string target, Exception exception) => exception is OutOfMemoryException
         ? $"Receiving from {target} failed: this computer has too little free memory."
-        : $"Receiving from {target} failed by a fault of this library ({exception.GetType()}). Please report it.";
+        : $"Receiving from {target} failed because of an error in this library ({exception.GetType()}). Please report it.";
 
-    // The file of a playback may be gone or damaged, and the message says so.
+    // The file of a playback may be missing or damaged; the exception's message says so.
     public static string PlaybackFailed(string target, Exception exception) => $"Receiving from {target} failed: {exception.Message}";
 
     public static string NoValues(string target) =>
-        $"Packets arrive from {target}, but none of them carries a frame. In Axis Neuron, connect the suit or play a take.";
+        $"Packets arrive from {target}, but none of them contains a frame. In Axis Neuron, connect the suit or play a take.";
 
     public static string NoFrames(string target, TimeSpan silence) =>
-        $"Connected to {target}, but nothing has arrived for {silence.TotalSeconds:0.#} s. In Axis Neuron, connect the suit or play a take, "
-        + "and check that broadcasting of BVH or calculation data is on, and that this is its port and not that of commands.";
+        $"Connected to {target}, but nothing has arrived for {silence.TotalSeconds:0.#} s. In Axis Neuron, connect the suit or play a take. "
+        + "Check that broadcasting of BVH or calculation data is on, and that this is its port, not the command port.";
 
     public static string NoRecordedFrames(string target, TimeSpan silence) =>
-        $"The {target} has had no frame for {silence.TotalSeconds:0.#} s: nothing arrived when it was made.";
+        $"The {target} has had no frame for {silence.TotalSeconds:0.#} s: nothing arrived while it was recorded.";
 
     public static string NoDatagrams(string target, TimeSpan silence, long refused) =>
         $"Nothing has arrived on {target} for {silence.TotalSeconds:0.#} s"
-        + (refused > 0 ? $", apart from strays of senders that AllowedSenders does not list ({refused} in all). " : ". ")
-        + "In Axis Neuron's broadcasting settings choose UDP, and enter this computer's address and this port as the destination; check that "
-        + "the firewall lets UDP in.";
+        + (refused > 0 ? $", except a few datagrams from senders that AllowedSenders does not list ({refused} in all). " : ". ")
+        + "In Axis Neuron's broadcasting settings choose UDP, and enter this computer's address and this port as the destination. Check that "
+        + "the firewall allows UDP.";
 
     public static string SenderNotAllowed(string target, IEnumerable<IPAddress> senders) =>
-        $"Datagrams arrive on {target}, but none from a sender that AllowedSenders lists. They come from {string.Join(", ", senders)}. Give AllowedSenders "
-        + "the address of the computer that runs Axis Neuron, or leave it out to let everyone send.";
+        $"Datagrams arrive on {target}, but none from a sender that AllowedSenders lists. They come from {string.Join(", ", senders)}. Set AllowedSenders to "
+        + "the address of the computer that runs Axis Neuron, or leave it out to allow all senders.";
 
     public static string UnknownFormat(string target, string format) =>
         $"Data arrives from {target}, but it is {format}";
@@ -65,12 +65,12 @@ internal static class ConnectionMessages
                 + "same network, and that no firewall blocks the port.",
             ConnectionReason.HostNotFound => HostNotFound(options.Host),
             ConnectionReason.Unreachable => $"No route to {target}. Check the address and that the network is connected.",
-            ConnectionReason.Reset => $"{target} cut the connection off: Axis Neuron was closed, or something between resets connections.",
+            ConnectionReason.Reset => $"{target} reset the connection: Axis Neuron was closed, or a device in the network resets connections.",
             ConnectionReason.AddressUnavailable when options.LocalAddress is null =>
                 $"This computer has no address from which {target} can be reached. Check the address and the network.",
             ConnectionReason.AddressUnavailable =>
                 $"The local address {options.LocalAddress} does not belong to this computer, or is of another kind (IPv4, IPv6) than {target}. "
-                + "Choose one that does, or none.",
+                + "Choose an address of this computer, or none.",
             ConnectionReason.AccessDenied => $"This computer does not allow a connection to {target}. Check its firewall.",
             _ => $"The connection to {target} failed: {exception.Message}",
         };
@@ -81,8 +81,8 @@ internal static class ConnectionMessages
         ConnectionReason.PortInUse =>
             $"UDP port {options.Port} is used by another program. Close it, or choose another port here and in Axis Neuron's broadcasting settings.",
         ConnectionReason.AddressUnavailable =>
-            $"The local address {options.LocalAddress} does not belong to this computer. Choose one that does, or none to receive on all.",
-        ConnectionReason.AccessDenied => $"This computer does not allow UDP port {options.Port}. Choose a port of 1024 or more.",
+            $"The local address {options.LocalAddress} does not belong to this computer. Choose an address of this computer, or none to receive on all.",
+        ConnectionReason.AccessDenied => $"This computer does not allow UDP port {options.Port}. Choose port 1024 or higher.",
         _ => $"Receiving on UDP port {options.Port} failed: {exception.Message}",
     };
 }

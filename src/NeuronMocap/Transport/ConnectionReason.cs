@@ -1,18 +1,18 @@
 namespace NeuronMocap;
 
-/// <summary>Why a reader's connection is in its state.</summary>
+/// <summary>The reason why a reader's connection is in its state.</summary>
 public enum ConnectionReason
 {
-    /// <summary>Nothing went wrong.</summary>
+    /// <summary>There is no problem.</summary>
     None,
 
     /// <summary>The caller stopped the reader.</summary>
     Requested,
 
-    /// <summary>The address answered that nothing listens on the port.</summary>
+    /// <summary>The computer refused the connection: nothing listens on the port.</summary>
     Refused,
 
-    /// <summary>The address did not answer within the time of the connect option.</summary>
+    /// <summary>The address did not answer within the connect timeout.</summary>
     TimedOut,
 
     /// <summary>The host name has no address.</summary>
@@ -21,19 +21,19 @@ public enum ConnectionReason
     /// <summary>There is no route to the address.</summary>
     Unreachable,
 
-    /// <summary>The server cut the connection off.</summary>
+    /// <summary>The server reset the connection.</summary>
     Reset,
 
-    /// <summary>The server closed the connection in an orderly way.</summary>
+    /// <summary>The server closed the connection normally.</summary>
     ClosedByPeer,
 
-    /// <summary>A recording is over that was played instead of a live stream, or begins again.</summary>
+    /// <summary>The played recording has ended, or starts again.</summary>
     EndOfRecording,
 
     /// <summary>Another program uses the local port.</summary>
     PortInUse,
 
-    /// <summary>The local address to bind does not belong to this machine.</summary>
+    /// <summary>The local address to bind does not belong to this computer.</summary>
     AddressUnavailable,
 
     /// <summary>The system does not allow the operation: a privileged port, or a firewall.</summary>
@@ -42,35 +42,35 @@ public enum ConnectionReason
     /// <summary>Connected, but no bytes arrive.</summary>
     NoData,
 
-    /// <summary>Connected and bytes arrive, but they are no packets of this protocol.</summary>
+    /// <summary>Connected, and bytes arrive, but they are not packets of this protocol.</summary>
     UnknownFormat,
 
     /// <summary>Datagrams arrive, but only from senders that AllowedSenders does not list.</summary>
     SenderNotAllowed,
 
     /// <summary>
-    /// Frames arrive, but the rotation order of the reader's options is not the one that the server says it sends: all poses come out wrong
-    /// unless the option is right.
+    /// Frames arrive, but the rotation order in the reader's options differs from the order that the server reports. If the option is wrong, all poses are
+    /// wrong.
     /// </summary>
     RotationOrderMismatch,
 
     /// <summary>
-    /// Frames arrive, but the skeleton variant of the reader's options is not the one that the command channel tells: neck and spine have other
-    /// names and lengths.
+    /// Frames arrive, but the skeleton variant in the reader's options differs from the variant that the command channel reports. Neck and spine then have
+    /// other names and lengths.
     /// </summary>
     SkeletonVariantMismatch,
 
     /// <summary>
-    /// Frames arrive, but the command channel did not answer what they do not say: the rotation order or the skeleton variant may be another
-    /// than is assumed.
+    /// Frames arrive, but the command channel did not report the settings that they do not contain. The assumed rotation order or skeleton variant may be
+    /// wrong.
     /// </summary>
     NotDiscovered,
 
     /// <summary>
-    /// Connected, but the port of calculation data, CalculationPort, brings none: the message says why. Only where nothing else is wrong.
+    /// Connected, but no calculation data arrives on its port, CalculationPort; the message says why. Set only if there is no other problem.
     /// </summary>
     CalculationUnavailable,
 
-    /// <summary>Another error of the network; the message carries the system's words.</summary>
+    /// <summary>Another network error; the message contains the system's text.</summary>
     NetworkError,
 }

@@ -1,26 +1,26 @@
 namespace NeuronMocap;
 
-/// <summary>What a reader's connection is doing.</summary>
+/// <summary>The state of a reader's connection.</summary>
 public enum ConnectionState
 {
-    /// <summary>Made, not started.</summary>
+    /// <summary>The reader is not started yet.</summary>
     Created,
 
-    /// <summary>Resolving the name, connecting, or binding the UDP port.</summary>
+    /// <summary>The reader resolves the name, connects, or binds the UDP port.</summary>
     Connecting,
 
-    /// <summary>The connection stands or the UDP port is bound; no frame has arrived yet.</summary>
+    /// <summary>The connection is established or the UDP port is bound; no frame has arrived yet.</summary>
     Connected,
 
     /// <summary>Frames arrive.</summary>
     Receiving,
 
-    /// <summary>The connection stands, but no frame has arrived for the time of the silence option; the reason says what did.</summary>
+    /// <summary>The connection is established, but no frame has arrived for the silence timeout; the reason says what did arrive.</summary>
     Silent,
 
     /// <summary>The connection failed or ended; another attempt follows.</summary>
     Waiting,
 
-    /// <summary>Ended for good: by the caller, or because reconnecting is off.</summary>
+    /// <summary>The reader has ended for good: the caller stopped it, or reconnecting is off.</summary>
     Stopped,
 }

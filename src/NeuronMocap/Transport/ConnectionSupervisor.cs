@@ -3,7 +3,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// Opens links one after the other for as long as the reader runs: connect, receive until the end, say why, wait, again.
+// Opens one link after another while the reader runs: connect, receive until the end, report why, wait, and start again.
 internal sealed class ConnectionSupervisor(
     Func<Link> createLink,
     ReconnectPolicy policy,
@@ -13,10 +13,10 @@ internal sealed class ConnectionSupervisor(
 {
     private volatile Link? _connectedLink;
 
-    // To the server, when a connection stands. Any thread.
+    // Sends bytes to the server if there is a connection. Any thread.
     public bool TrySend(ReadOnlySpan<byte> bytes) => _connectedLink?.TrySend(bytes) ?? false;
 
-    // Completes with the status to end with, when stopped or, with reconnecting off, after the first link.
+    // Completes with the final status: when the reader is stopped or, if reconnecting is off, after the first link.
     public async Task<ConnectionStatus> RunAsync(IPacketReceiver receiver, ILinkListener listener, CancellationToken cancellationToken)
     {
         int failures = 0;
@@ -24,7 +24,7 @@ internal sealed class ConnectionSupervisor(
         {
             (LinkEnd end, bool delivered) = await RunLinkAsync(receiver, listener, failures + 1, cancellationToken).ConfigureAwait(false);
 
-            // The first reason counts: a link that ended by itself, and would not have been tried again, was not ended by a later stop.
+            // If a link ended without a request and no retry would follow, a later stop does not replace the first reason.
             if (end.Reason != ConnectionReason.Requested && (end.IsFinal || !policy.Enabled))
                 return new ConnectionStatus(ConnectionState.Stopped, end.Reason, end.Message) { Attempt = failures + 1 };
             if (cancellationToken.IsCancellationRequested)
@@ -37,7 +37,7 @@ internal sealed class ConnectionSupervisor(
         }
     }
 
-    // Delivered: whether frames came over the link.
+    // Delivered: whether the link brought frames.
     private async Task<(LinkEnd End, bool Delivered)> RunLinkAsync(
         IPacketReceiver receiver, ILinkListener listener, int attempt, CancellationToken cancellationToken)
     {
@@ -54,7 +54,7 @@ internal sealed class ConnectionSupervisor(
         }
         catch (Exception exception)
         {
-            // Out of memory, or a fault of ours: neither may end the reader, or the process, while there is a next attempt.
+            // The system is out of memory, or the library has a bug. Neither may end the reader or the process while another attempt is possible.
             return (new LinkEnd(ConnectionReason.NetworkError, ConnectionMessages.Failed(link?.Target ?? "the server", exception)), false);
         }
         finally

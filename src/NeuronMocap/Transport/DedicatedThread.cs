@@ -2,8 +2,8 @@ namespace NeuronMocap.Transport;
 
 internal static class DedicatedThread
 {
-    // Runs what blocks on a background thread of its own, which never keeps the process alive; the task ends as it does. What awaits the task
-    // goes on on a pool thread, or, with no options, on this thread, for which nothing has to be free.
+    // Runs a blocking action on its own background thread, which never keeps the process alive. The task ends like the action. Code that awaits the task
+    // continues on a pool thread or, with no options, on this thread; it then needs no other thread.
     public static Task RunAsync(string name, Action action, TaskCreationOptions options = TaskCreationOptions.RunContinuationsAsynchronously)
     {
         var completion = new TaskCompletionSource<bool>(options);
@@ -19,7 +19,8 @@ internal static class DedicatedThread
             }
             catch (Exception exception)
             {
-                // Not when it is completed already: Mono aborts threads when a process ends or Unity's editor reloads scripts, in the midst of what goes on here too.
+                // The task may already be completed: Mono aborts threads at the end of a process and when Unity's editor reloads scripts, even in code
+                // that continues here.
                 completion.TrySetException(exception);
             }
         }

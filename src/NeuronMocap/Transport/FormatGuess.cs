@@ -18,10 +18,11 @@ internal enum ForeignFormat
     OtherProgram,
 }
 
-// What bytes that are not packets probably are, and which setting makes them packets. Text completes a sentence that begins with "it is".
+// A guess at the format of bytes that are not packets, and at the setting that would make them packets. Text completes a sentence that begins with "it
+// is".
 internal readonly record struct FormatGuess(ForeignFormat Format, string Text, string Advice)
 {
-    // What other programs say first, or answer to a client that speaks first: the name in the sentence, and how the bytes begin.
+    // How streams of other programs begin, or their answers to a client that speaks first: the first bytes, and the name for the message.
     private static readonly (string Start, string Name)[] OtherPrograms =
     [
         ("HTTP/", "a web server's answer"),
@@ -47,17 +48,17 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
         {
             return new(
                 ForeignFormat.UnknownVersion,
-                $"of data version {DataVersion.Read(start[2..])}, which this reader does not know: only 1.0 and 1.1 are",
+                $"of data version {DataVersion.Read(start[2..])}, which this reader does not support: it reads only 1.0 and 1.1",
                 "Look for a newer version of this library, or for an older format in the server's broadcasting settings.");
         }
 
         if (reason == SkipReason.TooLarge)
-            return new(ForeignFormat.TooManyValues, "a packet that announces more values than the limit allows", "Raise MaxValues if that is right.");
+            return new(ForeignFormat.TooManyValues, "a packet that announces more values than the limit allows", "If that is correct, raise MaxValues.");
         if (reason == SkipReason.NotCalculation)
         {
             return new(
                 ForeignFormat.Motion,
-                "motion data, which this port of calculation data is not for",
+                "motion data, which does not belong on this port of calculation data",
                 "Set CalculationPort to the port on which the server broadcasts calculation data, usually 7003, or leave it out.");
         }
 
@@ -70,7 +71,7 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
         if (start.Length >= 2 && start[0] == ProtocolConstants.TokenStart && start[1] == ProtocolConstants.CommandToken1)
         {
             return new(
-                ForeignFormat.CommandReply, "a reply to a command", "This is the command port; data is broadcast on another, by default 7001.");
+                ForeignFormat.CommandReply, "a reply to a command", "This is the command port; data is broadcast on another port, by default 7001.");
         }
 
         if (reason == SkipReason.AmbiguousName)
@@ -78,20 +79,20 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
             return new(
                 ForeignFormat.AmbiguousName,
                 "text, but with too many words: the avatar's name has spaces and numbers, which cannot be distinguished from the values",
-                "Rename the avatar on the server, without spaces. If it has none, set Skeleton to \"Axis Studio\"; or set the format (block type) to Binary.");
+                "Rename the avatar on the server, without spaces. If its name has none, set Skeleton to \"Axis Studio\"; or set the format (block type) to Binary.");
         }
 
         if (reason == SkipReason.MissingAvatar)
-            return MissingAvatar("text, but its lines hold the values of a frame without the avatar's number and name in front of them");
+            return MissingAvatar("text, but its lines contain the values of a frame without the avatar's number and name before them");
         if (IsAdvancedBvh(start))
         {
             return new(
                 ForeignFormat.AdvancedBvh,
-                "Axis Studio's \"Advanced BVH\", a compressed stream for Maya and MotionBuilder that is not read here",
-                "In Axis Studio open Settings > BVH Broadcasting, switch that on, and connect to its port (usually 7001). Advanced BVH has a port of its own, usually 7007.");
+                "Axis Studio's \"Advanced BVH\", a compressed stream for Maya and MotionBuilder that this reader does not support",
+                "In Axis Studio open Settings > BVH Broadcasting, switch that on, and connect to its port (usually 7001). Advanced BVH has a different port, usually 7007.");
         }
 
-        // Numbers first: the text format begins with any number, also one that a greeting begins with.
+        // Check for numbers first: the text format can begin with any number, also with one that begins a greeting.
         return OfText(start, reason) ?? OfProgram(start)
             ?? (NumericText.BeginsWithName(start) ? MissingAvatar("text, but its lines begin with a word instead of the avatar's number") : Unknown(start));
     }
@@ -108,9 +109,9 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
     private static FormatGuess MissingAvatar(string text) => new(
         ForeignFormat.MissingAvatar,
         text,
-        "A line begins with number and name of the avatar, as in \"0 Char00 0.00 93.02\". Make the sender write them, or set the format (block type) to Binary.");
+        "A line must begin with the avatar's number and name, as in \"0 Char00 0.00 93.02\". Make the sender write them, or set the format (block type) to Binary.");
 
-    // Four letters C, the length, and then what gzip begins with.
+    // Four letters C, the length, and then the first bytes of gzip.
     private static bool IsAdvancedBvh(ReadOnlySpan<byte> start) =>
         start.Length >= 10 && start.StartsWith("CCCC"u8) && start[8] == 0x1F && start[9] == 0x8B;
 
@@ -128,13 +129,13 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
     private static FormatGuess? OfText(ReadOnlySpan<byte> start, SkipReason reason) => reason == SkipReason.MalformedLine || NumericText.IsAt(start)
         ? new(
             ForeignFormat.Text,
-            "text, but no line of it holds the values of the 59 bones (180, 186, 354 or 360 of motion, 338 or 946 of calculation data)",
+            "text, but no line contains the values of the 59 bones (180, 186, 354 or 360 of motion, 338 or 946 of calculation data)",
             "In Axis Studio's BVH broadcasting settings set Skeleton to \"Axis Studio\", or set the format (block type) to Binary.")
         : null;
 
     private static FormatGuess Unknown(ReadOnlySpan<byte> start) => new(
         ForeignFormat.Unknown,
-        $"of no format known here; it starts with {ToHex(start)}",
+        $"of no known format; it starts with {ToHex(start)}",
         "Check the port; Axis Neuron's default is 7001.");
 
     private static bool StartsWith(ReadOnlySpan<byte> bytes, string beginning)

@@ -2,7 +2,7 @@ using System.Net;
 
 namespace NeuronMocap.Transport;
 
-// The computer that an address is of, whatever its port, as numbers that are quick to compare.
+// The computer of an address, regardless of the port, as numbers that are fast to compare.
 internal readonly record struct HostKey(ulong First, ulong Second)
 {
     public static HostKey Of(SocketAddress address)

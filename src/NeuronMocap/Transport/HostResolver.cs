@@ -4,8 +4,8 @@ namespace NeuronMocap.Transport;
 
 internal static class HostResolver
 {
-    // A name that takes longer than a connection may is abandoned: no runtime can interrupt the system's resolver. Throws SocketException,
-    // ArgumentException for names that no computer can have, and TimeoutException, which also stands for a cancelled wait.
+    // Gives up on a name that takes longer than the connect timeout, because no runtime can interrupt the system's resolver. Throws SocketException,
+    // ArgumentException for names that no computer can have, and TimeoutException, which also means a cancelled wait.
     public static async Task<IPAddress[]> ResolveAsync(LinkOptions options, CancellationToken cancellationToken)
     {
         if (IPAddress.TryParse(options.Host, out IPAddress? address))

@@ -2,15 +2,15 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// Hears what becomes of the links that packets arrive over: on the threads that open, receive and close them, one after the other.
+// Is notified about the links that bring packets. The threads that open, receive and close links call it, one after another.
 internal interface ILinkListener
 {
-    // Is shown every piece of bytes with its sender, before anybody looks for packets in it; null where nobody can record it. Always the same one.
+    // Gets every piece of bytes with its sender, before it is parsed; null if recording is not possible. Always the same object.
     StreamTap? Tap { get; }
 
-    // A new connection stands; what comes over it does not continue what came before.
+    // A new connection is established; its bytes do not continue the earlier ones.
     void OnLinkOpened();
 
-    // The connection is gone, or never came to stand.
+    // The connection has ended, or was never established.
     void OnLinkClosed();
 }

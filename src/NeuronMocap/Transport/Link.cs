@@ -3,34 +3,34 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// One attempt to receive: opened once, received from once, closed by anyone at any time. Closing the socket is what ends both waits.
+// One attempt to receive. It is opened once and received from once; any thread can close it at any time. Closing the socket ends both waits.
 internal abstract class Link : IDisposable
 {
     public EndPoint? LocalEndPoint { get; protected set; }
 
     public EndPoint? RemoteEndPoint { get; protected set; }
 
-    // Bytes that the system keeps for datagrams until they are read; null for TCP.
+    // Size in bytes of the system's buffer for datagrams; null for TCP.
     public int? ReceiveBufferSize { get; protected set; }
 
-    // Whether the bytes come in datagrams, each with its sender.
+    // Whether the bytes arrive in datagrams, each with its sender.
     public virtual bool IsDatagrams => false;
 
-    // Where packets are delivered.
+    // The kind of thread that delivers packets.
     public abstract ReceiveThread ReceiveThread { get; }
 
-    // What the status messages call the other side.
+    // Name of the other side in status messages.
     public abstract string Target { get; }
 
-    // Completes with the reason of failure, with None when the link stands, or with Requested when it was closed first. Throws nothing
-    // that the network can cause.
+    // Completes with the reason for a failure, with None when the connection is established, or with Requested when it was closed first. Network errors
+    // never cause an exception.
     public abstract Task<LinkEnd> OpenAsync(CancellationToken cancellationToken);
 
-    // Delivers packets until the link ends; the listener hears what else happens to the link. Completes with the reason: Requested when it was
-    // closed before it ended by itself. Throws nothing that the network can cause.
+    // Delivers packets until the link ends; the listener is notified of other events. Completes with the reason, which is Requested if it was closed
+    // first. Network errors never cause an exception.
     public abstract Task<LinkEnd> ReceiveAsync(IPacketReceiver receiver, ILinkListener? listener);
 
-    // Sends a request to the other side, where there is one that takes requests. Any thread, while the link stands.
+    // Sends a request to the other side, if it accepts requests. Any thread, while connected.
     public virtual bool TrySend(ReadOnlySpan<byte> bytes) => false;
 
     public abstract void Close();
@@ -40,7 +40,7 @@ internal abstract class Link : IDisposable
 
 internal readonly record struct LinkEnd(ConnectionReason Reason, string Message)
 {
-    // Whether no other attempt can follow, whatever the options say.
+    // Whether no further attempt can follow, regardless of the options.
     public bool IsFinal { get; init; }
 
     public static LinkEnd None => new(ConnectionReason.None, string.Empty);

@@ -3,25 +3,25 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// Knows what the running link has brought, and turns it into the states Receiving and Silent. The receive loop writes, a timer reads; every
-// field stands alone and a check that sees an older value only comes to its conclusion one period later. Held: of a playback, whether it is paused.
+// Tracks what the current link delivers, and turns it into the states Receiving and Silent. The receive loop writes, a timer reads. The fields are
+// independent: a check that sees an older value only reaches its conclusion one period later. isHeld: whether a playback is paused.
 internal sealed class LinkActivity(
     StatusPublisher status, TimeSpan silence, SenderFilter? udpSenders, Func<StreamDescription>? describe = null, Func<bool>? isHeld = null)
 {
-    // A server that changes its format with every frame does not change the status with every frame.
+    // Limits status changes for a server that changes its format with every frame.
     private static readonly long DescriptionPeriod = Stopwatch.Frequency;
 
-    // So many refused datagrams in one period of silence are a stream. Fewer are strays, such as those of a port scan, and no reason to tell
-    // anybody to let their sender in.
+    // This many refused datagrams in one period of silence are a stream. Fewer are strays, such as those of a port scan. They are not a reason to suggest
+    // that the user allow their sender.
     private const int MinRefused = 3;
 
-    // The first bytes since the last packet that belong to none, and why.
+    // The first bytes since the last packet that belong to no packet, and the reason.
     private readonly byte[] _skipped = new byte[64];
     private volatile int _skippedLength;
     private volatile SkipReason _skipReason;
     private volatile string _target = string.Empty;
     private volatile bool _hasPackets;
-    private volatile bool _hasOtherPackets; // since the last frame
+    private volatile bool _hasOtherPackets; // Since the last frame.
     private volatile bool _delivering;
     private volatile int _frames;
     private int _framesSeen;
@@ -29,7 +29,7 @@ internal sealed class LinkActivity(
     private long _described;
     private volatile string? _description;
 
-    // Timer: refused datagrams before the present period of silence, when it began, and whether they came in a stream in the one before.
+    // Timer: number of refused datagrams before the current period of silence, its start, and whether they were a stream in the previous period.
     private long _refusedBefore;
     private long _periodStart;
     private bool _isRefusing;
@@ -46,7 +46,7 @@ internal sealed class LinkActivity(
         Volatile.Write(ref _quietSince, Stopwatch.GetTimestamp());
     }
 
-    // Receive loop, around the handlers of every packet. While one of them runs, the reader is busy, not the server silent.
+    // Receive loop, around the handlers of every packet. While a handler runs, the reader is busy, and the server is not silent.
     public void BeginDelivery(in ReceivedPacket packet)
     {
         _delivering = true;
@@ -65,7 +65,7 @@ internal sealed class LinkActivity(
 
     public void EndDelivery() => _delivering = false;
 
-    // By itself, because the lambdas would cost an allocation in every call of the method that holds them.
+    // A separate method, because its lambdas would cause an allocation in every call of the method that contains them.
     private void Resume(long timestamp)
     {
         _hasPackets = true;
@@ -85,14 +85,13 @@ internal sealed class LinkActivity(
             });
     }
 
-    // Receive loop, when what arrives has become something else; timer, which finds what had to wait; and whoever learnt something otherwise,
-    // which does not have to.
+    // Called by the receive loop when the stream changes, by the timer for a delayed description, and by discovery, which is not delayed.
     public void Redescribe(long timestamp, bool isDue = false)
     {
         if (status.State != ConnectionState.Receiving || (!isDue && timestamp - Volatile.Read(ref _described) < DescriptionPeriod))
             return;
 
-        // After a jump in a playback nothing is known until the next frame: what was told still holds.
+        // After a jump in a playback nothing is known until the next frame, so the last description stays valid.
         StreamDescription stream = Describe();
         if (stream.Format == StreamFormat.Unknown || string.Equals(stream.Text, _description, StringComparison.Ordinal))
             return;
@@ -115,7 +114,7 @@ internal sealed class LinkActivity(
     {
         int length = _skippedLength;
 
-        // It says more than what came before it, such as the rest of a line.
+        // These reasons say more than an earlier one, such as that for the rest of a line.
         if (length == 0 || reason is SkipReason.AmbiguousName or SkipReason.MissingAvatar)
             _skipReason = reason;
 
@@ -124,7 +123,7 @@ internal sealed class LinkActivity(
         _skippedLength = length + bytes.Length;
     }
 
-    // Receive loop, after the link. A server that sent something else and then closed is no mere end of the connection.
+    // Receive loop, after the link. If a server sent something else and then closed, the reason is more than the end of the connection.
     public LinkEnd Explain(LinkEnd end) => !_hasPackets && _skippedLength > 0 && _skipReason != SkipReason.Incomplete
         && end.Reason is ConnectionReason.ClosedByPeer or ConnectionReason.Reset or ConnectionReason.EndOfRecording
         ? end with { Reason = ConnectionReason.UnknownFormat, Message = $"{ConnectionMessages.UnknownFormat(_target, DescribeSkipped())} Then the connection ended." }
@@ -158,7 +157,7 @@ internal sealed class LinkActivity(
             BeginPeriod(now);
         }
 
-        // Every further check of a long silence comes here: the words are made once.
+        // Every further check of a long silence comes here, so the message is made only once.
         ConnectionReason reason = FindReason();
         if (status.Current is { State: ConnectionState.Silent } told && told.Reason == reason)
             return;

@@ -3,10 +3,10 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// What a link has to know: a validated copy of the reader's options.
+// Options of a link: a validated copy of the reader's options.
 internal sealed record LinkOptions(string Host, int Port)
 {
-    // As people write it: an IPv6 address in brackets.
+    // The usual text form, with an IPv6 address in brackets.
     public string Target => Host.Contains(':') && !Host.StartsWith('[') ? $"[{Host}]:{Port}" : $"{Host}:{Port}";
 
     public IPAddress? LocalAddress { get; init; }
@@ -19,13 +19,13 @@ internal sealed record LinkOptions(string Host, int Port)
 
     public ReceiveThread ReceiveThread { get; init; }
 
-    // Replaced by tests: what a resolver does on a machine without a network cannot be foreseen.
+    // Tests replace it, because the behaviour of a resolver without a network is not predictable.
     public Func<string, Task<IPAddress[]>> Resolve { get; init; } = LookUpAsync;
 
-    // How the connection waits; for each link one of its own.
+    // How the connection waits; each link takes a new receiver.
     public Func<ReceiveThread, TcpReceiver> TakeReceiver { get; init; } = TcpReceivers.Shared.Take;
 
-    // On a thread of its own: what the system offers without one takes a pool thread on most systems, and in a busy process there may be none.
+    // Resolves on its own thread. The asynchronous methods of the system use a pool thread on most systems, and a busy process may have none.
     private static async Task<IPAddress[]> LookUpAsync(string host)
     {
         IPAddress[] found = [];

@@ -1,12 +1,12 @@
 namespace NeuronMocap.Transport;
 
-// Recognises the text format (protocol.md section 8): "0 Char00 0.00 93.02", avatar number, name and values; calculation data are values only.
+// Recognizes the text format (protocol.md section 8): "0 Char00 0.00 93.02", with avatar number, name and values. Calculation data has only values.
 internal static class NumericText
 {
-    // A word in this place is the avatar's name. What follows the last separator may be cut off anywhere and says nothing.
+    // A word in this place is the avatar's name. The text after the last separator may be cut off anywhere and is ignored.
     private const int NameIndex = 1;
 
-    // Words of a name, and numbers behind it that are no version or address.
+    // Largest number of words in a name, and of numbers after it that are not a version or an address.
     private const int MaxNames = 4;
     private const int MinNumbers = 4;
 
@@ -44,7 +44,7 @@ internal static class NumericText
         return numbers > 1;
     }
 
-    // Whether the bytes begin with a word or a few that are no numbers, and then only numbers, as a line of the format without the avatar's number.
+    // Whether the bytes begin with a few words that are not numbers, and then contain only numbers: a line of the format without the avatar's number.
     public static bool BeginsWithName(ReadOnlySpan<byte> bytes)
     {
         int names = 0;
@@ -74,7 +74,7 @@ internal static class NumericText
         return names > 0 && numbers >= MinNumbers;
     }
 
-    // A public emulator sends stray zero bytes between the lines, and "||" ends each avatar's values.
+    // A public emulator sends extra zero bytes between the lines, and "||" ends each avatar's values.
     private static bool IsSeparator(byte value) => value is 0 or (byte)' ' or (byte)'\t' or (byte)'\r' or (byte)'\n' or (byte)'|';
 
     private static bool IsNumber(ReadOnlySpan<byte> word)

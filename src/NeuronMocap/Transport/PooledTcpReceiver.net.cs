@@ -6,8 +6,8 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// Waits without a thread and, as long as nothing arrives, without memory: for the connections of a process that has very many. The bytes
-// are handled on whichever pool thread the system's completion arrives.
+// Waits without a thread and, while nothing arrives, without memory. This suits a process with very many connections. The bytes are handled on the pool
+// thread on which the system's completion arrives.
 internal sealed class PooledTcpReceiver : TcpReceiver
 {
     private const int BufferSize = 64 * 1024;
@@ -22,13 +22,13 @@ internal sealed class PooledTcpReceiver : TcpReceiver
 
     public override void Close() => _lock.Close();
 
-    // One method, and so one state machine for the whole connection: one of its own for each arrival would be allocated whenever it waits.
+    // One method, so there is one state machine for the whole connection. A separate one for each arrival would be allocated at every wait.
     private async Task LoopAsync(Socket socket, PacketAssembler assembler)
     {
         int count;
         do
         {
-            // A receive of no bytes completes as soon as there are some.
+            // A receive of zero bytes completes as soon as there are bytes.
             await socket.ReceiveAsync(Memory<byte>.Empty, SocketFlags.None).ConfigureAwait(false);
             byte[] buffer = ArrayPool<byte>.Shared.Rent(BufferSize);
             try

@@ -1,43 +1,43 @@
 namespace NeuronMocap.Transport;
 
-// Stands before what a link delivers, where pool threads deliver it: one of them at a time goes through, and none after the end. So a link that is
-// closed is over as soon as nobody is inside, which whoever closes it finds out here, without waiting for the system to complete an operation
-// on a pool thread that may not be free for a while.
+// Guards the deliveries of a link if pool threads deliver. One thread at a time can enter, and none after the end. A closed link is therefore finished as
+// soon as no thread is inside, which the closing thread checks here. It does not wait for the system to complete an operation on a pool thread, which may
+// not be free for a while.
 internal sealed class ReceiveGate
 {
     private const int Open = 0;
     private const int Inside = 1;
     private const int Closed = 2;
 
-    // Whoever awaits it goes on on the thread that closes the gate.
+    // Code that awaits this task continues on the thread that closes the gate.
     private readonly TaskCompletionSource<bool> _closed = new();
     private int _state;
 
-    // Whether a delivery runs, or ended in an exception.
+    // Whether a delivery is running, or ended with an exception.
     public bool IsInside => Volatile.Read(ref _state) == Inside;
 
-    // Before a delivery. False at the end. Waits for a timer that delivers what had to wait: rarely, but for as long as the handlers take that it
-    // calls. So long it looks about once in a millisecond, and its thread receives nothing, as while it runs a slow handler itself.
+    // Called before a delivery. Returns false at the end. It may have to wait for a timer that delivers held datagrams; this is rare, but lasts as long as
+    // the handlers. During this wait the thread checks about once in a millisecond and receives nothing, the same as while it runs a slow handler itself.
     public bool TryEnter()
     {
         int state = Interlocked.CompareExchange(ref _state, Inside, Open);
         return state == Open || (state == Inside && WaitToEnter());
     }
 
-    // As TryEnter, but false also while somebody is inside.
+    // Does the same as TryEnter, but also returns false while another thread is inside.
     public bool TryEnterIdle() => Interlocked.CompareExchange(ref _state, Inside, Open) == Open;
 
-    // After one. False when the gate was closed meanwhile, or before.
+    // Called after a delivery. Returns false if the gate was closed in the meantime, or before.
     public bool TryLeave() => Interlocked.CompareExchange(ref _state, Open, Inside) == Inside;
 
-    // As TryLeave, for one whose own end nobody awaits.
+    // Does the same as TryLeave, for a thread whose own end is not awaited.
     public void Leave()
     {
         if (!TryLeave())
             _closed.TrySetResult(true);
     }
 
-    // In place of Leave, where a delivery threw: the one who awaits the end gets the exception, and nobody enters any more.
+    // Replaces Leave if a delivery threw. The code that awaits the end gets the exception, and no thread can enter again.
     public void Fail(Exception exception)
     {
         Interlocked.Exchange(ref _state, Closed);
@@ -50,7 +50,7 @@ internal sealed class ReceiveGate
             _closed.TrySetResult(true);
     }
 
-    // Ends as the deliveries do, or when the gate is closed and nobody is inside, or with the exception of Fail.
+    // Ends when the deliveries end, when the gate is closed and no thread is inside, or with the exception of Fail.
     public async Task UntilClosedAsync(Task deliveries)
     {
         if (await Task.WhenAny(deliveries, _closed.Task).ConfigureAwait(false) == deliveries)

@@ -1,23 +1,23 @@
 namespace NeuronMocap;
 
-/// <summary>On which thread a reader receives, and so runs the handlers of its frames.</summary>
+/// <summary>The kind of thread on which a reader receives and runs the handlers of frames.</summary>
 public enum ReceiveThread
 {
     /// <summary>
-    /// Over TCP a thread of its own for each of the first 16 connections of the process, the pool's threads for more; over UDP the pool's threads. Unity and
-    /// other programs on .NET Standard 2.1 have a thread for every TCP connection.
+    /// Over TCP, each of the first 16 connections of the process has its own thread, and further connections use pool threads. UDP uses pool threads.
+    /// On .NET Standard 2.1, for example in Unity, every TCP connection has its own thread.
     /// </summary>
     Auto,
 
     /// <summary>
-    /// A thread of its own, however many there are: the least delay, and it needs no thread of the pool. On .NET Standard 2.1 there is no such way for
-    /// UDP, which then uses the pool's threads.
+    /// Each connection has its own thread, regardless of their number. This has the shortest delay and needs no pool thread. On .NET Standard 2.1 this is
+    /// not available for UDP, which then uses pool threads.
     /// </summary>
     Dedicated,
 
     /// <summary>
-    /// The threads of the pool, one at a time: no thread and no buffer while nothing arrives. Frames wait where the program blocks the pool.
-    /// On .NET Standard 2.1 there is no such way for TCP, and the connection has a thread of its own.
+    /// Connections use pool threads, one at a time. They need no thread and no buffer while nothing arrives. If the program blocks the pool, frames wait.
+    /// On .NET Standard 2.1 this is not available for TCP, and the connection has its own thread.
     /// </summary>
     Pool,
 }

@@ -1,19 +1,19 @@
 namespace NeuronMocap;
 
-/// <summary>
-/// When a reader tries again after a connection failed or ended: after delays that double from <see cref="InitialDelay"/> to
-/// <see cref="MaxDelay"/>, each shortened at random by up to a half so that many clients of one server do not return in the same instant.
-/// A connection that delivered frames starts the row anew.
-/// </summary>
+/// <summary>Determines when a reader reconnects after a connection fails or ends.</summary>
+/// <remarks>
+/// The delays double from <see cref="InitialDelay"/> to <see cref="MaxDelay"/>. Each delay is shortened at random by up to a half, so many clients of one
+/// server do not return at the same moment. After a connection that delivered frames, the delays start again.
+/// </remarks>
 public sealed class ReconnectPolicy
 {
-    /// <summary>Whether to try again at all. True unless set.</summary>
+    /// <summary>Whether to reconnect. The default is true.</summary>
     public bool Enabled { get; set; } = true;
 
-    /// <summary>First delay. 250 ms unless set; more than zero.</summary>
+    /// <summary>First delay; more than zero. The default is 250 ms.</summary>
     public TimeSpan InitialDelay { get; set; } = TimeSpan.FromMilliseconds(250);
 
-    /// <summary>Longest delay. 5 s unless set; at least <see cref="InitialDelay"/>, at most a day.</summary>
+    /// <summary>Longest delay; at least <see cref="InitialDelay"/>, at most a day. The default is 5 s.</summary>
     public TimeSpan MaxDelay { get; set; } = TimeSpan.FromSeconds(5);
 
     internal string? FindFault()
@@ -30,7 +30,7 @@ public sealed class ReconnectPolicy
 
     internal ReconnectPolicy Copy() => (ReconnectPolicy)MemberwiseClone();
 
-    // failures: attempts without a frame since the last one with frames; 0 after one with frames. jitter: 0 to 1.
+    // failures: number of attempts without a frame since the last attempt with frames; 0 after an attempt with frames. jitter: 0 to 1.
     internal TimeSpan GetDelay(int failures, double jitter)
     {
         double doubled = InitialDelay.TotalMilliseconds * Math.Pow(2, Math.Min(Math.Max(failures - 1, 0), 30));

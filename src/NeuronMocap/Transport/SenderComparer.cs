@@ -2,8 +2,8 @@ using System.Net;
 
 namespace NeuronMocap.Transport;
 
-// Compares addresses by their bytes. SocketAddress does, too, but on Mono, and so in Unity, the hash code of one that the system filled in is zero,
-// and that of its copy is not.
+// Compares addresses by their bytes. SocketAddress also does this, but has a fault on Mono, and therefore in Unity. There, an address that the system
+// filled in has the hash code zero, but its copy has another.
 internal sealed class SenderComparer : IEqualityComparer<SocketAddress>
 {
     public static SenderComparer Instance { get; } = new();

@@ -3,10 +3,10 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Transport;
 
-// Who may send datagrams to the reader, and who tried without being allowed. The receive loop writes, anyone reads.
+// The senders that may send datagrams to the reader, and those that were refused. The receive loop writes, any thread reads.
 internal sealed class SenderFilter(IReadOnlyList<IPAddress> allowed)
 {
-    // Anyone can forge thousands of addresses; the first few are enough to recognise a setting that was forgotten.
+    // Thousands of addresses can be forged. The first few are enough to recognize a forgotten setting.
     private const int MaxNames = 4;
 
     private readonly byte[][] _allowed = [.. allowed.Select(static address => Normalise(address).GetAddressBytes())];
@@ -15,10 +15,10 @@ internal sealed class SenderFilter(IReadOnlyList<IPAddress> allowed)
 
     public long RefusedDatagrams => Volatile.Read(ref _refusedDatagrams);
 
-    // Addresses that were refused, the first four.
+    // The first four addresses that were refused.
     public IEnumerable<IPAddress> RefusedSenders => _refused.Select(static address => new IPAddress(address));
 
-    // Allocates nothing, and nothing is sent to a sender that is refused.
+    // Allocates nothing. The reader never answers a refused sender.
     public bool Allows(SocketAddress sender) => _allowed.Length == 0 || Contains(_allowed, sender);
 
     public void CountRefused(SocketAddress sender)
@@ -28,7 +28,7 @@ internal sealed class SenderFilter(IReadOnlyList<IPAddress> allowed)
             _refused = [.. _refused, Copy(sender)];
     }
 
-    // Where the address lies in the system's structure: behind the port, and for IPv6 behind the flow too.
+    // Returns the place of the address in the system's structure: after the port, and for IPv6 also after the flow.
     public static (int Offset, int Length) Locate(SocketAddress address) =>
         address.Family == AddressFamily.InterNetworkV6 ? (8, 16) : (4, 4);
 

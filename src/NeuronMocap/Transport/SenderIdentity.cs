@@ -1,6 +1,6 @@
 namespace NeuronMocap.Transport;
 
-// What a sender's first header tells of it. The kind is None where text has begun that does not tell yet.
+// The identity of a sender, from its first header. The kind is None if only the start of a text line has arrived, which does not show the kind.
 internal readonly record struct SenderIdentity(PacketKind Kind, uint Avatar, AvatarName Name)
 {
     public bool IsCalculation => Kind is PacketKind.Calculation or PacketKind.StudioCalculation;
@@ -13,6 +13,6 @@ internal readonly record struct SenderIdentity(PacketKind Kind, uint Avatar, Ava
         _ => new(kind, 0, default),
     };
 
-    // Whether both are of one body, as far as their first frames tell.
+    // Whether both belong to the same body, according to their first frames.
     public bool IsOfSameAvatar(in SenderIdentity other) => Avatar == other.Avatar && Name == other.Name;
 }

@@ -2,12 +2,12 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// Looks at the first datagram of somebody unknown: only one that holds the beginning of a packet or of a line costs memory.
+// Examines the first datagram of an unknown sender. Only a datagram with the start of a packet or of a line costs memory.
 internal sealed class SenderProbe(PacketScanner packets)
 {
     private readonly StreamScanner _scanner = new(packets);
 
-    // Null where it holds none.
+    // Returns null if the datagram has no such start.
     public SenderIdentity? Find(ReadOnlySpan<byte> datagram)
     {
         _scanner.Begin();

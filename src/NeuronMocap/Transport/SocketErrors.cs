@@ -17,7 +17,7 @@ internal static class SocketErrors
         _ => ConnectionReason.NetworkError,
     };
 
-    // Closing a socket under a pending operation gives a different exception on every runtime.
+    // Closing a socket during a pending operation causes a different exception on every runtime.
     public static bool IsExpected(Exception exception) =>
         exception is SocketException or ObjectDisposedException or OperationCanceledException;
 }

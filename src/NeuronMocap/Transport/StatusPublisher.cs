@@ -1,7 +1,7 @@
 namespace NeuronMocap.Transport;
 
-// Holds the newest status and tells about changes, in their order, one at a time, on the thread that made the change or on one that is
-// telling already; never under the lock, so that a handler may call whatever it likes.
+// Holds the newest status and publishes changes in order, one at a time. This happens on the thread that made the change, or on a thread that is already
+// publishing. It never happens inside the lock, so handlers can call any member.
 internal sealed class StatusPublisher(Action<ConnectionStatus> changed)
 {
     private readonly object _lock = new();
@@ -11,7 +11,7 @@ internal sealed class StatusPublisher(Action<ConnectionStatus> changed)
     private ConnectionStatus? _lastFailure;
     private volatile ConnectionState _state;
 
-    // Read by the receive path for every packet, so without the lock.
+    // The receive path reads it for every packet, so it needs no lock.
     public ConnectionState State => _state;
 
     public ConnectionStatus Current
@@ -23,7 +23,7 @@ internal sealed class StatusPublisher(Action<ConnectionStatus> changed)
         }
     }
 
-    // Why the newest attempt that is over came to nothing; null where none did.
+    // The status that says why the last finished attempt failed; null if none failed.
     public ConnectionStatus? LastFailure
     {
         get
@@ -35,7 +35,7 @@ internal sealed class StatusPublisher(Action<ConnectionStatus> changed)
 
     public void Set(ConnectionStatus status) => TrySet(_ => true, _ => status);
 
-    // Changes the status only where the current one allows it: watchdog, receive loop and caller meet here. Stopped is final.
+    // Changes the status only if the current one allows it: watchdog, receive loop and caller can compete here. Stopped is final.
     public bool TrySet(Predicate<ConnectionStatus> allowed, Func<ConnectionStatus, ConnectionStatus> change)
     {
         lock (_lock)

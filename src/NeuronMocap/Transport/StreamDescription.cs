@@ -1,4 +1,5 @@
 namespace NeuronMocap.Transport;
 
-// What arrives, for the status: the text completes a sentence that says from where. A reason other than None is what is wrong with it.
+// Describes the stream for the status. Text completes a sentence that says where the stream comes from. A reason other than None is the problem with the
+// stream.
 internal readonly record struct StreamDescription(StreamFormat Format, ConnectionReason Reason, string? Text);

@@ -1,9 +1,9 @@
 namespace NeuronMocap.Transport;
 
-// Waits for a task that never faults, without a thread.
+// Waits for a task that never faults, without using a thread.
 internal static class TaskWaiting
 {
-    // Cancelled, only the wait ends.
+    // Cancellation ends only the wait.
     public static async Task WaitAsync(Task task, CancellationToken cancellationToken)
     {
         var cancelled = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);

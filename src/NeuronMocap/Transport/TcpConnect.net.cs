@@ -5,6 +5,6 @@ namespace NeuronMocap.Transport;
 
 internal static class TcpConnect
 {
-    // Blocks until there is a connection or none; closing the socket ends it at once.
+    // Blocks until the connection is established or fails; closing the socket ends it at once.
     public static void Run(Socket socket, EndPoint remote) => socket.Connect(remote);
 }

@@ -6,14 +6,14 @@ namespace NeuronMocap.Transport;
 
 internal static class TcpConnect
 {
-    // Longest time that closing the socket waits for.
+    // Longest time that a close of the socket must wait.
     private const int PollMicroseconds = 10_000;
 
-    // .NET would never let the socket block again, and closes one that is connecting at once.
+    // .NET would never make the socket blocking again, and it closes a connecting socket at once.
     private static readonly bool IsDotNet = RuntimeInformation.FrameworkDescription.StartsWith(".NET ", StringComparison.Ordinal);
 
-    // Blocks until there is a connection or none; closing the socket ends it at once. Mono, and so Unity, takes a second to close a socket that
-    // is blocked while it connects.
+    // Blocks until the connection is established or fails; closing the socket ends it at once. Mono, and therefore Unity, needs a second to close a socket
+    // that is blocked in a connect.
     public static void Run(Socket socket, EndPoint remote)
     {
         if (IsDotNet)

@@ -4,8 +4,8 @@ namespace NeuronMocap.Transport;
 
 internal static class TcpKeepAlive
 {
-    // A peer whose computer lost its power or its network says nothing more, and whoever only listens would wait for ever.
-    // Probes after 10 s of silence, every 2 s; given up after 5 without an answer.
+    // A peer that loses its power or its network sends nothing more. A computer that only listens would wait forever. Sends probes after 10 s of silence,
+    // every 2 s, and gives up after 5 probes without an answer.
     public static void Enable(Socket socket)
     {
         try
@@ -17,7 +17,7 @@ internal static class TcpKeepAlive
         }
         catch (SocketException)
         {
-            // Not every system has all of these; without them a dead peer is noticed later.
+            // Not every system has all of these options; without them a dead peer is noticed later.
         }
     }
 }

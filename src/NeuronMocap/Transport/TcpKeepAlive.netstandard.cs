@@ -4,9 +4,9 @@ namespace NeuronMocap.Transport;
 
 internal static class TcpKeepAlive
 {
-    // A peer whose computer lost its power or its network says nothing more, and whoever only listens would wait for ever.
-    // Probes after 10 s of silence, every 2 s. Mono knows them only in the form of Windows, leaves the number of probes to the system (Windows 10, Linux 9),
-    // and writes a line to the console for each of the options that .NET has; .NET in turn refuses that form everywhere but on Windows.
+    // A peer that loses its power or its network sends nothing more. A computer that only listens would wait forever. Sends probes after 10 s of silence,
+    // every 2 s. Mono supports these options only in the form of Windows, which .NET supports only on Windows. With this form, the system chooses the
+    // number of probes (Windows 10, Linux 9). For each option in the form of .NET, Mono writes a line to the console.
     public static void Enable(Socket socket)
     {
         try
@@ -20,11 +20,11 @@ internal static class TcpKeepAlive
         }
         catch (SocketException)
         {
-            // Not every system has this; without it a dead peer is noticed later.
+            // Not every system has this option; without it a dead peer is noticed later.
         }
     }
 
-    // Three integers of the machine: on, and the times in milliseconds.
+    // Three integers in the byte order of this computer: on, and the times in milliseconds.
     private static byte[] GetValues()
     {
         byte[] values = new byte[3 * sizeof(uint)];
@@ -34,7 +34,7 @@ internal static class TcpKeepAlive
         return values;
     }
 
-    // This target has no names for them.
+    // This target framework has no names for these options.
     private static void SetOptions(Socket socket)
     {
         const SocketOptionName Time = (SocketOptionName)3;
@@ -48,7 +48,7 @@ internal static class TcpKeepAlive
         }
         catch (SocketException)
         {
-            // Not every system has all of these.
+            // Not every system has all of these options.
         }
     }
 }

@@ -4,11 +4,11 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// A TCP connection to a server that sends without being asked (protocol.md section 4.1); only commands go the other way. How it waits for
-// bytes: TcpReceivers.
+// A TCP connection to a server that sends without requests (protocol.md section 4.1); only commands go the other way. TcpReceivers determines how it waits
+// for bytes.
 internal sealed class TcpLink(LinkOptions options) : Link
 {
-    // A server that does not read commands does not get many before its buffers are full, and then holds up who sends them, never the frames.
+    // If a server does not read commands, its buffers are soon full. It then delays the sending thread, but never the frames.
     private const int SendTimeoutMilliseconds = 1000;
 
     private readonly object _lock = new();
@@ -48,7 +48,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
         }
     }
 
-    // Whole requests only: one at a time, and after half of one the server finds the next by its tokens.
+    // Sends whole requests only, one at a time. After half of a request, the server finds the next one by its tokens.
     public override bool TrySend(ReadOnlySpan<byte> bytes)
     {
         if (RemoteEndPoint is null)
@@ -58,7 +58,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
         {
             lock (_sendLock)
             {
-                // Not before the first command: on Linux this time-out would hold for connecting, too.
+                // Set only before the first command, because on Linux this timeout would also apply to connecting.
                 _socket!.SendTimeout = SendTimeoutMilliseconds;
                 return _socket.Send(bytes, SocketFlags.None, out _) == bytes.Length;
             }
@@ -93,7 +93,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
         }
         catch (ArgumentException)
         {
-            // The resolver refuses names that no computer can have.
+            // The resolver rejects names that no computer can have.
             return new LinkEnd(ConnectionReason.HostNotFound, ConnectionMessages.HostNotFound(options.Host));
         }
         catch (TimeoutException)
@@ -119,7 +119,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
 
     private async Task<LinkEnd> ConnectAsync(IPAddress address, CancellationToken cancellationToken)
     {
-        // The systems have several errors for this, and some of them mean other things too.
+        // Systems report several errors for this, and some of those errors have other meanings too.
         if (options.LocalAddress is { } own && own.AddressFamily != address.AddressFamily)
             return Failed(SocketError.AddressNotAvailable, new SocketException((int)SocketError.AddressNotAvailable));
 
@@ -142,7 +142,8 @@ internal sealed class TcpLink(LinkOptions options) : Link
                 await _receiver.ConnectAsync(socket, remote).ConfigureAwait(false);
             }
 
-            // Not asked of the socket: one that was reset meanwhile does not know any more, and the receive loop has to say that it was.
+            // The socket is not asked for its remote end point. A socket that was reset in the meantime no longer knows it, and the receive loop must
+            // report the reset.
             RemoteEndPoint = remote;
             LocalEndPoint = socket.LocalEndPoint;
             if (!IsOwnEcho(socket, remote))
@@ -160,11 +161,11 @@ internal sealed class TcpLink(LinkOptions options) : Link
         }
     }
 
-    // On this computer, the system may choose the very port that the connection goes to as the port that it comes from: where nobody listens,
-    // the socket then connects to itself, hears nothing for ever, and keeps the port from the server.
+    // On this computer, the system can choose the destination port as the local port. If nothing listens there, the socket connects to itself. It then
+    // receives nothing forever, and blocks the port for the server.
     internal static bool IsOwnEcho(Socket socket, EndPoint remote) => remote.Equals(socket.LocalEndPoint);
 
-    // Of several addresses, the one whose answer says most about the server.
+    // Of several addresses, prefers the one whose answer says the most about the server.
     internal static int Weight(ConnectionReason reason) => reason switch
     {
         ConnectionReason.Refused => 3,
@@ -173,7 +174,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
         _ => 1,
     };
 
-    // Closing a socket gives a different error on every runtime, so whether it was closed here is what tells.
+    // Closing a socket causes a different error on every runtime, so the decisive fact is whether it was closed here.
     private LinkEnd FirstReason(LinkEnd end)
     {
         lock (_lock)

@@ -1,12 +1,13 @@
 namespace NeuronMocap.Transport;
 
-// Who gets a thread. A blocking thread answers soonest, and more than a few servers at once is rare; past the limit, connections share the
-// pool's threads, so that a process with a thousand of them has no thousand threads. docs/internals/performance.md has the figures of both.
+// Decides which connections get a thread. A blocking thread reacts fastest, and more than a few servers at once are rare. Past the limit, connections
+// share the pool threads, so a process with a thousand connections does not have a thousand threads. docs/internals/performance.md has the figures for
+// both.
 internal sealed class TcpReceivers(int maxThreads)
 {
     private int _threads;
 
-    // Of all connections of the process.
+    // The shared instance for all connections of the process.
     public static TcpReceivers Shared { get; } = new(maxThreads: 16);
 
     public TcpReceiver Take(ReceiveThread wanted = ReceiveThread.Auto)

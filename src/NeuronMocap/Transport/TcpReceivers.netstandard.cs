@@ -2,7 +2,7 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace NeuronMocap.Transport;
 
-// Every connection has a thread: what this target offers for waiting without one allocates for every wait.
+// Every connection has a thread, because waiting without a thread allocates at every wait on this target framework.
 internal sealed class TcpReceivers
 {
     public static TcpReceivers Shared { get; } = new();

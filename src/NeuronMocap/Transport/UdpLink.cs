@@ -4,7 +4,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// A UDP port that anyone may send to (protocol.md section 4.2).
+// A UDP port to which any computer can send (protocol.md section 4.2).
 internal sealed class UdpLink(LinkOptions options, SenderFilter filter, UdpServers? servers = null, object? receiveLock = null) : Link
 {
     private readonly object _lock = new();

@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Transport;
 
-// Hands out datagrams that wait until it is known whose they are, where nothing arrives any more that would tell. Takes turns with the receive loop.
+// Delivers waiting datagrams if no more datagrams arrive that would identify their server. Takes turns with the receive loop.
 internal sealed class UdpPendingTimer : IDisposable
 {
     private static readonly TimeSpan Period = TimeSpan.FromMilliseconds(50);
@@ -23,8 +23,8 @@ internal sealed class UdpPendingTimer : IDisposable
         senders.Waits = Arm;
     }
 
-    // When it returns, nothing is being handed out and nothing will. Called by the one who awaits the receive loop's end. What still waits is handed
-    // out here, unless a delivery failed: then nobody knows what state it left.
+    // Called by the code that awaits the end of the receive loop. Delivers the remaining datagrams, unless a delivery failed: the state after that is
+    // unknown. After this method returns, no more held datagrams are delivered.
     public void Dispose()
     {
         lock (_lock)
@@ -40,7 +40,7 @@ internal sealed class UdpPendingTimer : IDisposable
             _senders.Settle(Stopwatch.GetTimestamp(), isLast: true);
     }
 
-    // Fires once: while a handler blocks the one call, no further ones pile up behind it.
+    // Fires once, so no further calls accumulate while a handler blocks the current one.
     private void Arm()
     {
         if (Interlocked.Exchange(ref _isArmed, 1) == 0)
@@ -49,7 +49,7 @@ internal sealed class UdpPendingTimer : IDisposable
 
     private void Settle()
     {
-        // Whoever awaits the gate goes on in Leave or Fail, on this thread, and disposes of this.
+        // Code that awaits the gate continues in Leave or Fail, on this thread, and disposes this object.
         lock (_lock)
         {
             if (_hasEnded)

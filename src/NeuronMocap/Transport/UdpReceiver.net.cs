@@ -10,7 +10,7 @@ internal static class UdpReceiver
 
     public static ReceiveThread ThreadFor(ReceiveThread wanted) => wanted == ReceiveThread.Dedicated ? ReceiveThread.Dedicated : ReceiveThread.Pool;
 
-    // Throws when the gate or the socket is closed, or the socket fails.
+    // Throws when the gate or the socket is closed, or when the socket fails.
     public static Task ReceiveAsync(Socket socket, UdpSenders senders, ReceiveGate gate, ReceiveThread thread) => gate.UntilClosedAsync(
         thread == ReceiveThread.Dedicated
             ? DedicatedThread.RunAsync("NeuronMocap UDP receive", () => Loop(socket, senders, gate), TaskCreationOptions.None)

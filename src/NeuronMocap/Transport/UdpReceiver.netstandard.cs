@@ -5,8 +5,8 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Transport;
 
-// A blocking ReceiveFrom allocates the sender's address for every datagram on this target; the event-driven one uses its own again. It runs
-// on the pool threads on which the system completes it.
+// On this target framework, a blocking ReceiveFrom allocates the sender's address for every datagram; the event-driven form reuses its own. It runs on the
+// pool threads on which the system completes it.
 internal sealed class UdpReceiver : IDisposable
 {
     private const int MaxDatagram = 65_536;
@@ -31,7 +31,7 @@ internal sealed class UdpReceiver : IDisposable
     [SuppressMessage("Style", "IDE0060", Justification = "The member is that of the other target.")]
     public static ReceiveThread ThreadFor(ReceiveThread wanted) => ReceiveThread.Pool;
 
-    // Throws when the gate or the socket is closed, or the socket fails.
+    // Throws when the gate or the socket is closed, or when the socket fails.
     [SuppressMessage("Style", "IDE0060", Justification = "The member is that of the other target.")]
     public static async Task ReceiveAsync(Socket socket, UdpSenders senders, ReceiveGate gate, ReceiveThread thread)
     {
@@ -42,7 +42,7 @@ internal sealed class UdpReceiver : IDisposable
 
     public void Dispose() => _operation.Dispose();
 
-    // Until an operation is pending, which comes back here, or the socket is closed.
+    // Runs until an operation is pending, whose completion calls this method again, or until the socket is closed.
     private void Receive(bool completed)
     {
         try
@@ -68,7 +68,7 @@ internal sealed class UdpReceiver : IDisposable
         if (_operation.SocketError != SocketError.Success)
             throw new SocketException((int)_operation.SocketError);
 
-        // Some runtimes replace the end point by one of their own instead of asking ours.
+        // Some runtimes replace the end point by their own, instead of filling this one.
         SocketAddress address = _operation.RemoteEndPoint is SenderEndPoint sender ? sender.Address : _operation.RemoteEndPoint!.Serialize();
         if (_lock.TryEnter())
             _senders.Push(address, new ArraySegment<byte>(_operation.Buffer!, 0, _operation.BytesTransferred), Stopwatch.GetTimestamp());
@@ -76,7 +76,7 @@ internal sealed class UdpReceiver : IDisposable
             throw new OperationCanceledException();
     }
 
-    // Keeps the sender's address in the object that the runtime wrote it to, where other end points make a new one.
+    // Keeps the sender's address in the object that the runtime wrote it to. Other end points make a new object.
     private sealed class SenderEndPoint(EndPoint local) : EndPoint
     {
         public SocketAddress Address { get; private set; } = local.Serialize();

@@ -3,13 +3,13 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// One address and port that sends datagrams. Times are ticks of the clock of those who tell them; turns count datagrams, and so tell which came
-// first where two came at the same time.
+// One address and port that sends datagrams. Times are clock ticks that the caller provides. Turns count datagrams, so they also order datagrams of the
+// same time.
 internal sealed class UdpSender
 {
     private long _longestPause;
 
-    // The receive loop uses its address object again for the next datagram.
+    // Copies the address, because the receive loop reuses its address object for the next datagram.
     public UdpSender(SocketAddress address, int number, SenderIdentity identity, long turn, long clock)
     {
         Address = new SocketAddress(address.Family, address.Size);
@@ -27,39 +27,39 @@ internal sealed class UdpSender
 
     public HostKey Host { get; }
 
-    // What recordings call it; no two have the same.
+    // Number of the sender in recordings; each sender has a different number.
     public int Number { get; }
 
     public SenderIdentity Identity { get; }
 
-    // Turns of its first and of its newest datagram, and when the newest came.
+    // Turns of the first and the newest datagram, and the time of the newest.
     public long Began { get; }
 
     public long Turn { get; private set; }
 
     public long Heard { get; private set; }
 
-    // When its newest frame was whole; null before the first one.
+    // When its newest frame was complete; null before the first frame.
     public long? Delivered { get; set; }
 
-    // Null while it is not known whose place it takes, and again when another one has taken its own.
+    // Null until its server is identified, and again after another sender took its place.
     public UdpServer? Server { get; set; }
 
     // Null until it has a server.
     public PacketAssembler? Assembler { get; set; }
 
-    // Datagrams that wait until it has one.
+    // Datagrams that wait until it has a server.
     public List<(byte[] Datagram, long Timestamp)> Held { get; } = [];
 
-    // While it has none: when to look again, unless somebody speaks before.
+    // While it has no server: when to check again, unless another datagram arrives earlier.
     public long Due { get; set; } = long.MinValue;
 
-    // One bit for each kind of frame that it sent.
+    // One bit for each kind of frame that it has sent.
     public int Kinds { get; set; }
 
     public bool IsRetired => Assembler is not null && Server is null;
 
-    // The longest of its recent pauses between two datagrams. It falls slowly: the avatars of one frame come at once.
+    // The longest of its recent pauses between two datagrams. It decreases slowly, because the avatars of one frame arrive together.
     public long LongestPause => _longestPause;
 
     public void Hear(long turn, long clock)

@@ -4,17 +4,19 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Transport;
 
-// One assembler for every address and port that sends to a UDP port: Axis Neuron on macOS cuts a frame into two datagrams, and two senders interleave
-// (protocol.md section 4.2). Which of them are the same server: UdpServers. Used by the receive loop, and by a timer that takes turns with it.
+// One assembler for every address and port that sends to a UDP port. Axis Neuron on macOS splits a frame into two datagrams, and datagrams of two senders
+// interleave (protocol.md section 4.2). UdpServers decides which of them are the same server. Used by the receive loop, and by a timer that takes turns
+// with it.
 internal sealed class UdpSenders : IPacketReceiver
 {
-    // Anyone can send from thousands of forged addresses. Who delivers frames keeps its place; of the others the one that was silent longest makes room.
+    // Thousands of sender addresses can be forged. A sender that delivers frames keeps its place. Of the other senders, the one that was silent longest is
+    // removed.
     public const int Limit = 64;
 
-    // Servers that cut frames up cut them into pieces of this size (protocol.md sections 4.2 and 8): a larger datagram begins with a frame.
+    // Servers that split frames use pieces of this size (protocol.md sections 4.2 and 8). A larger datagram therefore begins with a frame.
     private const int PieceSize = 1024;
 
-    // Of datagrams that wait: what 100 avatars send in half a second.
+    // Limit for waiting datagrams: what 100 avatars send in half a second.
     private const int MaxHeldBytes = 4 * 1024 * 1024;
 
     private static readonly long KeptAfterFrame = 5 * Stopwatch.Frequency;
@@ -30,14 +32,14 @@ internal sealed class UdpSenders : IPacketReceiver
     private readonly PacketAssembler _strays;
     private readonly Dictionary<SocketAddress, UdpSender> _senders = new(SenderComparer.Instance);
 
-    // Who waits for a server, in the order of arrival.
+    // Senders that wait for a server, in the order of arrival.
     private readonly List<UdpSender> _unassigned = [];
     private UdpSender? _stray;
     private UdpSender? _current;
     private long _heldBytes;
     private long _clock;
 
-    // Two ports of a reader share the servers and the receive lock; the lock keeps their threads apart.
+    // The two ports of a reader share the servers and the receive lock, which separates their threads.
     public UdpSenders(
         PacketScanner scanner,
         IPacketReceiver receiver,
@@ -53,10 +55,10 @@ internal sealed class UdpSenders : IPacketReceiver
         _strays = new PacketAssembler(scanner, receiver);
     }
 
-    // Those with a place.
+    // Number of senders that have a server.
     public int Count => _senders.Count - _unassigned.Count;
 
-    // Whether datagrams wait: then Settle is to be called from time to time, as nothing else may arrive.
+    // Whether datagrams wait. Settle must then be called from time to time, because no other datagrams may arrive.
     public bool IsWaiting => _unassigned.Count > 0;
 
     // Called in the receive loop when datagrams begin to wait.
@@ -64,7 +66,7 @@ internal sealed class UdpSenders : IPacketReceiver
 
     public void Push(SocketAddress address, ArraySegment<byte> datagram, long timestamp) => Push(address, datagram, timestamp, clock: timestamp);
 
-    // The clock tells the silences; a playback has its own.
+    // The clock measures silences; a playback has its own clock.
     public void Push(SocketAddress address, ArraySegment<byte> datagram, long timestamp, long clock)
     {
         if (_receiveLock is null)
@@ -96,14 +98,14 @@ internal sealed class UdpSenders : IPacketReceiver
             return;
         }
 
-        // What waits came before this.
+        // Waiting datagrams arrived before this one.
         if (_unassigned.Count > 0)
             SettleAlone(clock, isLast: false, sender, before);
 
         Deliver(sender, datagram, timestamp);
     }
 
-    // Hands out the datagrams of those that can be told by now; of all, where nobody can wait any longer.
+    // Delivers the datagrams of senders that can now be identified; at the end, of all senders.
     public void Settle(long clock, bool isLast = false)
     {
         if (_receiveLock is null)
@@ -116,7 +118,8 @@ internal sealed class UdpSenders : IPacketReceiver
             SettleAlone(clock, isLast);
     }
 
-    // Speaker: who just sent, and the turn of its datagram before. Looks only at those for whom it may tell something: a flood has many.
+    // speaker: the sender of the current datagram; before: the turn of its previous datagram. Checks only senders that this may identify, because a flood
+    // has many.
     private void SettleAlone(long clock, bool isLast, UdpSender? speaker = null, long before = 0)
     {
         _clock = clock;
@@ -153,7 +156,7 @@ internal sealed class UdpSenders : IPacketReceiver
 
     void IPacketReceiver.OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason) => _receiver.OnSkipped(bytes, reason);
 
-    // On a calculation port nothing else counts.
+    // On a calculation port, all data is calculation data.
     private bool IsCalculation(UdpSender sender) => _isCalculationPort || sender.Identity.IsCalculation;
 
     private void Deliver(UdpSender sender, ArraySegment<byte> datagram, long timestamp)
@@ -161,15 +164,15 @@ internal sealed class UdpSenders : IPacketReceiver
         PacketAssembler assembler = sender.Assembler!;
         _current = sender;
 
-        // A datagram that begins with a header cannot be the rest of the packet before it: that rest was lost. Joining the two would give
-        // one frame made of two.
+        // A datagram that begins with a header cannot be the rest of the previous packet, so that rest was lost. Joining the two would make one frame out
+        // of parts of two.
         if (assembler.PendingBytes > 0 && (_scanner.StartsPacket(datagram) || assembler.StartsAnew(datagram)))
             assembler.Abandon();
 
         assembler.Push(datagram, timestamp);
     }
 
-    // Somebody unknown.
+    // Handles a datagram of an unknown sender.
     private void AddSender(SocketAddress address, ArraySegment<byte> datagram, long timestamp, long turn)
     {
         if (!_filter.Allows(address))
@@ -255,7 +258,8 @@ internal sealed class UdpSenders : IPacketReceiver
         return true;
     }
 
-    // The one that was silent longest of those that deliver no frames; null where all do. The speaker keeps its place until its datagram is taken.
+    // Finds the sender that was silent longest among those that deliver no frames; null if all deliver. The speaker keeps its place until its datagram is
+    // processed.
     private UdpSender? FindDispensable(UdpSender? newcomer = null, UdpSender? speaker = null)
     {
         UdpSender? oldest = null;
@@ -269,7 +273,7 @@ internal sealed class UdpSenders : IPacketReceiver
         return oldest;
     }
 
-    // Of a sender that was replaced, and now comes again.
+    // Removes a sender that was replaced and now sends again.
     private void Forget(SocketAddress address)
     {
         if (_senders.TryGetValue(address, out UdpSender? retired))
@@ -310,7 +314,7 @@ internal sealed class UdpSenders : IPacketReceiver
         _strays.Abandon();
     }
 
-    // A recording keeps what is in no packet, too, with who sent it.
+    // A recording also contains bytes outside packets, with their sender.
     private void TapStray(SocketAddress address, ArraySegment<byte> datagram, long timestamp)
     {
         if (_tap is not { IsListened: true })

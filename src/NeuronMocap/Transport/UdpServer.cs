@@ -1,6 +1,6 @@
 namespace NeuronMocap.Transport;
 
-// What sends from one address under one sender number: motion and calculation data, from one port or from one each.
+// The sources of motion and calculation data with one address and one sender number. They use the same port, or one port each.
 internal sealed class UdpServer(int number, HostKey host)
 {
     private readonly UdpSender?[] _senders = new UdpSender?[2];

@@ -2,16 +2,16 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Transport;
 
-// Numbers the servers that send datagrams. A server has an address, one port that motion comes from and one that calculation data comes from, often
-// the same. A new port of a known address is one of three things, and which one shows in time:
-// - the same server restarted, which never sends from its old port again: the old one stays silent, and the new one goes on under its number;
-// - another server of the same computer: both send, and the new one gets a number of its own;
-// - the other kind of data of a server, which joins it at once.
-// Who cannot be told yet is asked for again later; the caller keeps its datagrams. Not thread-safe.
+// Numbers the servers that send datagrams. A server has an address, one port for motion and one for calculation data; the two are often the same.
+// A new port of a known address can mean three things, and the right one shows in time:
+// - The same server restarted. It never sends from its old port again, so the old port stays silent. The new port continues under the server's number.
+// - Another server runs on the same computer. Both send, and the new server gets its own number.
+// - A server sends the other kind of data. The port joins this server at once.
+// If a sender cannot be identified yet, the caller keeps its datagrams and asks again later. Not thread-safe.
 internal sealed class UdpServers
 {
-    // A live server may pause for so long: some of its own pauses, within bounds. Networks and busy computers hold datagrams up for a tenth of a
-    // second; nobody waits for longer than the upper bound.
+    // A live server can be silent for this many times its longest recent pause, within bounds. Networks and busy computers delay datagrams by up to a
+    // tenth of a second. No datagram waits longer than the upper bound.
     private const int Pauses = 4;
     private static readonly long ShortestSilence = Stopwatch.Frequency / 4;
     private static readonly long LongestSilence = Stopwatch.Frequency;
@@ -27,7 +27,8 @@ internal sealed class UdpServers
 
     public bool Knows(HostKey host) => _servers.Exists(server => server.Host == host);
 
-    // False while it cannot be told; not where it must be decided, because nobody can wait. Replaced: who sent under this number before.
+    // Returns false if the sender cannot be identified yet. With isLast it always decides, because no more datagrams can wait. replaced: the earlier
+    // sender of this number.
     public bool TryPlace(UdpSender sender, bool isCalculation, long clock, bool isLast, out UdpSender? replaced)
     {
         replaced = null;
@@ -59,8 +60,8 @@ internal sealed class UdpServers
         return true;
     }
 
-    // A sender sends another kind of data than before. True when its frames are from here on those of another server than it was taken for, or go on
-    // for a sender that is gone.
+    // Called when a sender sends another kind of data than before. Returns true if its frames now belong to a different server than was assumed, or if
+    // they continue a sender that is gone.
     public bool Learn(UdpSender sender, bool isCalculation, long clock, out UdpSender? replaced)
     {
         replaced = null;
@@ -97,18 +98,20 @@ internal sealed class UdpServers
     private static (UdpServer? Server, int Rank) Better((UdpServer? Server, int Rank) best, UdpServer server, int rank) =>
         best.Server is null || rank > best.Rank ? (server, rank) : best;
 
-    // Of several servers of a computer, the one with the same avatar, and rather one that lacks what comes than one that never sent it.
+    // Of several servers on a computer, prefers the one with the same avatar. After that, prefers one whose sender of this kind is gone over one that
+    // never had one.
     private static int RankOf(UdpServer server, UdpSender? holder, UdpSender sender) =>
         (server.Any!.Identity.IsOfSameAvatar(sender.Identity) ? 2 : 0) + (holder is null ? 0 : 1);
 
-    // One that spoke since the other came lives beside it. Where nothing more will come to tell, some datagrams without a word of it have to do.
+    // A holder that sent after the other sender began is alive beside it. At the end, several datagrams of the other sender without one of the holder show
+    // that the holder is gone.
     private static bool IsGone(UdpSender holder, UdpSender sender, long clock, bool isLast) => holder.Turn < sender.Began
         && (clock - holder.Heard > SilenceOf(holder, isLast) || (isLast && sender.Held.Count > Pauses));
 
     private static long SilenceOf(UdpSender sender, bool isLast) =>
         Math.Min(Math.Max(Pauses * sender.LongestPause, isLast ? 0 : ShortestSilence), LongestSilence);
 
-    // Whatever else the one sent who is gone, it sends no more.
+    // The replaced sender is gone and sends nothing more, of either kind.
     private static void Place(UdpSender sender, UdpServer server, bool isCalculation, UdpSender? replaced)
     {
         if (replaced is not null)

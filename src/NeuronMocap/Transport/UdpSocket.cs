@@ -3,13 +3,13 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Transport;
 
-// The port on which datagrams are received, by a reader and by a diagnosis alike.
+// The port that receives datagrams, for a reader or a diagnosis.
 internal static class UdpSocket
 {
     // Room for a burst of frames while the receive thread is busy: about half a second of 100 avatars at 60 Hz.
     public const int WantedBuffer = 4 * 1024 * 1024;
 
-    // Not asked of the framework, which has no one way for both builds.
+    // Not read from the framework, which has no common way for both builds.
     public static readonly bool IsLinux = Environment.OSVersion.Platform == PlatformID.Unix && Directory.Exists("/proc/self");
 
     // Throws SocketException.
@@ -33,7 +33,7 @@ internal static class UdpSocket
         }
     }
 
-    // What the system gave of WantedBuffer; null where it does not say. Linux tells twice as much, with what it needs for its own records.
+    // The part of WantedBuffer that the system granted; null if it is unknown. Linux reports twice the size, which includes its own overhead.
     public static int? ReadBuffer(Socket socket)
     {
         try
@@ -46,7 +46,7 @@ internal static class UdpSocket
         }
     }
 
-    // Linux cuts the size down to its limit, macOS refuses one above it: the port works with the system's own size, too.
+    // Linux reduces the size to its limit, and macOS rejects a larger one. The port also works with the system's default size.
     private static void AskForBuffer(Socket socket)
     {
         try
@@ -55,7 +55,7 @@ internal static class UdpSocket
         }
         catch (SocketException)
         {
-            // The status tells what there is.
+            // The status reports the actual size.
         }
     }
 }

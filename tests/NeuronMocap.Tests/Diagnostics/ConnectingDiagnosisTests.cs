@@ -39,7 +39,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     {
         var link = new LinkOptions("studio:7001", 7001) { Resolve = static host => throw new ArgumentException("No name.", nameof(host)) };
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(link, Diagnosing.With(Diagnosing.Patient));
-        diagnosis.AssertFault(DiagnosisVerdict.HostNotFound, "name", "the port has an option of its own");
+        diagnosis.AssertFault(DiagnosisVerdict.HostNotFound, "name", "the port is a separate option");
     }
 
     [Fact]

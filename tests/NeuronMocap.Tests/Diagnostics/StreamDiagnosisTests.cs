@@ -54,7 +54,7 @@ public sealed class StreamDiagnosisTests
         Assert.True(diagnosis.IsReceiving);
         Assert.Contains(DiagnosisVerdict.CalculationUnavailable, diagnosis.Verdicts);
         Assert.Contains($"Calculation port {port}: connection refused.", diagnosis.Summary, StringComparison.Ordinal);
-        Assert.Contains($"tick Enable under Calculation, with port {port}. In Axis Studio switch the broadcasting of calculation data on", diagnosis.Summary, StringComparison.Ordinal);
+        Assert.Contains($"tick Enable under Calculation, with port {port}. In Axis Studio switch on the broadcasting of calculation data", diagnosis.Summary, StringComparison.Ordinal);
         Assert.DoesNotContain("BVH Broadcasting", diagnosis.Summary, StringComparison.Ordinal);
         Assert.Equal(StepOutcome.Failed, diagnosis.Step("calculation port").Outcome);
     }

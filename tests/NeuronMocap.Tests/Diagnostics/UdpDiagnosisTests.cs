@@ -33,7 +33,7 @@ public sealed class UdpDiagnosisTests
         ReceiveBufferStep.Add(log, 212_992);
         ReceiveBufferStep.Add(log, granted: null);
         Assert.Equal([StepOutcome.Ok, StepOutcome.Warning], log.Steps.Select(static step => step.Outcome));
-        Assert.Contains("keeps 208 KiB of datagrams until they are read, of 4096 KiB asked for", log.Steps[1].Detail, StringComparison.Ordinal);
+        Assert.Contains("keeps 208 KiB of datagrams until they are read, of the requested 4096 KiB", log.Steps[1].Detail, StringComparison.Ordinal);
         Assert.Contains("net.core.rmem_max=4194304", ReceiveBufferStep.Describe(212_992, isLinux: true), StringComparison.Ordinal);
         Assert.DoesNotContain("rmem_max", ReceiveBufferStep.Describe(212_992, isLinux: false), StringComparison.Ordinal);
     }

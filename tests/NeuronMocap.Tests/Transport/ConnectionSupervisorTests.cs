@@ -128,7 +128,7 @@ public sealed class ConnectionSupervisorTests
         Assert.Equal((2, ConnectionReason.Requested), (made, end.Reason));
         ConnectionStatus waiting = Assert.Single(_told, status => status.State == ConnectionState.Waiting);
         Assert.Equal(ConnectionReason.NetworkError, waiting.Reason);
-        Assert.Equal("Receiving from the server failed by a fault of this library (System.InvalidOperationException). Please report it.", waiting.Message);
+        Assert.Equal("Receiving from the server failed because of an error in this library (System.InvalidOperationException). Please report it.", waiting.Message);
     }
 
     private Task<ConnectionStatus> SuperviseAsync(ReconnectPolicy policy, Func<Link> createLink) =>

@@ -108,7 +108,7 @@ public sealed class LinkActivityTests
         _activity.EndDelivery();
         _activity.Check(After(4));
         Assert.Equal(ConnectionReason.NoData, _told[^1].Reason);
-        Assert.Contains("none of them carries a frame", _told[^1].Message, StringComparison.Ordinal);
+        Assert.Contains("none of them contains a frame", _told[^1].Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -4,16 +4,16 @@ namespace NeuronMocap.Protocol;
 
 internal enum StreamPart
 {
-    // The bytes may start something, but not all of it is there.
+    // The bytes may start a packet or a line, but are incomplete.
     NeedMoreData,
 
     // A binary packet.
     Packet,
 
-    // A line of text that is a frame; its image is the scanner's.
+    // A line of text with a frame. The scanner holds its image.
     Line,
 
-    // What stands behind a line: its end, and zero bytes that some servers send.
+    // Bytes after a line: its line ending, and zero bytes that some servers send.
     Blank,
 
     Skipped,
@@ -21,33 +21,33 @@ internal enum StreamPart
 
 internal readonly record struct StreamScan(StreamPart Part, int Length, PacketKind Kind = PacketKind.None, SkipReason Reason = default);
 
-// Finds packets and lines of text in one sender's bytes. A line may begin at the start, behind a packet or a line, and behind a line feed in
-// what is skipped. No byte of a line can start a packet, so neither ever waits for the other. What is known of the bytes that went by is which
-// of these the present position is, and how far an unfinished line has been looked at: any splitting of the same bytes gives the same parts, and
-// bytes that drip in one by one are looked at once. Not thread-safe.
+// Finds packets and lines of text in one sender's bytes. A line can begin at the start, after a packet or a line, and after a line feed in skipped bytes.
+// No byte of a line can start a packet, so neither search waits for the other. The state consists of the kind of the current position, and the number of
+// examined bytes of an unfinished line. Any splitting of the same bytes therefore gives the same parts, and bytes that arrive one by one are examined only
+// once. Not thread-safe.
 internal sealed class StreamScanner(PacketScanner packets)
 {
-    // Without an end within so many bytes it is no line: 946 values, each of 32 letters with its blank, are shorter.
+    // Bytes without a line ending within this length are not a line. Even 946 values of 32 characters, each with a space, are shorter.
     public const int LongestLine = 32 * 1024;
 
     private readonly TextLine _line = new(packets.MaxValues);
     private Place _place = Place.Start;
 
-    // Of the line that may begin at the present position: bytes that were looked at, words that began, and the last letter.
+    // State of the line that may begin at the current position: number of examined bytes, number of started words, and the last character.
     private int _checked;
     private int _words;
     private bool _inWord;
     private byte _last;
 
-    // Bytes from the present position on in which no packet begins: found once, however many lines are looked for among them.
+    // Number of bytes from the current position in which no packet begins. It is determined once, however many lines are searched for in them.
     private int _clear;
 
     private enum Place
     {
-        // In the middle of what is skipped: no line begins here.
+        // In the middle of skipped bytes: no line begins here.
         Noise,
 
-        // Bytes before this may be missing: the rest of a line may stand here.
+        // Earlier bytes may be missing: this may be the rest of a line.
         Unsure,
         Start,
         BehindLine,
@@ -55,15 +55,15 @@ internal sealed class StreamScanner(PacketScanner packets)
 
     public byte[] Image => _line.Image;
 
-    // Whether an unfinished line has come further than its first word.
+    // Whether an unfinished line has passed its first word.
     public bool IsInsideLine => _words > 1 || (_words == 1 && !_inWord);
 
     public int ImageLength => _line.ImageLength;
 
-    // Bytes of what is no packet that were looked at, those looked at again included. Noise of any kind costs no more than a few looks at each.
+    // Number of examined bytes outside binary packets, including repeats. Any noise costs at most a few examinations of each byte.
     public long Examined { get; private set; }
 
-    // What comes next does not continue what came before, and begins something.
+    // The next bytes do not continue the earlier ones, and begin a packet or a line.
     public void Begin()
     {
         _place = Place.Start;
@@ -71,7 +71,7 @@ internal sealed class StreamScanner(PacketScanner packets)
         Forget();
     }
 
-    // What comes next does not continue what came before, and may be the middle of anything.
+    // The next bytes do not continue the earlier ones, and may begin in the middle of a packet or a line.
     public void Restart()
     {
         _place = Place.Unsure;
@@ -94,7 +94,7 @@ internal sealed class StreamScanner(PacketScanner packets)
         return ScanPacket(source);
     }
 
-    // How many more bytes to look at once: up to where the unfinished line may end.
+    // Returns how many more bytes to examine at once: up to the possible end of the unfinished line.
     public int Wanted(ReadOnlySpan<byte> piece, int pending, int needed)
     {
         if (_checked == 0)
@@ -125,7 +125,7 @@ internal sealed class StreamScanner(PacketScanner packets)
         return PassNoise(source[..result.Length], result.Reason);
     }
 
-    // Up to where a line may begin.
+    // Skips to the place where a line may begin.
     private StreamScan PassNoise(ReadOnlySpan<byte> noise, SkipReason reason)
     {
         int lineStart = FindLineStart(noise);
@@ -147,7 +147,7 @@ internal sealed class StreamScanner(PacketScanner packets)
         return Skip(blanks.Length, SkipReason.NoTokens);
     }
 
-    // Null where there is no line.
+    // Returns null if there is no line.
     private StreamScan? ScanLine(ReadOnlySpan<byte> source)
     {
         int limit = Math.Min(source.Length, LongestLine);
@@ -174,7 +174,7 @@ internal sealed class StreamScanner(PacketScanner packets)
         if (limit < LongestLine)
             return new StreamScan(StreamPart.NeedMoreData, source.Length + 1);
 
-        // The last byte may be the first of a token.
+        // The last byte may be the first byte of a token.
         Examined += LongestLine;
         Forget();
         _place = Place.Noise;
@@ -213,7 +213,7 @@ internal sealed class StreamScanner(PacketScanner packets)
         _last = 0;
     }
 
-    // Behind a line feed from which, over blanks, a line may begin, or nothing else has come yet.
+    // Returns the place after a line feed where, after optional blanks, a line can begin or the bytes end; -1 if there is no such place.
     private static int FindLineStart(ReadOnlySpan<byte> skipped)
     {
         int at = 0;

@@ -1,22 +1,22 @@
 namespace NeuronMocap.Protocol;
 
 /// <summary>
-/// The binary32 nearest to a decimal of any length, ties to even, by integers alone and without allocations: the same on every runtime. The long way
-/// round of <see cref="TextNumber"/>.
+/// Converts a decimal of any length to the nearest binary32, ties to even. It uses only integers and allocates nothing, so all runtimes give the same
+/// result. This is the slow path of <see cref="TextNumber"/>.
 /// </summary>
 internal static class TextDecimal
 {
-    // The middle of two floats has at most 113 digits: of more than that it only matters whether one of the others is not zero.
+    // The midpoint of two floats has at most 113 digits. Of the further digits it only matters whether one of them is not zero.
     private const int MaxDigits = 120;
 
-    // What is 10^39 or more is infinite, what is less than 10^-46 zero: half of the smallest float is 7 * 10^-46.
+    // Numbers from 10^39 on are infinite, and numbers below 10^-46 are zero: half of the smallest float is 7 * 10^-46.
     private const int Largest = 39;
     private const int Smallest = -46;
 
-    // The largest number is 10^166, below 2^552, shifted up by the bits of a quotient.
+    // The largest number is 10^166, below 2^552, shifted left by the bits of a quotient.
     private const int Limbs = 20;
 
-    // 24 of a float and one or two to round by.
+    // 24 bits of a float, and one or two bits for rounding.
     private const int QuotientBits = 26;
     private const int MantissaBits = 24;
     private const int SmallestPower = -150;
@@ -29,8 +29,8 @@ internal static class TextDecimal
 
     /// <summary>Converts (digits rest) * 10^exponent.</summary>
     /// <param name="digits">The first digits.</param>
-    /// <param name="rest">Further ones, a point may be among them; ends before the first other letter.</param>
-    /// <param name="exponent">Power of ten of the last of the first digits.</param>
+    /// <param name="rest">The further digits, possibly with a point among them. They end before the first other character.</param>
+    /// <param name="exponent">Power of ten of the last digit in <paramref name="digits"/>.</param>
     public static float ToSingle(ulong digits, ReadOnlySpan<byte> rest, int exponent)
     {
         var number = new WideInteger(stackalloc uint[Limbs]);
@@ -54,7 +54,7 @@ internal static class TextDecimal
         return count;
     }
 
-    // True when a digit that found no room is not zero.
+    // Returns true if a digit that did not fit is not zero.
     private static bool Append(WideInteger number, ReadOnlySpan<byte> rest, ref int count, ref int exponent)
     {
         bool isMore = false;
@@ -98,7 +98,7 @@ internal static class TextDecimal
         divisor.Set(1);
         MultiplyByPowerOfTen(exponent < 0 ? divisor : number, Math.Abs(exponent));
 
-        // Number = quotient * 2^power * divisor, with as many bits of the quotient as rounding needs.
+        // number = quotient * 2^power * divisor, with as many bits in the quotient as rounding needs.
         int power = Math.Max(SmallestPower, number.BitLength - divisor.BitLength - MantissaBits - 1);
         if (power > 0)
             divisor.ShiftLeft(power);
@@ -118,7 +118,7 @@ internal static class TextDecimal
             number.Multiply(10);
     }
 
-    // The quotient; the number becomes the remainder.
+    // Returns the quotient; the number becomes the remainder.
     private static uint Divide(WideInteger number, WideInteger divisor)
     {
         uint quotient = 0;
@@ -146,7 +146,7 @@ internal static class TextDecimal
         if (discarded > half || (discarded == half && (isMore || mantissa % 2 != 0)))
             mantissa++;
 
-        // Exact in a double, and a float but for what is too large, which narrowing makes infinite.
+        // Exact in a double, and also in a float unless it is too large. The conversion then gives infinity.
         return (float)(mantissa * BitConverter.Int64BitsToDouble((long)(power + excess + DoubleBias) << DoubleFraction));
     }
 }

@@ -1,26 +1,34 @@
 namespace NeuronMocap.Protocol;
 
-/// <summary>
-/// Writes a binary32 as a decimal that <see cref="TextNumber"/> reads back as the same bits. Integers alone, and so the same on every runtime and in
-/// every culture: float.ToString rounds twice on Mono. The number of decimals is the one asked for wherever that text is read back as the value: then
-/// it is the value's exact expansion, rounded to the nearest, halves away from zero. Elsewhere it is the smallest number above that which will do.
-/// There is never an exponent, which not every program that reads motion files knows. Zero keeps its sign. What is not finite is NaN, Infinity or -Infinity.
-/// </summary>
+/// <summary>Writes a binary32 as a decimal that <see cref="TextNumber"/> reads back as the same bits.</summary>
+/// <remarks>
+/// <para>
+/// It uses only integers, so all runtimes and cultures give the same result. float.ToString rounds twice on Mono.
+/// </para>
+/// <para>
+/// The text has the requested number of decimals if that text is read back as the value. It is then the exact expansion of the value, rounded to the
+/// nearest, halves away from zero. Otherwise the text has the smallest sufficient number of decimals.
+/// </para>
+/// <para>
+/// The text never has an exponent, because not every program that reads motion files supports one. Zero keeps its sign. Values that are not finite are
+/// NaN, Infinity or -Infinity.
+/// </para>
+/// </remarks>
 internal static class TextDigits
 {
-    /// <summary>Most decimals that can be asked for.</summary>
+    /// <summary>Largest number of decimals that can be requested.</summary>
     public const int MaxDecimals = 16;
 
-    /// <summary>Room that is enough for any value: a sign, 39 digits, a point and 16 decimals, or "-0." and 54 decimals.</summary>
+    /// <summary>Sufficient size for any value: a sign, 39 digits, a point and 16 decimals, or "-0." and 54 decimals.</summary>
     public const int MaxSize = 64;
 
     private const int HiddenBit = 1 << 23;
 
-    // 256 bits: 24 bits times 10 to the 54th, or 24 bits shifted up by 104.
+    // 256 bits: 24 bits times 10^54, or 24 bits shifted left by 104.
     private const int Limbs = 8;
     private const uint LimbDigits = 1_000_000_000;
 
-    // 24 bits times the largest power stay below 2 to the 61st, and a half of 2 to the 60th does not carry out of that.
+    // A mantissa of 24 bits times the largest power is below 2^61, and stays below it when half of 2^60 is added.
     private const int LongestShortcut = 60;
 
     private static readonly ulong[] PowersOfTen =
@@ -29,9 +37,9 @@ internal static class TextDigits
     ];
 
     /// <summary>Writes a value.</summary>
-    /// <param name="destination">Room for <see cref="MaxSize"/>.</param>
-    /// <param name="value">Any.</param>
-    /// <param name="decimals">Fewest digits after the point, 0 to 16; with 0 there is no point.</param>
+    /// <param name="destination">At least <see cref="MaxSize"/> bytes.</param>
+    /// <param name="value">Any value.</param>
+    /// <param name="decimals">Smallest number of digits after the point, 0 to 16; with 0 there is no point.</param>
     /// <returns>Number of bytes written.</returns>
     public static int Write(Span<byte> destination, float value, int decimals)
     {
@@ -45,7 +53,7 @@ internal static class TextDigits
         if (bits < 0)
             destination[sign++] = (byte)'-';
 
-        // Value = mantissa * 2^power. Just above a power of two, the next value below is half as far as the next one above.
+        // value = mantissa * 2^power. At a power of two, the next lower value is half as far away as the next higher one.
         uint mantissa = exponent == 0 ? fraction : fraction | HiddenBit;
         int power = Math.Max(exponent, 1) - 150;
         bool isNarrowBelow = fraction == 0 && exponent > 1;
@@ -70,7 +78,7 @@ internal static class TextDigits
         return text.Length;
     }
 
-    // True when digits / 10^decimals lies nearer to the value than to its neighbours; exactly between them, the even mantissa is read.
+    // Returns true if digits / 10^decimals is closer to the value than to its neighbours. Halfway between two values, a reader chooses the even mantissa.
     private static bool TryRound(uint mantissa, int shift, bool isNarrowBelow, int decimals, out ulong digits)
     {
         ulong scaled = mantissa * PowersOfTen[decimals];
@@ -84,7 +92,7 @@ internal static class TextDigits
         return twice < spacing || (twice == spacing && mantissa % 2 == 0);
     }
 
-    // From the last digit to the first; zeros are put in front for as many as a number below one needs.
+    // Writes from the last digit to the first, with the leading zeros that a number below one needs.
     private static int Write(Span<byte> destination, ulong number, int decimals)
     {
         int count = Math.Max(CountDigits(number), decimals + 1);
@@ -130,7 +138,7 @@ internal static class TextDigits
         return Write(destination, reversed, count, decimals);
     }
 
-    // As Write and TryRound, for what does not fit into 64 bits: few values of a take.
+    // Does the same as Write and TryRound for values that do not fit into 64 bits; a take has few of them.
     private static int WriteLong(Span<byte> destination, uint mantissa, int shift, bool isNarrowBelow, int decimals)
     {
         var digits = new WideInteger(stackalloc uint[Limbs]);
@@ -144,7 +152,7 @@ internal static class TextDigits
         return Write(destination, reversed, Divide(digits, reversed), decimals);
     }
 
-    // Fewer decimals than these would leave nothing of a value below 2^(24 - shift): log10(2) = 0.30102...
+    // With fewer decimals, a value below 2^(24 - shift) would become zero: log10(2) = 0.30102...
     private static int LeadingZeros(int shift) => (shift - 24) * 301 / 1000;
 
     private static bool TryRound(
@@ -170,7 +178,7 @@ internal static class TextDigits
         return compared < 0 || (compared == 0 && mantissa % 2 == 0);
     }
 
-    // |scaled - digits * 2^shift|, in place of scaled.
+    // Computes |scaled - digits * 2^shift| and stores it in scaled.
     private static void Differ(WideInteger scaled, WideInteger digits, int shift, bool isUp)
     {
         var back = new WideInteger(stackalloc uint[Limbs]);
@@ -199,7 +207,7 @@ internal static class TextDigits
         return count;
     }
 
-    // Digits with the last one first; zeros are put in front for as many as a number below one needs.
+    // The digits are in reverse order. Writes the leading zeros that a number below one needs.
     private static int Write(Span<byte> destination, Span<byte> reversed, int count, int decimals)
     {
         while (count <= decimals)

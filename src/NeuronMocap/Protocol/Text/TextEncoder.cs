@@ -1,19 +1,19 @@
 namespace NeuronMocap.Protocol;
 
 /// <summary>
-/// Writes the lines of the text stream, which Axis Neuron and Axis Studio send with the block type String (protocol.md section 8). Allocates
-/// nothing; the caller owns the memory.
-/// <para>
-/// A value is rounded to the nearest number of the given decimals, halves away from zero, and keeps its sign: -0.001 is -0.00. The text has no
-/// exponents: numbers of a billion and more become 999999999 with their sign, and what is not a number becomes 0.
-/// </para>
+/// Writes the lines of the text stream, which Axis Neuron and Axis Studio send with the block type String (protocol.md section 8). Allocates nothing; the
+/// caller owns the memory.
 /// </summary>
+/// <remarks>
+/// A value is rounded to the given number of decimals, halves away from zero, and keeps its sign: -0.001 becomes -0.00. The text has no exponents. Numbers
+/// from a billion on become 999999999 with their sign, and NaN becomes 0.
+/// </remarks>
 public static class TextEncoder
 {
-    /// <summary>Digits after the point in the only published example of a line.</summary>
+    /// <summary>Number of digits after the point in the only published example of a line.</summary>
     public const int DefaultDecimals = 2;
 
-    /// <summary>Most digits after the point that can be asked for.</summary>
+    /// <summary>Largest number of digits after the point that can be requested.</summary>
     public const int MaxDecimals = 6;
 
     private const double Largest = 999_999_999;
@@ -28,31 +28,31 @@ public static class TextEncoder
 
     private static ReadOnlySpan<byte> LineEnd => " ||\r\n"u8;
 
-    /// <summary>The most bytes that a line of motion values can have.</summary>
+    /// <summary>Gets the largest size in bytes of a line of motion values.</summary>
     /// <param name="valueCount">Number of values, not negative.</param>
     /// <param name="decimals">Digits after the point, 0 to 6.</param>
-    /// <returns>Room that is enough for <see cref="WriteMotion"/>, whatever the values and the name.</returns>
+    /// <returns>A size that is sufficient for <see cref="WriteMotion"/>, whatever the values and the name.</returns>
     public static int GetMaxMotionSize(int valueCount, int decimals = DefaultDecimals) =>
         checked(MaxMotionFrame + (valueCount * (MaxValueSize + decimals)));
 
-    /// <summary>The most bytes that a line of calculation values can have.</summary>
+    /// <summary>Gets the largest size in bytes of a line of calculation values.</summary>
     /// <param name="valueCount">Number of values, not negative.</param>
     /// <param name="decimals">Digits after the point, 0 to 6.</param>
-    /// <returns>Room that is enough for <see cref="WriteCalculation"/>, whatever the values.</returns>
+    /// <returns>A size that is sufficient for <see cref="WriteCalculation"/>, whatever the values.</returns>
     public static int GetMaxCalculationSize(int valueCount, int decimals = DefaultDecimals) =>
         checked(1 + (valueCount * (MaxValueSize + decimals)));
 
     /// <summary>Writes a line of motion values: <c>index name value value … ||</c> and CR LF.</summary>
-    /// <param name="destination">Room for the line; <see cref="GetMaxMotionSize"/> is always enough.</param>
+    /// <param name="destination">Room for the line; <see cref="GetMaxMotionSize"/> is always sufficient.</param>
     /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
     /// <param name="avatarName">
-    /// Name of the avatar. The text cannot carry spaces in it: they and other separators (control characters, the vertical bar) are written
-    /// as "_", and so is an empty name. Names that begin with a digit are sent as they are; one known reader cannot tell them from values.
+    /// Name of the avatar. The text cannot contain spaces in it. Spaces and other separators (control characters, the vertical bar) become "_", and so
+    /// does an empty name. Names that begin with a digit are sent unchanged; one known reader mistakes them for values.
     /// </param>
-    /// <param name="values">The values in wire order: cm and degrees.</param>
+    /// <param name="values">The values in stream order, in cm and degrees.</param>
     /// <param name="decimals">Digits after the point, 0 to 6; with 0 there is no point.</param>
     /// <returns>Number of bytes written.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The destination is too short, or the number of decimals is outside its range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The destination is too short, or the number of decimals is out of range.</exception>
     public static int WriteMotion(
         Span<byte> destination, int avatarIndex, AvatarName avatarName, ReadOnlySpan<float> values, int decimals = DefaultDecimals)
     {
@@ -65,12 +65,14 @@ public static class TextEncoder
         return line.Length;
     }
 
-    /// <summary>Writes a line of calculation values: columns with a space between them, and LF. The line says neither avatar nor frame.</summary>
-    /// <param name="destination">Room for the line; <see cref="GetMaxCalculationSize"/> is always enough.</param>
-    /// <param name="values">The values in wire order: metres, metres per second and the sensors' units; 946 of them on known servers.</param>
+    /// <summary>
+    /// Writes a line of calculation values: columns with a space between them, and LF. The line contains neither avatar nor frame number.
+    /// </summary>
+    /// <param name="destination">Room for the line; <see cref="GetMaxCalculationSize"/> is always sufficient.</param>
+    /// <param name="values">The values in stream order, in metres, metres per second and the units of the sensors. Known servers send 946 values.</param>
     /// <param name="decimals">Digits after the point, 0 to 6; with 0 there is no point.</param>
     /// <returns>Number of bytes written.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The destination is too short, or the number of decimals is outside its range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The destination is too short, or the number of decimals is out of range.</exception>
     public static int WriteCalculation(Span<byte> destination, ReadOnlySpan<float> values, int decimals = DefaultDecimals)
     {
         var line = new Line(destination, decimals);
@@ -135,7 +137,7 @@ public static class TextEncoder
             WriteDigits(Reserve(digits), number);
         }
 
-        // A float has 24 significant bits and the scale at most 20: their product is exact, and so is the rounding.
+        // A float has 24 significant bits and the scale at most 20. Their product is exact, and so is the rounding.
         private void WriteValue(float value)
         {
             double magnitude = float.IsNaN(value) ? 0 : Math.Min(Math.Abs((double)value), Largest);
@@ -163,7 +165,7 @@ public static class TextEncoder
             return digits;
         }
 
-        // Fills the target, with zeros in front.
+        // Fills the target, with leading zeros.
         private static void WriteDigits(Span<byte> target, ulong number)
         {
             for (int i = target.Length - 1; i >= 0; i--)
@@ -174,7 +176,7 @@ public static class TextEncoder
             }
         }
 
-        // Throws where the destination is too short.
+        // Throws if the destination is too short.
         private Span<byte> Reserve(int count)
         {
             Span<byte> room = _destination.Slice(Length, count);

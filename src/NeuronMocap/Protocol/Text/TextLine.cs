@@ -2,21 +2,20 @@ using System.Buffers.Binary;
 
 namespace NeuronMocap.Protocol;
 
-// Makes the binary image of a packet from a line of the text stream (protocol.md section 8): avatar number, name, values; calculation lines
-// may be values alone. The number of words says what a line is, so that a name may be a number; a name of several words may have none. The image
-// has the version None and lacks the second token, so that nothing that comes off the wire can be taken for one. Its memory is used again for the
-// next line. Not thread-safe.
+// Makes the binary image of a packet from a line of the text stream (protocol.md section 8): avatar number, name, values. Calculation lines can have only
+// values. The number of words determines the kind of line, so a name can be a number. In a name of several words, no word can be a number. The image has
+// the version None and lacks the second token, so no bytes of a stream can be mistaken for one. The next line reuses its memory. Not thread-safe.
 internal sealed class TextLine(int maxValues)
 {
-    // Number and name before the values.
+    // The avatar's number and name, before the values.
     private const int Leading = 2;
 
-    // A number has fewer digits; a longer word is none.
+    // Numbers have fewer characters; a longer word is not a number.
     private const int LongestNumber = 128;
 
     private const int MinWords = 3;
 
-    // So many words more than a frame has are the name's rather than values.
+    // If a line has up to this many extra words, they probably belong to the name, not to the values.
     private const int MaxNameExcess = 5;
 
     private byte[] _image = [];
@@ -28,16 +27,16 @@ internal sealed class TextLine(int maxValues)
 
     public static bool IsImage(ReadOnlySpan<byte> packet) => packet[ProtocolConstants.HeaderSize - 1] == 0;
 
-    // What stands between two words. A zero byte does not part words: it counts for nothing wherever it stands.
+    // Whether a byte separates two words. A zero byte does not separate words: it is ignored everywhere.
     public static bool IsSeparator(byte value) => value is (byte)' ' or (byte)'\t' or (byte)'\r' or (byte)'\n' or (byte)'|';
 
-    // Whether the bytes begin as only a whole line can: a number, a name without numbers, and a number. Where it is not known whether a beginning
-    // is missing, it is not.
+    // Whether the bytes begin as only a complete line can: a number, a name without numbers, and a number. If it is not known whether the beginning is
+    // missing, this shows that it is not.
     public static bool BeginsLine(ReadOnlySpan<byte> line) =>
         line.Length > 0 && !IsSeparator(line[0]) && IsIndex(TakeWord(ref line), out _) && TakeName(ref line) > 0 && IsNumber(TakeWord(ref line));
 
-    // None where the line is no frame; then the reason says why: NoTokens where it is no line of this format at all, or may be the rest of one whose
-    // beginning was missed.
+    // Returns None if the line is not a frame; the reason then says why. NoTokens means that it is not a line of this format, or may be the rest of a line
+    // whose beginning was missed.
     public PacketKind Read(ReadOnlySpan<byte> line, int words, bool isWhole, out SkipReason reason)
     {
         line = WithoutZeros(line);
@@ -110,7 +109,7 @@ internal sealed class TextLine(int maxValues)
         return IsNumber(TakeWord(ref line));
     }
 
-    // Without a name there is no number of the avatar either.
+    // A line without a name has no avatar number either.
     private bool TryRead(ReadOnlySpan<byte> line, PacketKind kind, int count, int nameWords)
     {
         uint avatar = 0;
@@ -161,7 +160,7 @@ internal sealed class TextLine(int maxValues)
         _image.AsSpan(ProtocolConstants.Token2Offset, 2).Clear();
     }
 
-    // What does not fit is cut off, between two characters.
+    // Bytes that do not fit are cut off, between two characters.
     private static AvatarName NameOf(ReadOnlySpan<byte> name)
     {
         if (name.Length <= ProtocolConstants.AvatarNameSize)
@@ -174,7 +173,7 @@ internal sealed class TextLine(int maxValues)
         return new AvatarName(name[..length]);
     }
 
-    // Valid until the next line.
+    // The result is valid until the next line.
     private ReadOnlySpan<byte> WithoutZeros(ReadOnlySpan<byte> line)
     {
         if (line.IndexOf((byte)0) < 0)
@@ -193,7 +192,7 @@ internal sealed class TextLine(int maxValues)
         return _withoutZeros.AsSpan(0, length);
     }
 
-    // The words up to the next number or the end: how many.
+    // Takes the words up to the next number or the end, and returns their number.
     private static int TakeName(scoped ref ReadOnlySpan<byte> line)
     {
         for (int count = 0; ; count++)
@@ -207,7 +206,7 @@ internal sealed class TextLine(int maxValues)
         }
     }
 
-    // From the first to the last, with what stands between them.
+    // Takes several words, including the separators between them.
     private static ReadOnlySpan<byte> TakeWords(scoped ref ReadOnlySpan<byte> line, int count)
     {
         ReadOnlySpan<byte> all = line;
@@ -254,7 +253,7 @@ internal sealed class TextLine(int maxValues)
 
     private static bool IsNumber(ReadOnlySpan<byte> word) => TryParse(word, out _);
 
-    // Servers of some languages write a comma for the point.
+    // Servers in some languages write a comma as the decimal point.
     private static bool TryParse(ReadOnlySpan<byte> word, out float value)
     {
         int comma = word.IndexOf((byte)',');

@@ -5,21 +5,27 @@ using System.Text;
 namespace NeuronMocap.Protocol;
 
 /// <summary>
-/// Reads a decimal number as the nearest binary32, ties to even: the same bits as .NET's float.Parse with the invariant culture, on every runtime.
+/// Reads a decimal number as the nearest binary32, ties to even. On every runtime the result has the same bits as .NET's float.Parse with the invariant
+/// culture.
+/// </summary>
+/// <remarks>
 /// <para>
-/// With at most 53 bits of digits and a power of ten that a double holds exactly, one division gives the double nearest to the decimal; with more
-/// digits, one a few last bits away. Narrowing that rounds a second time, which goes wrong only where the double lies between two floats, or so near
-/// to there: then, and with other powers, <see cref="TextDecimal"/> decides. Nearly all that motion files and text streams contain takes the short
-/// way. No runtime's own parser does: float.Parse rounds twice on Mono, and Utf8Parser rounds up halfway between two floats where zeros follow the
+/// The short path handles nearly all numbers in motion files and text streams. It applies to a power of ten that a double holds exactly. With at most 53
+/// bits of digits, one operation gives the double nearest to the decimal; with more digits, the result is off by a few last bits. The conversion to a
+/// float rounds a second time. This fails only if the double lies halfway between two floats, or close to it. <see cref="TextDecimal"/> handles this case
+/// and other powers.
+/// </para>
+/// <para>
+/// The parsers of the runtimes do not suffice. float.Parse rounds twice on Mono. Utf8Parser rounds up halfway between two floats if zeros follow the
 /// fraction (7.115569763501211648000000E+19, .NET 10).
 /// </para>
-/// </summary>
+/// </remarks>
 internal static class TextNumber
 {
     private const ulong ExactIntegers = 1UL << 53;
     private const ulong RoomForADigit = (ulong.MaxValue - 9) / 10;
 
-    // Bytes of a number that fits into 64 bits in any case; and of those that are looked at with it.
+    // A number of at most LongestPlain bytes always fits into 64 bits. PlainRoom is the number of bytes that must be readable.
     private const int LongestPlain = 16;
     private const int PlainRoom = 32;
 
@@ -27,7 +33,7 @@ internal static class TextNumber
     private const long DiscardedBits = (1L << 29) - 1;
     private const long HalfOfThem = 1L << 28;
 
-    // Last bits of a double that digits which do not fit into one, and the operation on them, can be off by: two and a little, and some room.
+    // Largest error, in last bits of a double, of the operation on digits that do not fit into a double: slightly more than two, plus a reserve.
     private const long Uncertainty = 8;
 
     private static readonly double[] PowersOfTen =
@@ -35,7 +41,7 @@ internal static class TextNumber
         1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
     ];
 
-    /// <summary>Reads a word that is a number from its first byte to its last; too large a number is infinite.</summary>
+    /// <summary>Reads a word that is a number from its first byte to its last. A number that is too large becomes infinite.</summary>
     public static bool TryParse(ReadOnlySpan<byte> word, out float value)
     {
         if (!TryScan(word, out Scanned number))
@@ -50,13 +56,15 @@ internal static class TextNumber
     }
 
     /// <summary>
-    /// Reads a number as most of them are, off the front of a longer text: digits, most often with a point among them, and white space behind. Whatever else it
-    /// may be is left to <see cref="TryParse(ReadOnlySpan{byte}, out float)"/>, and so is a number close to the end of the text.
+    /// Reads a number of the most common form from the start of a longer text: digits, usually with a point among them, followed by white space.
     /// </summary>
-    /// <param name="text">The number and what follows.</param>
+    /// <remarks>
+    /// Use <see cref="TryParse(ReadOnlySpan{byte}, out float)"/> for all other forms, and for a number close to the end of the text.
+    /// </remarks>
+    /// <param name="text">The number and the text after it.</param>
     /// <param name="value">The nearest binary32.</param>
-    /// <param name="length">Bytes of the number, without the white space.</param>
-    /// <returns>False when it is not such a number.</returns>
+    /// <param name="length">Size of the number in bytes, without the white space.</param>
+    /// <returns>False if the text does not begin with such a number.</returns>
     public static bool TryParsePlain(ReadOnlySpan<byte> text, out float value, out int length)
     {
         value = 0;
@@ -107,7 +115,7 @@ internal static class TextNumber
             && (BitConverter.DoubleToInt64Bits(magnitude) & DiscardedBits) != HalfOfThem;
     }
 
-    /// <summary>Reads a finite number as a double, and the power of ten of its last digit: -3 for 0.008.</summary>
+    /// <summary>Reads a finite number as a double, and gets the power of ten of its last digit: -3 for 0.008.</summary>
     public static bool TryParse(ReadOnlySpan<byte> word, out double value, out int lastDigit)
     {
         value = 0;
@@ -127,7 +135,7 @@ internal static class TextNumber
             && double.IsFinite(value);
     }
 
-    // Six digits and no seventh, what Axis Neuron writes: all at once, each byte a digit, then neighbours joined to pairs and fours.
+    // Reads exactly six digits, as Axis Neuron writes them, all at once. Each byte is a digit; neighbours are joined to pairs, and then to groups of four.
     private static bool TryReadSixDigits(ulong text, out uint value)
     {
         const ulong Zeros = 0x3030_3030_3030_3030;
@@ -145,7 +153,7 @@ internal static class TextNumber
         return (others & FirstSix) == 0 && (others & Seventh) != 0;
     }
 
-    // False where the double lies halfway between two floats, or may: the decimal may lie to either side of it.
+    // Returns false if the double lies, or may lie, halfway between two floats: the decimal may lie on either side of it.
     private static bool TryNarrow(in Scanned number, out float value)
     {
         double magnitude = Approximate(number);
@@ -154,7 +162,7 @@ internal static class TextNumber
         return distance > (number.HasExactDigits ? 0 : Uncertainty);
     }
 
-    // The nearest double where the digits are exact, too.
+    // Returns the nearest double, if the digits are exact too.
     private static double Approximate(in Scanned number) => number.Exponent < 0
         ? number.Digits / PowersOfTen[-number.Exponent]
         : number.Digits * PowersOfTen[number.Exponent];
@@ -214,7 +222,7 @@ internal static class TextNumber
         return at == word.Length;
     }
 
-    // What float.Parse knows, and what C libraries print: nan, -nan(ind), inf, 1.#INF00, -1.#IND00, 1.#QNAN.
+    // Accepts the forms of float.Parse and those that C libraries print: nan, -nan(ind), inf, 1.#INF00, -1.#IND00, 1.#QNAN.
     private static bool TryParseNotFinite(ReadOnlySpan<byte> word, out float value)
     {
         bool isNegative = word.Length > 0 && word[0] == '-';
@@ -231,7 +239,7 @@ internal static class TextNumber
         return length <= word.Length && EndsNotFinite(word[length..]);
     }
 
-    // Nothing more, digits, a reason in brackets, or the end of "infinity": Nancy and Indy are names.
+    // Accepts the end of the word, digits, a reason in brackets, or the end of "infinity". Nancy and Indy are names.
     private static bool EndsNotFinite(ReadOnlySpan<byte> rest)
     {
         if (rest.Length == 0 || rest[0] == '(')
@@ -244,7 +252,7 @@ internal static class TextNumber
         return at == rest.Length || (StartsWith(rest, "inity"u8) && rest.Length == 5);
     }
 
-    // In any case of the letters; the keyword's are small.
+    // Ignores the case of the word; the keyword must be in lower case.
     private static bool StartsWith(ReadOnlySpan<byte> word, ReadOnlySpan<byte> keyword)
     {
         if (word.Length < keyword.Length)
@@ -262,7 +270,7 @@ internal static class TextNumber
 
     private static bool IsDigit(byte letter) => letter is >= (byte)'0' and <= (byte)'9';
 
-    // Digits times ten to the Exponent; there were more digits than fit from CutAt on, which is never the first letter, or 0.
+    // The value is Digits * 10^Exponent. CutAt is the place of the first digit that did not fit, or 0 if all fit; it is never the first character.
     private struct Scanned
     {
         public bool IsNegative;

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Protocol;
 
-// An unsigned integer in memory of the caller's, lowest limb first; what exceeds it is lost. BigInteger would allocate.
+// An unsigned integer in memory that the caller provides, lowest limb first. Overflow is discarded. BigInteger would allocate.
 internal readonly ref struct WideInteger(Span<uint> limbs)
 {
     private const int LimbBits = 32;
@@ -65,7 +65,7 @@ internal readonly ref struct WideInteger(Span<uint> limbs)
         }
     }
 
-    /// <summary>Divides.</summary>
+    /// <summary>Divides this number by the divisor.</summary>
     /// <returns>The remainder.</returns>
     public uint Divide(uint divisor)
     {
@@ -99,7 +99,7 @@ internal readonly ref struct WideInteger(Span<uint> limbs)
             _limbs[i] = (uint)((((ulong)Limb(i + limbs + 1) << LimbBits) | Limb(i + limbs)) >> rest);
     }
 
-    /// <summary>Takes a smaller number off.</summary>
+    /// <summary>Subtracts a smaller number.</summary>
     public void Subtract(WideInteger other)
     {
         long carry = 0;
