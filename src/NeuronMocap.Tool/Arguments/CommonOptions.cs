@@ -5,7 +5,7 @@ using System.Net;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>Options that several verbs have, each with the same name, the same values and the same errors. Every call makes another one.</summary>
+/// <summary>Options that several verbs have, each with the same name, values and errors. Every call creates a new option.</summary>
 internal static class CommonOptions
 {
     private const double LongestTime = 1_000_000;
@@ -32,7 +32,7 @@ internal static class CommonOptions
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    /// <summary>The time to end after.</summary>
+    /// <summary>The time after which to end.</summary>
     public static Option<TimeSpan?> Duration(string description) => new("--duration")
     {
         HelpName = "SECONDS",
@@ -44,7 +44,7 @@ internal static class CommonOptions
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    /// <summary>A time of a take.</summary>
+    /// <summary>A time within a take.</summary>
     public static Option<double?> Time(string name, string description) => new(name)
     {
         HelpName = "SECONDS",
@@ -67,7 +67,7 @@ internal static class CommonOptions
         return option;
     }
 
-    /// <summary>The rate of a file without times.</summary>
+    /// <summary>The frame rate of a file without times.</summary>
     public static Option<double?> Rate() => new("--rate")
     {
         HelpName = "HZ",
@@ -77,7 +77,7 @@ internal static class CommonOptions
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    /// <summary>Which avatar.</summary>
+    /// <summary>The index of an avatar.</summary>
     public static Option<int?> Avatar(string description) => new("--avatar")
     {
         HelpName = "N",
@@ -102,7 +102,7 @@ internal static class CommonOptions
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    /// <summary>Addresses, each behind the option again.</summary>
+    /// <summary>Addresses. The option is repeated for each of them.</summary>
     public static Option<IPAddress[]> Addresses(string name, string description) => new(name)
     {
         HelpName = "ADDRESS",

@@ -5,7 +5,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>The options about the connection to a server.</summary>
+/// <summary>The options for the connection to a server.</summary>
 internal sealed class ConnectionArguments
 {
     public Option<IPAddress[]> AllowSender { get; } = CommonOptions.Addresses(

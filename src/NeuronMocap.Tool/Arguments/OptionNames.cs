@@ -7,10 +7,11 @@ using NeuronMocap.Server;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>
-/// The library's messages name the members of its options, but whoever types a command line knows the options of this program. Text of the library
-/// goes through here before it is shown. What this program does not let anybody set has a plain name.
-/// </summary>
+/// <summary>Replaces names of the library's members in its messages by options of this program.</summary>
+/// <remarks>
+/// The library's messages name members, but users of the command line know the options of this program. All text of the library passes through here
+/// before it is shown. A member without an option gets a plain name.
+/// </remarks>
 internal static class OptionNames
 {
     private static readonly Dictionary<string, string> Names = new(StringComparer.Ordinal)
@@ -55,7 +56,7 @@ internal static class OptionNames
         [nameof(BroadcasterOptions.UdpDestinations)] = "the destinations of the simulator",
     };
 
-    // Words of English, too, and therefore names only in what the library says about an option that is out of its range.
+    // These names are also English words. They are replaced only in messages about an option that is out of range.
     private static readonly Dictionary<string, string> FaultNames = new(Names, StringComparer.Ordinal)
     {
         [nameof(NeuronReaderOptions.Host)] = "the host of the source",
@@ -73,13 +74,13 @@ internal static class OptionNames
         [nameof(BvhExportOptions.GapHandling)] = "the gaps of the export",
     };
 
-    /// <summary>A sentence of the library, with the names of options.</summary>
+    /// <summary>Replaces the names in a message of the library.</summary>
     public static string Translate(string text) => Translate(text, Names);
 
-    /// <summary>What the library says about an option that is out of its range, with the names of options.</summary>
+    /// <summary>Replaces the names in a message of the library about an option that is out of range.</summary>
     public static string Translate(ArgumentException fault)
     {
-        // The runtime names the parameter at the end.
+        // The runtime appends the name of the parameter.
         int parameter = fault.Message.IndexOf(" (Parameter '", StringComparison.Ordinal);
         return Translate(parameter < 0 ? fault.Message : fault.Message[..parameter], FaultNames);
     }
@@ -103,7 +104,8 @@ internal static class OptionNames
         return translated is null ? text : translated.Append(text, copied, text.Length - copied).ToString();
     }
 
-    // A member's name is one word, or two with a point between: Reconnect.Enabled. A point at the end of a sentence is none of it.
+    // A member's name is one word, or two words with a point between, such as Reconnect.Enabled. A point at the end of a sentence does not belong to
+    // it.
     private static int EndOfWord(string text, int start)
     {
         int end = start;

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>What the help of the program says besides its verbs.</summary>
+/// <summary>The help of the program, apart from its verbs.</summary>
 internal static class ProgramHelp
 {
     public const string Description =

@@ -7,7 +7,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Commands;
 
-/// <summary>The answers of a command channel for a person.</summary>
+/// <summary>The answers of a command channel as readable text.</summary>
 internal sealed class CommandPage(StandardStreams streams)
 {
     private const int WidestText = 110;
@@ -18,7 +18,7 @@ internal sealed class CommandPage(StandardStreams streams)
         ? $"All avatars of {server} were zeroed out."
         : Quantity.Format($"Avatar {avatar} of {server} was zeroed out."));
 
-    /// <summary>All that was asked, with a title each.</summary>
+    /// <summary>Writes all results, each with a title.</summary>
     public void Report(CommandResults results)
     {
         _page.WriteLine($"Command channel of {results.Server}", Palette.StrongStyle);

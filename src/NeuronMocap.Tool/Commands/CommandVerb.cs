@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Commands;
 
-/// <summary>neuron-mocap command: asks a server's command channel.</summary>
+/// <summary>neuron-mocap command: sends commands to a server's command channel.</summary>
 internal sealed class CommandVerb : Verb
 {
     private static readonly (string Word, CommandQuestion Question)[] Questions =
@@ -65,7 +65,7 @@ internal sealed class CommandVerb : Verb
         new CommandSettings(result.GetValue(_server)!.Server, result.GetValue(_question), result.GetValue(_avatar), result.GetValue(_json)),
         streams).RunAsync(cancellationToken);
 
-    // What TCP sources are, with another port where none is given.
+    // Accepts the forms of TCP sources, with a different default port.
     private static Source? ParseServer(ArgumentResult result)
     {
         string text = result.Tokens[0].Value;

@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Completion;
 
-/// <summary>neuron-mocap completion: prints what a shell needs to complete this program's verbs and options.</summary>
+/// <summary>neuron-mocap completion: prints the script with which a shell completes this program's verbs and options.</summary>
 internal sealed class CompletionVerb : Verb
 {
     private readonly Argument<string> _shell = new("SHELL")

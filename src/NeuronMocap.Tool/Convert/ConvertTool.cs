@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>Writes a file as another kind of file, or a part of it.</summary>
+/// <summary>Converts a file, or a part of it, to another kind of file.</summary>
 internal sealed class ConvertTool(FileSettings settings, StandardStreams streams)
 {
     private readonly TimeRange _range = new(settings.From, settings.To);
@@ -159,7 +159,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         return new RecordingSink(CreateRecording(path, metadata));
     }
 
-    // A file says no more than when it was written.
+    // A converted file records only the time at which it was written.
     private RecordingWriter CreateRecording(string path, RecordingMetadata metadata) => RecordingWriter.Create(
         path, metadata, new RecordingWriterOptions { StartTime = new DateTimeOffset(File.GetLastWriteTimeUtc(settings.Input), TimeSpan.Zero) });
 

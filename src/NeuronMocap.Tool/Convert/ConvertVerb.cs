@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>neuron-mocap convert: writes a file as another kind of file, or a part of it.</summary>
+/// <summary>neuron-mocap convert: converts a file, or a part of it, to another kind of file.</summary>
 internal sealed class ConvertVerb : Verb
 {
     private const double LowestRate = 0.01;

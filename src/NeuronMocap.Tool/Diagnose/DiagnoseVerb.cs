@@ -7,7 +7,7 @@ using NeuronMocap.Tool.Watch;
 
 namespace NeuronMocap.Tool.Diagnose;
 
-/// <summary>neuron-mocap diagnose: says why nothing arrives.</summary>
+/// <summary>neuron-mocap diagnose: finds out why no frames arrive.</summary>
 internal sealed class DiagnoseVerb : Verb
 {
     private const string ThisComputer = "127.0.0.1";

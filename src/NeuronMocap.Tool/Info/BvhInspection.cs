@@ -9,7 +9,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>--info of a BVH file.</summary>
+/// <summary>The report of info about a BVH file.</summary>
 internal sealed class BvhInspection(string path, IProgress<double> progress)
 {
     private const int MaxListed = 6;

@@ -7,7 +7,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>--info of a calculation export.</summary>
+/// <summary>The report of info about a calculation export.</summary>
 internal sealed class CalculationInspection(FileSettings settings, IProgress<double> progress)
 {
     private const int LeftContact = CalculationFrame.BodyValueCount - 2;

@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>neuron-mocap info: says what files hold.</summary>
+/// <summary>neuron-mocap info: describes the contents of files.</summary>
 internal sealed class InfoVerb : Verb
 {
     private readonly Argument<string[]> _files = new("FILE")

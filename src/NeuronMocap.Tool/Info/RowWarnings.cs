@@ -3,7 +3,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>What a <see cref="RowScan"/> found, in words.</summary>
+/// <summary>Describes the findings of a <see cref="RowScan"/>.</summary>
 internal static class RowWarnings
 {
     private const float RemarkableStep = 45;

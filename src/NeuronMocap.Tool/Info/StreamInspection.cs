@@ -7,7 +7,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>--info of a recording, and of the raw bytes of a stream.</summary>
+/// <summary>The report of info about a recording or the raw bytes of a stream.</summary>
 internal sealed class StreamInspection(FileSettings settings, bool isRecording, IProgress<double> progress)
 {
     public InfoReport Run(CancellationToken cancellationToken)
