@@ -8,7 +8,7 @@ using NeuronMocap.Tool.Watch.Export;
 
 namespace NeuronMocap.Tool.Play;
 
-/// <summary>neuron-mocap play: shows a file as if it arrived now.</summary>
+/// <summary>neuron-mocap play: plays a file as if it arrived now.</summary>
 internal sealed class PlayVerb : Verb
 {
     private readonly Argument<string> _file = new("FILE")

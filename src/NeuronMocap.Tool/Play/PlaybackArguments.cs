@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Play;
 
-/// <summary>The options of a file that is shown as if it arrived now.</summary>
+/// <summary>The options of a playback.</summary>
 internal sealed class PlaybackArguments
 {
     public Option<double?> Speed { get; } = new("--speed")
@@ -24,7 +24,7 @@ internal sealed class PlaybackArguments
 
     public Option[] All => [Speed, Rate, Loop];
 
-    /// <summary>Adds an error for every option that is given, because the source is no file.</summary>
+    /// <summary>Adds an error for every given option, because the source is not a file.</summary>
     public void Reject(CommandResult result)
     {
         foreach (Option option in All.Where(option => Verb.IsGiven(result, option)))

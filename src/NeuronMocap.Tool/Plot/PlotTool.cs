@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>Draws a file.</summary>
+/// <summary>Draws a plot of a file.</summary>
 internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
 {
     public void Run(OutputFile output, CancellationToken cancellationToken)

@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>neuron-mocap plot: draws a file.</summary>
+/// <summary>neuron-mocap plot: draws a plot of a file.</summary>
 internal sealed class PlotVerb : Verb
 {
     private const string Extension = ".svg";

@@ -9,14 +9,14 @@ using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>A switch that is written out. Not a bool, which the parser takes for an option without a value.</summary>
+/// <summary>An option with the values on and off. It is not a bool, because the parser would take it for an option without a value.</summary>
 internal enum OnOff
 {
     On,
     Off,
 }
 
-/// <summary>The options of simulate: names, ranges and help. Other programs rely on them.</summary>
+/// <summary>The options of simulate: names, ranges and help. Other programs depend on them.</summary>
 internal sealed class SimulateArguments
 {
     private static readonly string[] OnOffWords = ["on", "off"];
@@ -46,13 +46,13 @@ internal sealed class SimulateArguments
                 (Format, ["binary", "text", "studio"]), (Header, ["new", "old"]), (Rate, ["max"]),
             ])
         {
-            // Not the names of an enumeration's members.
+            // Removes the names of the enumeration's members.
             option.CompletionSources.Clear();
             option.CompletionSources.Add(words);
         }
     }
 
-    /// <summary>All options, under a title each.</summary>
+    /// <summary>All options, grouped under titles.</summary>
     public IReadOnlyList<(string Title, Option[] Options)> Sections =>
     [
         ("What is sent", [Synthetic, Bvh, Calc, .. Play.All, Avatars, Rate, Frames, Loop]),
@@ -261,7 +261,7 @@ internal sealed class SimulateArguments
         }
     }
 
-    /// <summary>Adds an error for every option that has no meaning beside another.</summary>
+    /// <summary>Adds an error for every option that contradicts another one.</summary>
     public void RejectContradictions(CommandResult result)
     {
         if (result.GetResult(Bvh) is not null && result.GetResult(Synthetic) is not null)

@@ -4,7 +4,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>neuron-mocap simulate: is the server.</summary>
+/// <summary>neuron-mocap simulate: acts as a server.</summary>
 internal sealed class SimulateVerb : Verb
 {
     private readonly SimulateArguments _arguments = new();

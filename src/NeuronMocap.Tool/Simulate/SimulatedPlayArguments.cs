@@ -5,7 +5,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>The options of a recording as the source.</summary>
+/// <summary>The options for a recording as the source.</summary>
 internal sealed class SimulatedPlayArguments
 {
     private readonly Option<FileInfo?> _play = new("--play")
@@ -24,9 +24,9 @@ internal sealed class SimulatedPlayArguments
 
     public Option[] All => [_play, _speed];
 
-    /// <summary>Adds an error for every option that has no meaning beside another.</summary>
+    /// <summary>Adds an error for every option that contradicts another one.</summary>
     /// <param name="result">The command line.</param>
-    /// <param name="ofSources">Options that say what packets are made of.</param>
+    /// <param name="ofSources">Options that shape the packets of other sources.</param>
     public void RejectContradictions(CommandResult result, Option[] ofSources)
     {
         if (result.GetResult(_play) is null)
@@ -41,10 +41,10 @@ internal sealed class SimulatedPlayArguments
             result.AddError($"--play and {option.Name} exclude each other: a recording is sent as it is.");
     }
 
-    /// <summary>What to play; null where it is no recording.</summary>
+    /// <summary>Reads the settings of the recording. Null if the source is not a recording.</summary>
     /// <param name="result">The command line.</param>
     /// <param name="rate">Frames per second.</param>
-    /// <param name="loop">Whether it starts again at its end.</param>
+    /// <param name="loop">Whether the recording restarts at its end.</param>
     /// <exception cref="SimulatorException">The file cannot be played.</exception>
     /// <exception cref="UsageException">An option has no meaning for this file.</exception>
     public SimulatedPlaySettings? Read(ParseResult result, double? rate, bool loop)
@@ -90,7 +90,7 @@ internal sealed class SimulatedPlayArguments
 
 /// <summary>A recording as the source.</summary>
 /// <param name="Path">The file.</param>
-/// <param name="Speed">How many times as fast as it was recorded.</param>
-/// <param name="Loop">Whether it starts again at its end.</param>
-/// <param name="Description">The line that the program begins with.</param>
+/// <param name="Speed">Speed relative to the recording.</param>
+/// <param name="Loop">Whether the recording restarts at its end.</param>
+/// <param name="Description">The first line that the program writes.</param>
 internal sealed record SimulatedPlaySettings(string Path, double Speed, bool Loop, string Description);

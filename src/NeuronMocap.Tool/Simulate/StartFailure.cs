@@ -4,12 +4,13 @@ using NeuronMocap.Server;
 
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>Why a port or a destination cannot be had, in the words of the program: its options, not the library's members.</summary>
+/// <summary>Describes why a port or a destination is not available. The text names options of the program instead of members of the
+/// library.</summary>
 internal static class StartFailure
 {
-    /// <summary>Describes what kept the broadcast from starting.</summary>
-    /// <param name="exception">What was thrown.</param>
-    /// <param name="options">What was to be started.</param>
+    /// <summary>Describes why the broadcast could not start.</summary>
+    /// <param name="exception">The exception.</param>
+    /// <param name="options">The options of the broadcast.</param>
     public static string Describe(BroadcasterException exception, BroadcasterOptions options) => exception.Setting switch
     {
         nameof(BroadcasterOptions.Port) => DescribePort("--port", options.Port, options.BindAddress, exception),
@@ -18,9 +19,9 @@ internal static class StartFailure
         _ => $"--udp: this machine has no route to {string.Join(" or ", options.UdpDestinations)} ({CodeOf(exception)}).",
     };
 
-    /// <summary>Describes what kept the command channel from starting.</summary>
-    /// <param name="exception">What was thrown.</param>
-    /// <param name="port">The port that it should have.</param>
+    /// <summary>Describes why the command channel could not start.</summary>
+    /// <param name="exception">The exception.</param>
+    /// <param name="port">The port of the command channel.</param>
     /// <param name="address">The address to listen on.</param>
     public static string DescribeCommands(BroadcasterException exception, int port, IPAddress address) =>
         exception.Setting is nameof(CommandServerOptions.Port) ? DescribePort("--commands", port, address, exception) : DescribeAddress(address, exception);

@@ -9,7 +9,7 @@ using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch;
 
-/// <summary>neuron-mocap watch: shows what a source sends.</summary>
+/// <summary>neuron-mocap watch: shows the frames of a source.</summary>
 internal sealed class WatchVerb : Verb
 {
     private readonly SourceArgument _source = new("What to receive from", "demo");
@@ -41,7 +41,7 @@ internal sealed class WatchVerb : Verb
         Validators.Add(Reject);
     }
 
-    /// <summary>What the exit codes of this verb and of play mean.</summary>
+    /// <summary>The meaning of the exit codes of this verb and of play.</summary>
     public static IReadOnlyList<(int Code, string Meaning)> Codes { get; } =
     [
         (CommandLine.Done, "done as asked, or ended by q, Ctrl+C or SIGTERM"),

@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Watch.Export;
 
-/// <summary>The options of keeping a stream as BVH.</summary>
+/// <summary>The options for exporting a stream as BVH.</summary>
 internal sealed class ExportArguments
 {
     private const string Everyone = "all";
@@ -40,7 +40,7 @@ internal sealed class ExportArguments
 
     public Option[] All => [_export, _avatar];
 
-    /// <summary>Adds an error for every option that has no meaning without another.</summary>
+    /// <summary>Adds an error for every option that needs another option.</summary>
     public void RejectContradictions(CommandResult result)
     {
         if (Verb.IsGiven(result, _avatar) && !Verb.IsGiven(result, _export))

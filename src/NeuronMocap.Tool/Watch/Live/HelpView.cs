@@ -5,7 +5,7 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>The keys, and what the words of the view mean. In a small window they take several pages.</summary>
+/// <summary>The keys, and the meaning of the words in the view. A small window needs several pages.</summary>
 internal static class HelpView
 {
     private const int WidestText = 100;
@@ -45,11 +45,11 @@ internal static class HelpView
         ("ground", "the line at y = 0, with a mark every 50 cm, and L and R below the feet that stand on it"),
     ];
 
-    /// <summary>Shows a page.</summary>
+    /// <summary>Creates a page.</summary>
     /// <param name="isPlayback">Whether a file is played.</param>
-    /// <param name="page">The page, from 0.</param>
-    /// <param name="width">Columns that there are.</param>
-    /// <param name="height">Lines that there are, at least 2.</param>
+    /// <param name="page">Number of the page, from 0.</param>
+    /// <param name="width">Available columns.</param>
+    /// <param name="height">Available lines, at least 2.</param>
     public static IRenderable Create(bool isPlayback, int page, int width, int height)
     {
         IRenderable[][] pages = [.. Pages(isPlayback, Math.Min(width, WidestText), Math.Max(height - 1, 1))];
@@ -58,10 +58,10 @@ internal static class HelpView
         return new Rows([new StyledLine().Add($"HELP{number}", Palette.StrongStyle), .. pages[shown]]);
     }
 
-    /// <summary>How many pages there are.</summary>
+    /// <summary>Counts the pages.</summary>
     public static int CountPages(bool isPlayback, int width, int height) => Pages(isPlayback, Math.Min(width, WidestText), Math.Max(height - 1, 1)).Count();
 
-    // An entry is not divided, unless it is longer than a page.
+    // An entry is not divided unless it is longer than a page.
     private static IEnumerable<IRenderable[]> Pages(bool isPlayback, int width, int height)
     {
         var page = new List<IRenderable>();

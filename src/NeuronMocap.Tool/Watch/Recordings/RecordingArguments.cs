@@ -54,7 +54,7 @@ internal sealed class RecordingArguments
 
     public Option[] All => [_record, _compress, _size, _time, _files];
 
-    /// <summary>Adds an error for every option that has no meaning without another.</summary>
+    /// <summary>Adds an error for every option that needs another option.</summary>
     public void RejectContradictions(CommandResult result)
     {
         if (!Verb.IsGiven(result, _record))
