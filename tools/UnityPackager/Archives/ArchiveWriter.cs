@@ -1,9 +1,9 @@
 namespace NeuronMocap.UnityPackager.Archives;
 
-/// <summary>Writes both archives, and opens what was written again.</summary>
+/// <summary>Writes both archives, and reads them again to check them.</summary>
 internal static class ArchiveWriter
 {
-    /// <exception cref="PackagerException">What was written is not what was meant.</exception>
+    /// <exception cref="PackagerException">An archive does not contain exactly the expected files.</exception>
     public static void Write(StagedPackage package, string folder)
     {
         Directory.CreateDirectory(folder);

@@ -2,7 +2,8 @@ using System.Text.Json;
 
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>Every source belongs to an assembly whose references are there, and an application gets none of the editor's or the tests'.</summary>
+/// <summary>Checks that every source belongs to an assembly, and that references exist. An application must not get assemblies of the editor or
+/// tests.</summary>
 internal static class AssemblyDefinitionCheck
 {
     private static readonly string[] TestAssemblies = ["UnityEngine.TestRunner", "UnityEditor.TestRunner"];

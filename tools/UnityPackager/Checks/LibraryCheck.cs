@@ -3,10 +3,11 @@ using System.Reflection.PortableExecutable;
 
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>The libraries are ours and no other, stand on netstandard alone, are of the manifest's version, and tell nothing of where they were built.</summary>
+/// <summary>Checks the libraries: only our own, dependent only on netstandard, with the version of the manifest, and without paths of the
+/// build.</summary>
 internal static class LibraryCheck
 {
-    // What the projects map their root to in symbols.
+    // The root to which the projects map their folder in symbols.
     private const string MappedRoot = "/_/";
 
     private static readonly HashSet<string> PluginExtensions = new(
@@ -19,7 +20,7 @@ internal static class LibraryCheck
         .. MirroredFile.Assemblies.SelectMany(assembly => CheckAssembly(assembly, package)),
     ];
 
-    // What Unity takes for a plugin, in any case of letters.
+    // Files that Unity takes for plugins, in upper or lower case.
     private static bool IsForeign(string path) =>
         PluginExtensions.Contains(Path.GetExtension(path)) && !MirroredFile.All.Any(file => file.Path == path);
 
@@ -61,7 +62,7 @@ internal static class LibraryCheck
             yield return $"is of version {actual.ToString(3)}, package.json of {version}";
     }
 
-    // Names of enumeration members, which stripping keeps with their type, are all that the libraries ask for at run time.
+    // At run time the libraries only look up names of enumeration members. Stripping keeps these with their type.
     private static IEnumerable<string> FindReflection(MetadataReader metadata)
     {
         foreach (MemberReferenceHandle handle in metadata.MemberReferences)
@@ -78,7 +79,7 @@ internal static class LibraryCheck
         }
     }
 
-    // The name and version of an assembly are always there.
+    // The name and version of an assembly always exist.
     private static bool FindsMembers(string type, string name) => type switch
     {
         "System.Activator" => true,

@@ -3,14 +3,14 @@ using System.Text.RegularExpressions;
 
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>package.json is what the package manager takes, and tells of samples that are there, and of all.</summary>
+/// <summary>Checks that the package manager accepts package.json, and that package.json lists exactly the existing samples.</summary>
 internal static partial class ManifestCheck
 {
     private const string Manifest = "package.json";
 
     private static readonly string[] Texts = ["name", "version", "displayName", "description", "unity", "license"];
 
-    /// <summary>Why there is nothing to check, or null.</summary>
+    /// <summary>Describes why the manifest cannot be checked. Null if it can.</summary>
     public static string? FindUnreadable(StagedPackage package)
     {
         if (!package.Files.TryGetValue(Manifest, out byte[]? text))

@@ -1,6 +1,6 @@
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>Every file and folder that Unity imports has a meta of the right kind, with a GUID of its own, and there is no other meta.</summary>
+/// <summary>Checks that every file and folder that Unity imports has a meta of the right kind, with a unique GUID. Other metas are errors.</summary>
 internal static class MetaCheck
 {
     public static IEnumerable<string> Check(StagedPackage package)
