@@ -4,10 +4,8 @@
 //   dotnet run --project samples/MainLoop -- 192.168.1.20 60        a computer that runs Axis Neuron or Axis Studio, for 60 seconds
 //
 // There are two ways to take frames. A FrameQueue has every frame in order: use it to simulate, or to keep the frames. LatestFrames has only the
-// newest
-// frame of each avatar: use it to draw. Neither makes the connection wait. Two seconds after the start, this loop pauses for half a second, like a
-// game that
-// loads a level. The queue becomes full, drops frames and counts them. The newest frame is always available.
+// newest frame of each avatar: use it to draw. Neither makes the connection wait. Two seconds after the start, this loop pauses for half a second,
+// like a game that loads a level. The queue becomes full, drops frames and counts them. The newest frame is always available.
 //
 // In your own project: dotnet add package NeuronMocap (and NeuronMocap.Server for the simulator).
 // Exit code: 0 every frame is accounted for, 1 no frame arrived or the numbers do not add up, 2 wrong arguments.

@@ -5,8 +5,7 @@
 //
 // All settings come from the configuration: appsettings.json, environment variables such as NeuronReader__Host, or the command line as above.
 // NeuronReader:… are the options of the reader. Collector is the destination of OTLP over HTTP. Seconds ends the service after that time; Ctrl+C ends
-// it
-// at any time.
+// it at any time.
 //
 // In your own project: dotnet add package NeuronMocap.Hosting.
 // Exit code: 0 ended as requested, 1 no frame arrived or the collector accepted nothing, 2 wrong settings.

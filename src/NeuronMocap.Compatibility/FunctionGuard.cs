@@ -3,8 +3,7 @@ using System.Runtime.CompilerServices;
 namespace NeuronMocap.Compatibility;
 
 // Guards the functions that programs call. An exception inside becomes the function's failure value and a sentence in the last error. In C an
-// exception
-// would end the process.
+// exception would end the process.
 internal static class FunctionGuard
 {
     public static TResult Call<TArguments, TResult>(

@@ -22,9 +22,8 @@ public static class NeuronReaderServiceCollectionExtensions
     /// </summary>
     /// <remarks>
     /// The reader starts when all hosted services have started. Consumers that they open in their constructors or in StartAsync therefore get the
-    /// first frame.
-    /// ExecuteAsync of a background service may run later. The reader stops when the host begins to stop. If an option is out of range, the host does
-    /// not start.
+    /// first frame. ExecuteAsync of a background service may run later. The reader stops when the host begins to stop. If an option is out of range,
+    /// the host does not start.
     /// </remarks>
     /// <param name="services">The services of the host.</param>
     /// <param name="configure">Sets options in code, after those of the configuration; may be null.</param>

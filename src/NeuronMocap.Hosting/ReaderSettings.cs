@@ -7,8 +7,7 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Hosting;
 
 // Reads options from a configuration section. The general binder is unsuitable: it silently ignores misspelt keys and addresses, reads "5" as five
-// days, and
-// needs reflection.
+// days, and needs reflection.
 internal static class ReaderSettings
 {
     private const string AllowedSenders = "AllowedSenders";
@@ -42,8 +41,7 @@ internal static class ReaderSettings
         List<string> faults = [];
 
         // An array in a file and a list in the environment are two keys. The list replaces the array, so that it can restrict the senders. An empty
-        // list does not
-        // replace it, because that would allow all senders.
+        // list does not replace it, because that would allow all senders.
         bool hasList = section[AllowedSenders]?.Trim(' ', ',') is { Length: > 0 };
         foreach ((string key, string? text) in section.AsEnumerable(makePathsRelative: true))
         {

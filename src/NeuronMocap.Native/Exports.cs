@@ -6,8 +6,7 @@ using NeuronMocap.Native.Host;
 namespace NeuronMocap.Native;
 
 // The exported functions: manual section 2.3. They only convert; VendorFunctions does the work, as for the C# functions. They do not throw, because
-// the
-// whole body of each function runs behind its guard.
+// the whole body of each function runs behind its guard.
 internal static unsafe partial class Exports
 {
     private const int OffWork = 2;

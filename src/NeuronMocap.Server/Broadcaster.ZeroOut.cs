@@ -12,8 +12,7 @@ public sealed partial class Broadcaster
     /// <summary>Zeroes out an avatar: turns it to face front, along Z, where it stands.</summary>
     /// <remarks>
     /// The change starts at the next frame that has not been made yet. From there on the whole motion is turned about the vertical axis through the
-    /// hips.
-    /// In a motion packet only the values of the hips change. Calculation packets follow. You can call this method repeatedly and at any time.
+    /// hips. In a motion packet only the values of the hips change. Calculation packets follow. You can call this method repeatedly and at any time.
     /// It is not documented whether real servers change the direction, the position or both.
     /// </remarks>
     /// <param name="avatarIndex">Index of the avatar, from 0.</param>

@@ -1,8 +1,7 @@
 namespace NeuronMocap.Compatibility.Callbacks;
 
 // One callback and the object that is passed to it. Registration changes both together. The callback may also be a public field, which programs can
-// set
-// directly. Such a callback gets the object that was registered last.
+// set directly. Such a callback gets the object that was registered last.
 internal sealed class CallbackSlot<THandler>
     where THandler : Delegate
 {

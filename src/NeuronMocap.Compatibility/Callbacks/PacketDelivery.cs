@@ -12,8 +12,7 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate ga
     private Exception? _reported;
 
     // The header is that of b15, or that of b12 if the callbacks ask for it. Its version matches, so one struct fits every frame. A packet that
-    // already
-    // has this header is used as it is.
+    // already has this header is used as it is.
     public void Deliver(IntPtr socket, MotionFrame frame)
     {
         if (!callbacks.WantsFrames)

@@ -5,9 +5,8 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Compatibility.Callbacks;
 
 // Unmanaged memory for one packet. Callbacks receive its address, which never changes, so it has room for the largest packet from the start. Pages
-// that
-// no packet uses take no physical memory. The memory is freed when nothing refers to it any more, not when its connection is closed: a callback may
-// still be reading it then.
+// that no packet uses take no physical memory. The memory is freed when nothing refers to it any more, not when its connection is closed: a callback
+// may still be reading it then.
 internal sealed unsafe class PacketMemory
 {
     private const int Capacity = ProtocolConstants.HeaderSize + ProtocolConstants.MaxCommandPayload;

@@ -35,8 +35,7 @@ internal sealed class CommandSocket : VendorSocket
     public override SocketState State => _client?.IsLeft == true ? SocketState.OffWork : base.State;
 
     // Returns false for everything that is not a correct answer. An impossible answer sets the last error. A server that refuses or does not answer
-    // leaves
-    // the last error unchanged. Blocks on the client's own task, because a continuation would need a thread of the pool.
+    // leaves the last error unchanged. Blocks on the client's own task, because a continuation would need a thread of the pool.
     public bool TryCall(Func<NeuronCommandClient, Task> call)
     {
         if (_client is null || IsClosed)

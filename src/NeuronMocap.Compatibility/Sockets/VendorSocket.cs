@@ -6,8 +6,7 @@ namespace NeuronMocap.Compatibility.Sockets;
 internal abstract class VendorSocket : IDisposable
 {
     // How long closing waits for a running callback, about as long as the vendor's libraries. The callback may wait for the thread that closes. Tests
-    // set
-    // a longer time, because any callback can be delayed on a busy machine.
+    // set a longer time, because any callback can be delayed on a busy machine.
     public static TimeSpan CloseTimeout { get; set; } = TimeSpan.FromMilliseconds(75);
 
     // The number of sockets that this thread is opening. A callback during one opening may ask for another socket.
@@ -59,8 +58,7 @@ internal abstract class VendorSocket : IDisposable
     }
 
     // Waits for a connection that another thread is opening. A callback on a thread that is itself opening a socket does not wait: it may be waiting
-    // for
-    // that very socket, or for a socket whose callback waits for the caller's socket.
+    // for that very socket, or for a socket whose callback waits for the caller's socket.
     public bool WaitUntilOpen()
     {
         if (_opening == 0)
@@ -72,8 +70,7 @@ internal abstract class VendorSocket : IDisposable
     public void Dispose() => Close(CloseTimeout);
 
     // Returns false if a callback is still running after the timeout. No callback starts after this method, however many threads close the socket.
-    // One
-    // thread reports the end, and the other threads wait for the report.
+    // One thread reports the end, and the other threads wait for the report.
     public bool Close(TimeSpan timeout)
     {
         bool isFirst = Interlocked.Exchange(ref _isClosed, 1) == 0;

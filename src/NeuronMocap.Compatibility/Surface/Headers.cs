@@ -25,7 +25,6 @@ public struct DataVersion
 /// <remarks>
 /// A frame that arrived with the old header or as text has this layout, too. Its version is then 1.1.0.0, and this library counts its frame index.
 /// </remarks>
-/// </summary>
 [StructLayout(LayoutKind.Sequential, Pack = 1)]
 public struct BvhDataHeader
 {

@@ -7,12 +7,10 @@ namespace NeuronDataReaderWraper;
 /// </summary>
 /// <remarks>
 /// The page docs/reference/compatibility.md lists the differences from the vendor's library. All functions are thread-safe and may be called from
-/// callbacks.
-/// They do not throw.
+/// callbacks. They do not throw.
 /// <para>
 /// There is one callback of each kind. It can be registered, replaced and, with null, unregistered at any time. The change takes effect at the next
-/// call.
-/// Registered callbacks are kept alive; you do not need a field for the delegate.
+/// call. Registered callbacks are kept alive; you do not need a field for the delegate.
 /// </para>
 /// <para>The other namespace has its own callbacks and behaves as a second library.</para>
 /// </remarks>
@@ -77,8 +75,7 @@ public partial class NeuronDataReader
     /// <summary>Closes a connection or service (manual section 2.3.6). After it returns, no callback starts for the handle.</summary>
     /// <remarks>
     /// It waits at most 75 ms for a running callback, because the callback may wait for the thread that closes. The memory that such a callback
-    /// received stays
-    /// valid until the callback ends. Closing zero or a closed handle does nothing.
+    /// received stays valid until the callback ends. Closing zero or a closed handle does nothing.
     /// </remarks>
     /// <param name="sockRef">A handle.</param>
     public static void BRCloseSocket(IntPtr sockRef) => VendorFunctions.Close(sockRef);
@@ -86,8 +83,7 @@ public partial class NeuronDataReader
     /// <summary>Gets the last error as C text: UTF-8, with a zero byte at the end (manual section 2.3.8).</summary>
     /// <remarks>
     /// The memory is always the same and is never freed. The next error overwrites it. <see cref="strBRGetLastErrorMessage"/> returns the same text
-    /// as
-    /// a string.
+    /// as a string.
     /// </remarks>
     /// <returns>A pointer, never zero.</returns>
     public static IntPtr BRGetLastErrorMessage() => LastError.Pointer;

@@ -5,8 +5,7 @@ using NeuronMocap.Compatibility;
 namespace NeuronMocap.Native.Host;
 
 // Guards all functions that C calls, because an exception that left them would end the process. An exception becomes the function's failure value and
-// the
-// last error. Arguments are passed in, so that a call allocates no memory.
+// the last error. Arguments are passed in, so that a call allocates no memory.
 internal static unsafe class ExportGuard
 {
     // Tests set it to throw in a function, on their own thread.

@@ -11,7 +11,6 @@ namespace NeuronMocap.Server.Clients;
 /// of a frame. Everything that clients send is read. Closing a socket with unread bytes would reset the connection and discard the client's last
 /// frames.
 /// </remarks>
-/// </summary>
 internal sealed class TcpClientSession : Recipient
 {
     // Limits the data that the system buffers for a client that does not read. The default is megabytes, which hold a minute of old frames.

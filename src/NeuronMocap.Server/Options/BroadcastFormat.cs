@@ -11,8 +11,7 @@ public enum BroadcastFormat
     /// <summary>Lines of text, the block type String (protocol.md section 8).</summary>
     /// <remarks>
     /// Lines carry no version, no frame index and fewer digits. A calculation line does not name its avatar. With several avatars, only its position
-    /// after
-    /// the motion line identifies the avatar.
+    /// after the motion line identifies the avatar.
     /// </remarks>
     Text,
 
@@ -22,8 +21,7 @@ public enum BroadcastFormat
     /// The timecode is computed from the frame number and the rate: frame 0 is 00:00:00:00.
     /// <para>
     /// Two details are inferred. The rotation order uses the numbers of the vendor's RotateOrders. The timecode is packed as 0x00HHMMSS, followed by
-    /// the
-    /// frame within the second.
+    /// the frame within the second.
     /// </para>
     /// <para>Programs with the vendor's b12 library crash on Axis Studio's stream because of a bug in that library.</para>
     /// </remarks>

@@ -12,10 +12,9 @@ public sealed partial class BroadcasterOptions
     // Null writes 64 plus the number of bytes that follow. Default: null.
     internal int? DataCommandLength { get; set; }
 
-    // Size of a piece in bytes, 1 to 1,048,576. Null leaves packets whole. Default: null.
-    // Over TCP the stream is written in pieces of exactly this size, across packet boundaries. At a paced rate the last piece of the available data
-    // is
-    // shorter. A piece beyond 128 KB adds its length to the data that a client must take within ClientTimeout.
-    // Over UDP a packet or a line of text is cut into datagrams of at most this size. Axis Neuron on macOS uses 1024.
+    // Size of a piece in bytes, 1 to 1,048,576. Null leaves packets whole. Default: null. Over TCP the stream is written in pieces of exactly this
+    // size, across packet boundaries. At a paced rate the last piece of the available data is shorter. A piece beyond 128 KB adds its length to the
+    // data that a client must take within ClientTimeout. Over UDP a packet or a line of text is cut into datagrams of at most this size. Axis Neuron
+    // on macOS uses 1024.
     internal int? Fragment { get; set; }
 }

@@ -17,8 +17,7 @@ public sealed partial class BroadcasterOptions
     /// <summary>A file to send instead of <see cref="Sources"/>: a recording, or a raw dump of a stream's bytes. Default: null.</summary>
     /// <remarks>
     /// Every byte is sent as it was received, including bytes that are not part of a packet. Packets and lines of text are sent whole, each at the
-    /// time
-    /// of its last byte. A raw dump has no times. It is sent at <see cref="FrameRate"/>, or as <see cref="Recording.PlaybackOptions.FrameRate"/>
+    /// time of its last byte. A raw dump has no times. It is sent at <see cref="FrameRate"/>, or as <see cref="Recording.PlaybackOptions.FrameRate"/>
     /// describes.
     /// <para>
     /// Settings that shape the packets of sources (names, format, layout, frame limit) must keep their defaults. Commands of clients are not
@@ -49,16 +48,14 @@ public sealed partial class BroadcasterOptions
     /// <remarks>
     /// Servers normally use two ports, 7001 and 7003 (protocol.md section 4.1). The setting needs <see cref="Calculation"/>,
     /// <see cref="StudioCalculation"/> or a <see cref="RecordingPath"/>. The calculation packets of a recording then go to this port, whichever way
-    /// they
-    /// were received.
+    /// they were received.
     /// <para>
     /// Over TCP the broadcaster listens on this port and <see cref="BindAddress"/> whenever <see cref="Port"/> is set. 0 takes any free port. Read it
-    /// from
-    /// <see cref="Broadcaster.CalculationEndPoint"/>. Over UDP, calculation packets go to this port of every destination, from a separate socket.
+    /// from <see cref="Broadcaster.CalculationEndPoint"/>. Over UDP, calculation packets go to this port of every destination, from a separate
+    /// socket.
     /// </para>
     /// <para>A line of text does not name its avatar. With several avatars, only the order of the lines identifies the avatar.</para>
     /// </remarks>
-    /// </summary>
     public int? CalculationPort { get; set; }
 
     /// <summary>Whether motion packets are sent. Default: true.</summary>
@@ -81,20 +78,17 @@ public sealed partial class BroadcasterOptions
     public IReadOnlyList<IPEndPoint> UdpDestinations { get; set; } = [];
 
     /// <summary>
-    /// <summary>
     /// Frames per second, 0.01 to 100,000, or <see cref="MaxFrameRate"/>. Null uses the rate of the first source. Default: null.
     /// </summary>
     /// <remarks>
     /// <para>
     /// A number paces the broadcast. Each frame is made once, at its time, and sent to all recipients. A client that does not read loses whole
-    /// packets
-    /// and delays no other recipient.
+    /// packets and delays no other recipient.
     /// </para>
     /// <para>
     /// <see cref="MaxFrameRate"/> gives every client the whole take from frame 0, as fast as it reads. A client loses nothing (see
     /// <see cref="ClientTimeout"/> for the exception), and its connection is closed after the last frame. UDP has no flow control, so datagrams are
-    /// sent as
-    /// fast as the system takes them.
+    /// sent as fast as the system takes them.
     /// </para>
     /// <para>A recording has its own times and accepts only <see cref="MaxFrameRate"/> or null.</para>
     /// </remarks>
@@ -126,9 +120,8 @@ public sealed partial class BroadcasterOptions
     /// <summary>Version of the motion packets, 1.0 or 1.1, which determines the layout of their header. Default: null.</summary>
     /// <remarks>
     /// Null uses the version of the format: 1.1.0.0, or 1.1.0.1 in <see cref="BroadcastFormat.Studio"/>, which allows no other version. It must be
-    /// null for text,
-    /// which carries no version. Axis Studio's setting "Use old header format" sends <see cref="DataVersion.Old"/> with <see
-    /// cref="BroadcastFormat.Binary"/>.
+    /// null for text, which carries no version. Axis Studio's setting "Use old header format" sends <see cref="DataVersion.Old"/> with
+    /// <see cref="BroadcastFormat.Binary"/>.
     /// </remarks>
     public DataVersion? DataVersion { get; set; }
 
@@ -155,9 +148,8 @@ public sealed partial class BroadcasterOptions
     /// true.</summary>
     /// <remarks>
     /// The commands ask for bone sizes, BVH text, the number of avatars, the frequency and the combination mode, and register for changes of them.
-    /// Servers
-    /// newer than b12 do not answer. Requests do not affect other clients: at most 1024 requests of a client wait, and further requests are dropped
-    /// and counted.
+    /// Servers newer than b12 do not answer. Requests do not affect other clients: at most 1024 requests of a client wait, and further requests are
+    /// dropped and counted.
     /// </remarks>
     public bool AnswerDataCommands { get; set; } = true;
 

@@ -14,10 +14,8 @@ namespace NeuronMocap.Server;
 /// </para>
 /// <para>
 /// Positions are in metres. The position of a bone is the middle between its joint and the next joint of its chain, or its End Site. End Sites are
-/// those
-/// of the default body. The next joint after a hand is that of the middle finger. The position of the hips is their joint, as in recordings.
-/// Velocities
-/// are in metres per second. The quaternion is the rotation of the bone in the world, as from a sensor aligned with the bone.
+/// those of the default body. The next joint after a hand is that of the middle finger. The position of the hips is their joint, as in recordings.
+/// Velocities are in metres per second. The quaternion is the rotation of the bone in the world, as from a sensor aligned with the bone.
 /// </para>
 /// <para>
 /// Acceleration and angular velocity are in the axes of the bone. The manual does not give their units; the units here follow recordings. The
@@ -42,8 +40,8 @@ public static class CalculationSynthesizer
     /// <param name="source">The source.</param>
     /// <param name="frame">Frame number, from 0, below the source's <see cref="MotionSource.FrameCount"/>.</param>
     /// <param name="values">
-    /// Exactly 946 values for 59 bones (<see cref="CalculationFrame.FullValueCount"/>) or 338 for 21
-    /// (<see cref="CalculationFrame.BodyValueCount"/>). All of them are written.
+    /// Exactly 946 values for 59 bones (<see cref="CalculationFrame.FullValueCount"/>) or 338 for 21 (<see cref="CalculationFrame.BodyValueCount"/>).
+    /// All of them are written.
     /// </param>
     /// <exception cref="ArgumentException">The span has another number of values.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The source has no such frame.</exception>

@@ -5,8 +5,7 @@ namespace NeuronMocap.Server;
 /// <summary>Estimates a frame rate from the times of frames.</summary>
 /// <remarks>
 /// Arrival times jitter. The result is then the usual rate near the measured one. Times that a program computed from a rate, for example for a file,
-/// lie on an
-/// even grid to the last tick. The result is then the rate of the grid. Allocates nothing. Not thread-safe.
+/// lie on an even grid to the last tick. The result is then the rate of the grid. Allocates nothing. Not thread-safe.
 /// </remarks>
 public sealed class FrameRateEstimator
 {

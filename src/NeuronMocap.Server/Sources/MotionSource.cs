@@ -34,8 +34,7 @@ public abstract class MotionSource
     /// <summary>Writes the body at rest.</summary>
     /// <remarks>
     /// The default implementation uses the positions of the first pose, with the hips above the origin. The ends of the bones are those of the
-    /// default body
-    /// (<see cref="DefaultOffsets.TryGetEndSite"/>).
+    /// default body (<see cref="DefaultOffsets.TryGetEndSite"/>).
     /// </remarks>
     /// <param name="offsets">Room for 59 bone positions relative to the parent bone, in <see cref="Bone"/> order; centimetres.</param>
     /// <param name="endSites">Room for 59 end points of bones, relative to the bone. Zero for bones that have children.</param>

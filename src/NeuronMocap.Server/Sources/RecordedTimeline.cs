@@ -8,8 +8,7 @@ namespace NeuronMocap.Server.Sources;
 /// <summary>Arranges received frames at even times.</summary>
 /// <remarks>
 /// The frame index of the server gives the number of missing frames. Short gaps are interpolated. Arrival times jitter, so they only determine the
-/// average
-/// duration of a frame.
+/// average duration of a frame.
 /// </remarks>
 internal sealed class RecordedTimeline
 {

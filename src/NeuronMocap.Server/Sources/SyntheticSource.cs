@@ -7,9 +7,8 @@ namespace NeuronMocap.Server;
 /// <summary>A synthetic walk, which needs no file.</summary>
 /// <remarks>
 /// The avatar walks round a ring of two metres and stops every few steps. It also waves, looks around, counts with its fingers or stretches. Its body
-/// is
-/// the default body (<see cref="DefaultOffsets"/>, variant Neck1). A foot on the ground does not move, and no foot goes below the ground, which is at
-/// Y = 0.
+/// is the default body (<see cref="DefaultOffsets"/>, variant Neck1). A foot on the ground does not move, and no foot goes below the ground, which is
+/// at Y = 0.
 /// <para>
 /// The motion repeats every 40 seconds. A pose is computed from the frame number alone. Time and precision are the same for every frame up to 2^53.
 /// Immutable and thread-safe. Computing a pose allocates nothing.
@@ -34,8 +33,7 @@ public sealed class SyntheticSource : MotionSource
     /// <param name="frameRate">Frames per second. The speed of the avatar does not depend on it.</param>
     /// <param name="avatarIndex">
     /// Index of the avatar, from 0. Each avatar has its own ring, 320 cm further along X than the previous one. It starts at another point of the
-    /// motion
-    /// and makes its gestures in another order. The paths of two neighbours are at least 120 cm apart.
+    /// motion and makes its gestures in another order. The paths of two neighbours are at least 120 cm apart.
     /// </param>
     /// <exception cref="ArgumentOutOfRangeException">The rate is not a positive number, or the avatar index is negative.</exception>
     public SyntheticSource(double frameRate = 60, int avatarIndex = 0)

@@ -3,8 +3,7 @@ namespace NeuronMocap.Tool.Completion;
 /// <summary>The scripts with which shells ask this program for completions.</summary>
 /// <remarks>
 /// The program answers the directive [suggest:POSITION] for the command line that follows, one word a line. If it has no answer, the shell completes
-/// file
-/// names.
+/// file names.
 /// </remarks>
 internal static class ShellScripts
 {

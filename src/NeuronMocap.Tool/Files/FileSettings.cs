@@ -30,8 +30,8 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     public int? Avatar { get; init; }
 
     /// <summary>
-    /// Rotation order. For convert, the order of the output; null for that of the input. For other tasks, the order of the input stream, see <see
-    /// cref="InputOrder"/>.
+    /// Rotation order. For convert, the order of the output; null for that of the input. For other tasks, the order of the input stream, see
+    /// <see cref="InputOrder"/>.
     /// </summary>
     public RotationOrder? RotationOrder { get; init; }
 

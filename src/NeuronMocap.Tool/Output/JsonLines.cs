@@ -12,8 +12,7 @@ namespace NeuronMocap.Tool.Output;
 /// <summary>Writes the lines of --json, which docs/reference/json.md describes.</summary>
 /// <remarks>
 /// All lines share one buffer: the result of a method is valid until the next call. A line for a frame allocates nothing once the buffer is large
-/// enough.
-/// Not thread-safe.
+/// enough. Not thread-safe.
 /// </remarks>
 [SuppressMessage("Design", "CA1001", Justification = "The writer holds nothing but the buffer.")]
 internal sealed class JsonLines

@@ -3,8 +3,7 @@ namespace NeuronMocap.Tool.Plot;
 /// <summary>A value over time, for a chart.</summary>
 /// <remarks>
 /// The curve divides the time into some hundred stretches and keeps the lowest and highest value of each, in their order. No peak is lost, and the
-/// size does
-/// not depend on the length of the take.
+/// size does not depend on the length of the take.
 /// </remarks>
 internal sealed class Curve
 {

@@ -16,8 +16,7 @@ internal enum TextAnchor
 /// <summary>Writes an SVG picture.</summary>
 /// <remarks>
 /// The picture has a background, so that it looks the same on a dark page. Styles are attributes, because not every program reads a style sheet. The
-/// same calls
-/// give the same bytes.
+/// same calls give the same bytes.
 /// </remarks>
 internal sealed class SvgDrawing : IDisposable
 {

@@ -44,8 +44,7 @@ internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsT
     private static string LineOf(string message) => $"{CommandLine.Name}: {TerminalText.Clean(message)}";
 
     // The console's own stream silently ignores a broken pipe, so `neuron-mocap watch --json | head -1` would never end. A FileStream throws. A
-    // regular file
-    // cannot break, and a FileStream would not move the position that the shell shares with the next program.
+    // regular file cannot break, and a FileStream would not move the position that the shell shares with the next program.
     private static Stream OpenOutput()
     {
         if (OperatingSystem.IsWindows() || !Console.IsOutputRedirected)

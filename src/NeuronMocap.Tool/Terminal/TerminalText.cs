@@ -7,8 +7,7 @@ namespace NeuronMocap.Tool.Terminal;
 /// <summary>Makes text from the network or from a file safe for a terminal and for one line.</summary>
 /// <remarks>
 /// Code that writes text to a terminal, a log or a picture calls <see cref="Clean"/> directly there, so that no text is missed. JSON keeps the exact
-/// text and
-/// escapes the same characters: see <see cref="JsonEncoder"/>.
+/// text and escapes the same characters: see <see cref="JsonEncoder"/>.
 /// </remarks>
 internal static class TerminalText
 {
@@ -20,8 +19,8 @@ internal static class TerminalText
     /// <summary>Replaces characters that are unsafe in a terminal.</summary>
     /// <remarks>
     /// Unsafe characters can move the cursor, start an escape sequence, end the line, or change the direction of the letters around them. They are
-    /// control
-    /// characters including C1, format characters such as U+202E, line separators, halves of surrogate pairs, and code points without a character.
+    /// control characters including C1, format characters such as U+202E, line separators, halves of surrogate pairs, and code points without a
+    /// character.
     /// </remarks>
     public static string Clean(string text)
     {

@@ -5,8 +5,7 @@ namespace NeuronMocap.UnityPackager.Archives;
 /// <summary>The package as an asset package. Users import it by double click or with Assets > Import Package.</summary>
 /// <remarks>
 /// It is a tar with a folder for each asset. The name of the folder is the GUID of the asset. It holds the asset, its meta and its path in the
-/// project. Folders
-/// that the package manager hides are visible in the project: Samples~ and Documentation~ lose the '~'.
+/// project. Folders that the package manager hides are visible in the project: Samples~ and Documentation~ lose the '~'.
 /// </remarks>
 internal static class UnityPackageArchive
 {

@@ -11,8 +11,7 @@ internal readonly struct GaitMoment
     public const double StepSeconds = 5.0 / 9;
 
     // 28 steps and 4 closing swings leave 40 of the lap's 72 units for the stops. The number of swings is even, so every lap starts with the same
-    // foot.
-    // The steps make two rounds of the ring, so every lap starts at the same place.
+    // foot. The steps make two rounds of the ring, so every lap starts at the same place.
     private const double StopUnits = 10;
 
     private const float WalkingLag = 0.04f;

@@ -12,8 +12,7 @@ internal static class Hand
     private const int FingerBones = 4;
 
     // idle is an angle in radians that grows steadily. open is 1 for a flat hand. count is the number of fingers shown from a fist, and counting is
-    // the
-    // amount of that gesture.
+    // the amount of that gesture.
     public static void Write(bool right, float idle, float open, float count, float counting, Span<BoneTransform> pose)
     {
         Bone bone = (right ? Bone.RightHand : Bone.LeftHand) + 1;
