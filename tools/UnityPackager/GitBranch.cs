@@ -22,7 +22,7 @@ internal sealed class GitBranch(string repository)
             return (parent, false);
 
         string source = Run("rev-parse HEAD");
-        string message = $"{package.Name} {package.Version}, made of {source}\n";
+        string message = $"{package.Name} {package.Version}, built from {source}\n";
         string commit = Run($"commit-tree {tree}{(parent is null ? string.Empty : $" -p {parent}")} -F -", message);
         Run($"update-ref {reference} {commit} {parent ?? new string('0', commit.Length)}");
         return (commit, true);

@@ -12,9 +12,9 @@ internal static class CommonOptions
 
     public static Option<bool> Json(string description) => new("--json") { Description = description };
 
-    public static Option<bool> Quiet() => new("--quiet") { Description = "Print nothing but the summary at the end, as one JSON object." };
+    public static Option<bool> Quiet() => new("--quiet") { Description = "Print only the summary at the end, as one JSON object." };
 
-    public static Option<bool> Overwrite(string files) => new("--overwrite") { Description = $"Replace {files} if there is one; else that is an error." };
+    public static Option<bool> Overwrite(string files) => new("--overwrite") { Description = $"Overwrite {files}. Without this option, an existing file is an error." };
 
     public static Option<long?> Frames() => new("--frames")
     {
@@ -71,8 +71,8 @@ internal static class CommonOptions
     public static Option<double?> Rate() => new("--rate")
     {
         HelpName = "HZ",
-        Description = "Frames of each avatar per second of a file that holds bytes without times, or of a calculation export, 0.01 to 100000. "
-            + "Default: as its timecodes say, or 120.",
+        Description = "Frames per second of each avatar, 0.01 to 100000, for a file that holds bytes without times or a calculation export. "
+            + "Default: the rate of its timecodes, or 120.",
         CustomParser = static result => NumberArgument.Parse(result, 0.01, 100_000, "a number from 0.01 to 100000"),
         Arity = ArgumentArity.ExactlyOne,
     };
@@ -82,7 +82,7 @@ internal static class CommonOptions
     {
         HelpName = "N",
         Description = description,
-        CustomParser = static result => NumberArgument.ParseWhole(result, 0, int.MaxValue, "a number of an avatar, from 0"),
+        CustomParser = static result => NumberArgument.ParseWhole(result, 0, int.MaxValue, "an avatar number, from 0"),
         Arity = ArgumentArity.ExactlyOne,
     };
 

@@ -18,8 +18,8 @@ internal static class ProgramHelp
 
     public static IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
     [
-        (CommandLine.Done, "done as asked"),
-        (CommandLine.NothingReceived, "nothing was received, or something could not be read or written; standard error says what to look at"),
+        (CommandLine.Done, "success"),
+        (CommandLine.NothingReceived, "nothing was received, or something could not be read or written; standard error says what to check"),
         (CommandLine.BadUsage, "wrong command line"),
         (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before a result"),
     ];

@@ -12,7 +12,7 @@ internal sealed class SourceArgument : Argument<Source?>
     public SourceArgument(string what, string whenLeftOut)
         : base("SOURCE")
     {
-        Description = $"{what}: {Source.Forms}. An IPv6 address with a port stands in brackets: [::1]:7001. Default: {whenLeftOut}.";
+        Description = $"{what}: {Source.Forms}. Write an IPv6 address with a port in brackets: [::1]:7001. Default: {whenLeftOut}.";
         Arity = ArgumentArity.ZeroOrOne;
         CustomParser = Parse;
         CompletionSources.Add("demo", "tcp://", "udp://:");

@@ -106,7 +106,7 @@ internal static class UsageFault
     {
         string[] names = [.. command.Options.Select(static option => option.Name)];
         if (names.Contains(unknown, StringComparer.Ordinal))
-            return $"{unknown} stands before the verb: write {CommandLine.Name} {command.Name} {unknown}.";
+            return $"{unknown} is before the verb: write {CommandLine.Name} {command.Name} {unknown}.";
 
         string? meant = Spelling.FindNearest(NameOf(unknown), names.Select(NameOf));
         return $"unknown option {unknown}{(meant is null ? "." : $": did you mean --{meant}?")}";

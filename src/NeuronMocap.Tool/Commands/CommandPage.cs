@@ -79,7 +79,7 @@ internal sealed class CommandPage(StandardStreams streams)
         yield return $"displacement {OnOff(map.Layout.HasDisplacement)}, reference {OnOff(map.Layout.HasReference)}, bone names {map.Format.Variant}";
         yield return order is null || map.Format.RotationOrder == order
             ? $"rotation order {map.Format.RotationOrder}"
-            : $"rotation order {map.Format.RotationOrder}, which is not the {order} that the server says it has";
+            : $"rotation order {map.Format.RotationOrder}, but the server reports {order}";
         yield return string.Create(CultureInfo.InvariantCulture, $"hips {map[Bone.Hips].Offset.Y:0.0} cm above the ground");
     }
 

@@ -16,7 +16,7 @@ internal sealed class CommandVerb : Verb
 
     private readonly Argument<Source?> _server = new("HOST[:PORT]")
     {
-        Description = "The server whose command channel is asked, which has a port of its own, or demo for the simulator inside this program. "
+        Description = "The server, with the port of its command channel, or demo for the simulator inside this program. "
             + $"Default port: {ProtocolConstants.DefaultCommandPort}.",
         Arity = ArgumentArity.ExactlyOne,
         CustomParser = static result => ParseServer(result),
@@ -25,7 +25,7 @@ internal sealed class CommandVerb : Verb
     private readonly Argument<CommandQuestion> _question = new("order|bones|header|zero-out")
     {
         Description = "order: the rotation order. bones: the sizes of an avatar's body, in metres. header: the avatar's BVH header, as the server sends it. "
-            + "zero-out: have the server zero out. Without it: the first three, in a report.",
+            + "zero-out: zero out avatars. Default: the first three, in a report.",
         Arity = ArgumentArity.ZeroOrOne,
         CustomParser = static result => ParseQuestion(result),
     };
@@ -58,7 +58,7 @@ internal sealed class CommandVerb : Verb
     [
         (CommandLine.Done, "answered"),
         (CommandLine.NothingReceived, "not answered; standard error says why"),
-        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before it knew"),
+        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before the answer"),
     ];
 
     public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken) => new CommandRun(

@@ -32,7 +32,7 @@ internal sealed class CompletionVerb : Verb
     public override IReadOnlyList<HelpExample> Examples { get; } =
     [
         new("completion bash >> ~/.bashrc", "for bash, from the next shell on"),
-        new("completion zsh >> ~/.zshrc", "for zsh, behind compinit"),
+        new("completion zsh >> ~/.zshrc", "for zsh, after compinit"),
         new("completion fish > ~/.config/fish/completions/neuron-mocap.fish", "for fish"),
         new("completion pwsh >> $PROFILE", "for PowerShell"),
     ];

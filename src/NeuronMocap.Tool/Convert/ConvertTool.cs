@@ -33,7 +33,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     {
         bool isStream = from is FileKind.Recording or FileKind.Raw;
         if (to == FileKind.Calculation && settings.RotationOrder is not null)
-            throw new NeuronException("--order: a calculation export holds no angles, which have an order.");
+            throw new NeuronException("--order: a calculation export holds no angles.");
 
         switch (to)
         {
@@ -76,7 +76,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
             case FileKind.Calculation:
                 using (FileStream file = File.Create(path))
                     CalculationOutput.Write(motion, file, progress, cancellationToken);
-                _summary.AddLoss("the bones' rotations and lengths, of which an export has sensors and centres");
+                _summary.AddLoss("the bones' rotations and lengths (an export holds sensors and centres)");
                 break;
             default:
                 using (IPacketSink sink = OpenSink(to, path, take with { Order = order }))

@@ -54,7 +54,7 @@ internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IPr
             if (entry.Kind != RecordingEntryKind.Bytes)
                 continue;
             if (isUdp.Contains(entry.Connection) && datagramSenders.Add((entry.Connection, entry.Sender)) && datagramSenders.Count > 1)
-                throw new NeuronException("The recording has datagrams of several senders, which raw bytes cannot keep apart; .nmrec can.");
+                throw new NeuronException("The recording has datagrams of several senders, which raw bytes cannot keep separate; .nmrec can.");
 
             output.Write(entry.Bytes);
             Pieces++;

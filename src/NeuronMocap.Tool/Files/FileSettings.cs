@@ -79,12 +79,12 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
         FileKind kind = FileKinds.Recognize(Input);
         string name = Path.GetFileName(Input);
         if (InputRate is not null && kind is not (FileKind.Raw or FileKind.Calculation))
-            throw new NeuronException($"--rate: {name} has times of its own; --rate is for bytes without times and calculation exports.");
+            throw new NeuronException($"--rate: {name} has its own times; --rate is for bytes without times and calculation exports.");
         if (kind is FileKind.Recording or FileKind.Raw)
             return kind;
 
         if (InputOrder is not null || (Task != FileTask.Convert && RotationOrder is not null))
-            throw new NeuronException($"{(InputOrder is null ? "--order" : "--input-order")}: {name} needs none; the option is for streams, which do not carry their order.");
+            throw new NeuronException($"{(InputOrder is null ? "--order" : "--input-order")}: {name} does not need it; the option is for streams, which do not carry their order.");
         if (Avatar is not null)
             throw new NeuronException($"--avatar: {name} holds one avatar; --avatar is for streams.");
 

@@ -19,7 +19,7 @@ internal sealed class TakeArguments
     private readonly Option<double?> _to = CommonOptions.Time("--to", "End at this time of the take.");
     private readonly Option<bool> _overwrite = CommonOptions.Overwrite("the file");
     private readonly Option<double?> _rate = CommonOptions.Rate();
-    private readonly Option<int?> _avatar = CommonOptions.Avatar("Of a recording: the avatar to take, by its number, from 0. Default: the first.");
+    private readonly Option<int?> _avatar = CommonOptions.Avatar("For a recording: number of the avatar, from 0. Default: the first.");
 
     /// <summary>Creates the arguments.</summary>
     /// <param name="outputName">Name of the output file in the help.</param>
@@ -46,7 +46,7 @@ internal sealed class TakeArguments
     public void RejectContradictions(CommandResult result)
     {
         if (TimeOf(result, _from) >= TimeOf(result, _to))
-            result.AddError("--from: the end, --to, is not later.");
+            result.AddError("--to must be later than --from.");
     }
 
     public FileSettings Read(ParseResult result, FileTask task) => new(task, result.GetValue(_input)!, result.GetValue(_output))

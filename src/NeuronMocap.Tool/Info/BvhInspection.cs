@@ -61,7 +61,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
         double declared = 1 / document.DeclaredFrameTime;
         return Math.Abs(declared - document.FrameRate) < document.FrameRate * 1e-6
             ? rate + Quantity.Format($": the file says {document.DeclaredFrameTime:0.#########} s")
-            : rate + Quantity.Format($": the file says {document.DeclaredFrameTime:0.#########} s, which is {document.FrameTime.Numerator}/{document.FrameTime.Denominator} s rounded ({declared:0.##} Hz at its word)");
+            : rate + Quantity.Format($": the file says {document.DeclaredFrameTime:0.#########} s, which is {document.FrameTime.Numerator}/{document.FrameTime.Denominator} s rounded ({declared:0.##} Hz as stated)");
     }
 
     private static void AddSkeleton(InfoReport report, BvhDocument document, BvhSkeletonMap? map, string? reason)

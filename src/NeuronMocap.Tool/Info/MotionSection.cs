@@ -42,7 +42,7 @@ internal static class MotionSection
         if (!motion.Roles.HasFeet)
             return;
 
-        section.Add("ground", "ground", Quantity.Format($"{Plain(curves.Ground * unit):0.000} {name}: the lowest that a foot comes to"), curves.Ground * unit);
+        section.Add("ground", "ground", Quantity.Format($"{Plain(curves.Ground * unit):0.000} {name}: the lowest position of a foot"), curves.Ground * unit);
         if (curves.LeftContacts is not { } left || curves.RightContacts is not { } right)
             return;
 

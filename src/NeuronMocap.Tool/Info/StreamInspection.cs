@@ -84,7 +84,7 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
     {
         string rate = Quantity.Format($"{source.FrameRate:0.###} Hz");
         if (!isRecording)
-            return rate + (settings.InputRate is null ? ": of the timecodes, or assumed; --rate gives another one" : ": as --rate says");
+            return rate + (settings.InputRate is null ? ": from the timecodes, or assumed; --rate sets another one" : ": as --rate says");
 
         return source.MeasuredFrameRate is { } measured
             ? rate + Quantity.Format($": {measured:0.00} by the times of arrival")

@@ -26,7 +26,7 @@ internal sealed record PlaySettings(string File, double Speed, double? FrameRate
         }
         catch (ArgumentException) when (FrameRate is not null)
         {
-            throw new PlayException($"--rate: {TerminalText.Clean(File)} has times of its own; --speed makes it faster or slower.");
+            throw new PlayException($"--rate: {TerminalText.Clean(File)} has its own times; --speed changes its speed.");
         }
         catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException or ArgumentException)
         {

@@ -17,7 +17,7 @@ internal sealed class BodyMotion : PointMotion
     public BodyMotion(MotionSource source)
     {
         _source = source;
-        FrameCount = source.FrameCount ?? throw new ArgumentException("A performance without end cannot be drawn.", nameof(source));
+        FrameCount = source.FrameCount ?? throw new ArgumentException("The source must have an end.", nameof(source));
         Vector3[] offsets = new Vector3[BoneHierarchy.BoneCount];
         Vector3[] endSites = new Vector3[BoneHierarchy.BoneCount];
         source.GetBody(offsets, endSites);

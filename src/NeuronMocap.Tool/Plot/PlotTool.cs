@@ -30,7 +30,7 @@ internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
         {
             BvhDocument document = BvhFile.Load(settings.Input, progress, cancellationToken);
             if (document.FrameCount == 0)
-                throw new NeuronException("The file holds a skeleton and no frames.");
+                throw new NeuronException("The file holds a skeleton but no frames.");
             if (!range.IsAll)
             {
                 (long first, long count) = range.FramesOf(document.FrameCount, document.FrameRate);

@@ -48,7 +48,7 @@ internal sealed class SvgDrawing : IDisposable
     public static string Number(double value)
     {
         if (!double.IsFinite(value))
-            throw new ArgumentOutOfRangeException(nameof(value), value, "Only what is somewhere can be drawn.");
+            throw new ArgumentOutOfRangeException(nameof(value), value, "Coordinates must be finite.");
 
         double rounded = Math.Round(value, 2);
         return (rounded == 0 ? 0 : rounded).ToString("0.##", CultureInfo.InvariantCulture);

@@ -33,7 +33,7 @@ internal sealed class SimulateRun(SimulateArguments arguments, ParseResult resul
         }
         catch (ArgumentException exception) when (exception.ParamName is nameof(BroadcasterOptions.FrameRate))
         {
-            throw new SimulatorException("--rate: the file's own rate is not from 0.01 to 100000 Hz; give one.");
+            throw new SimulatorException("--rate: the file's own rate is not from 0.01 to 100000 Hz; set a rate.");
         }
         catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException)
         {

@@ -11,14 +11,14 @@ internal sealed class SimulatedPlayArguments
     private readonly Option<FileInfo?> _play = new("--play")
     {
         HelpName = "FILE",
-        Description = "Play a recording (neuron-mocap watch --record), or the bytes of a stream that somebody wrote to a file: byte for byte as it was received, at its own "
-            + "times. Bytes without times are sent at --rate, or as their timecodes say, or at 120 frames per second.",
+        Description = "Play a recording (neuron-mocap watch --record), or the raw bytes of a stream, byte for byte as received, at the recorded "
+            + "times. Bytes without times are sent at --rate, at the rate of their timecodes, or at 120 frames per second.",
     };
 
     private readonly Option<double?> _speed = new("--speed")
     {
         HelpName = "N",
-        Description = "With --play: how many times as fast as it was recorded, 0.01 to 100. Default: 1. As fast as clients read: --rate max.",
+        Description = "With --play: speed relative to the recording, 0.01 to 100. Default: 1. To send as fast as clients read, use --rate max.",
         CustomParser = ParseSpeed,
     };
 
@@ -68,12 +68,12 @@ internal sealed class SimulatedPlayArguments
             using RecordedFrameReader reader = RecordedFrameReader.Open(file.FullName, options);
             string pace = isMax ? "as fast as clients read" : string.Create(CultureInfo.InvariantCulture, $"speed {speed ?? 1:0.##}");
             string description = string.Create(
-                CultureInfo.InvariantCulture, $"Playing {file.Name}: {reader.Duration.TotalSeconds:0.0} s, {pace}{(loop ? ", again and again" : "")}");
+                CultureInfo.InvariantCulture, $"Playing {file.Name}: {reader.Duration.TotalSeconds:0.0} s, {pace}{(loop ? ", in a loop" : "")}");
             return new SimulatedPlaySettings(file.FullName, speed ?? 1, loop, description);
         }
         catch (ArgumentException)
         {
-            throw new UsageException($"--rate: {file.Name} has times of its own; --speed makes it faster or slower, --rate max as fast as clients read.");
+            throw new UsageException($"--rate: {file.Name} has its own times; --speed changes its speed, and --rate max sends it as fast as clients read.");
         }
     }
 

@@ -93,7 +93,7 @@ internal static class SimulatorOptions
         if (format == BroadcastFormat.Text && header is not null)
             throw new UsageException("--format text has no headers: leave out --header.");
         if (format == BroadcastFormat.Studio && header == HeaderLayout.Old)
-            throw new UsageException("--format studio has the new header; Axis Studio's old one is --format binary --header old.");
+            throw new UsageException("--format studio uses the new header; for Axis Studio's old header use --format binary --header old.");
         if (format != BroadcastFormat.Text && result.GetValue(arguments.Decimals) is not null)
             throw new UsageException("--decimals is for --format text; packets carry every value as it is.");
     }
@@ -103,7 +103,7 @@ internal static class SimulatorOptions
         foreach (IGrouping<int?, string> same in ports.Where(port => port.Port > 0).GroupBy(port => port.Port, port => port.Option))
         {
             if (same.Count() > 1)
-                throw new UsageException($"{string.Join(" and ", same)} are both {same.Key}; each takes a port of its own.");
+                throw new UsageException($"{string.Join(" and ", same)} are both {same.Key}; each needs its own port.");
         }
     }
 
@@ -121,7 +121,7 @@ internal static class SimulatorOptions
         }
         catch (SocketException exception)
         {
-            throw new SimulatorException($"--udp: the host name {host} leads nowhere ({exception.SocketErrorCode}).");
+            throw new SimulatorException($"--udp: the host name {host} has no address ({exception.SocketErrorCode}).");
         }
     }
 }

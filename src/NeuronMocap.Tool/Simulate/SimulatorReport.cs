@@ -105,7 +105,7 @@ internal sealed class SimulatorReport(
     {
         { Calculation: null, StudioCalculation: null } => string.Empty,
         { SendMotion: false } => $", {packets} alone",
-        { CalculationPort: not null } => $", {packets} on a port of their own",
+        { CalculationPort: not null } => $", {packets} on a separate port",
         _ => $", {packets}",
     };
 

@@ -16,7 +16,7 @@ internal static class StartFailure
         nameof(BroadcasterOptions.Port) => DescribePort("--port", options.Port, options.BindAddress, exception),
         nameof(BroadcasterOptions.CalculationPort) => DescribePort("--calculation-port", options.CalculationPort, options.BindAddress, exception),
         nameof(BroadcasterOptions.BindAddress) => DescribeAddress(options.BindAddress, exception),
-        _ => $"--udp: this machine has no route to {string.Join(" or ", options.UdpDestinations)} ({CodeOf(exception)}).",
+        _ => $"--udp: this computer has no route to {string.Join(" or ", options.UdpDestinations)} ({CodeOf(exception)}).",
     };
 
     /// <summary>Describes why the command channel could not start.</summary>
@@ -28,11 +28,11 @@ internal static class StartFailure
 
     private static string DescribePort(string option, int? port, IPAddress address, BroadcasterException exception) =>
         CodeOf(exception) == SocketError.AccessDenied
-            ? $"{option}: this user may not listen on port {port}; choose one from 1024 up (0 takes any free one)."
-            : $"{option}: port {port} on {address} is used by another program; end that one, or choose another port (0 takes any free one).";
+            ? $"{option}: this user may not listen on port {port}; choose a port from 1024 up (0 takes any free port)."
+            : $"{option}: port {port} on {address} is used by another program; close that program, or choose another port (0 takes any free port).";
 
     private static string DescribeAddress(IPAddress address, BroadcasterException exception) =>
-        $"--bind: this machine cannot listen on {address} ({CodeOf(exception)}); give one of its own addresses, or 0.0.0.0 for all.";
+        $"--bind: this computer cannot listen on {address} ({CodeOf(exception)}); use an address of this computer, or 0.0.0.0 for all of them.";
 
     private static SocketError? CodeOf(BroadcasterException exception) => (exception.InnerException as SocketException)?.SocketErrorCode;
 }

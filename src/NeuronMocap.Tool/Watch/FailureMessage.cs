@@ -42,7 +42,7 @@ internal sealed class FailureMessage
             problem = _problem;
 
         if (problem.Reason == ConnectionReason.EndOfRecording)
-            return $"{problem.Describe()} No frame is in it.";
+            return $"{problem.Describe()} It holds no frames.";
 
         // The run ended before the reader's silence check could identify the bytes.
         if (statistics.BytesSkipped > 0 && problem.Reason == ConnectionReason.None)

@@ -23,7 +23,7 @@ internal static class ArchiveWriter
     private static void Compare(IReadOnlyDictionary<string, byte[]> expected, IReadOnlyDictionary<string, byte[]> actual, string archive)
     {
         if (expected.Keys.Union(actual.Keys).FirstOrDefault(path => !AreEqual(path, expected, actual)) is { } different)
-            throw new PackagerException($"{archive}: {different} is missing, too much or not what it was.");
+            throw new PackagerException($"{archive}: {different} is missing, unexpected or changed.");
     }
 
     private static bool AreEqual(string path, IReadOnlyDictionary<string, byte[]> expected, IReadOnlyDictionary<string, byte[]> actual) =>

@@ -16,7 +16,7 @@ internal static class LibraryCheck
 
     public static IEnumerable<string> Check(StagedPackage package) =>
     [
-        .. package.Files.Keys.Where(IsForeign).Select(static path => $"{path}: is none of our libraries"),
+        .. package.Files.Keys.Where(IsForeign).Select(static path => $"{path}: is not one of our libraries"),
         .. MirroredFile.Assemblies.SelectMany(assembly => CheckAssembly(assembly, package)),
     ];
 
@@ -51,15 +51,15 @@ internal static class LibraryCheck
         {
             string name = metadata.GetString(metadata.GetAssemblyReference(handle).Name);
             if (name != "netstandard" && !MirroredFile.Assemblies.Contains(name))
-                yield return $"needs {name}, which Unity may not have, or may have twice";
+                yield return $"needs {name}, which Unity may lack or have twice";
         }
 
         foreach (string member in FindReflection(metadata))
-            yield return $"uses {member}: what is found by reflection is lost when Unity strips code, and needs a [Preserve]";
+            yield return $"uses {member}: Unity strips members that are only found by reflection, unless they have [Preserve]";
 
         Version actual = metadata.GetAssemblyDefinition().Version;
         if (!version.StartsWith(actual.ToString(3), StringComparison.Ordinal))
-            yield return $"is of version {actual.ToString(3)}, package.json of {version}";
+            yield return $"has version {actual.ToString(3)}, package.json has {version}";
     }
 
     // At run time the libraries only look up names of enumeration members. Stripping keeps these with their type.
@@ -98,6 +98,6 @@ internal static class LibraryCheck
             .Select(handle => metadata.GetString(metadata.GetDocument(handle).Name))
             .Where(static name => !name.StartsWith(MappedRoot, StringComparison.Ordinal))
             .Take(1)
-            .Select(static name => $"contains {name}, a path of the machine it was built on")];
+            .Select(static name => $"contains {name}, a path of the computer that built it")];
     }
 }

@@ -37,11 +37,11 @@ internal static partial class ManifestCheck
     private static IEnumerable<string> CheckTexts(JsonElement manifest)
     {
         if (!Name().IsMatch(GetText(manifest, "name")))
-            yield return "package.json: name has to be small letters with dots between them";
+            yield return "package.json: name must be lower-case letters with dots between them";
         if (!SemanticVersion().IsMatch(GetText(manifest, "version")))
-            yield return "package.json: version has to be like 1.2.3 or 1.2.3-preview.1";
+            yield return "package.json: version must look like 1.2.3 or 1.2.3-preview.1";
         if (!UnityVersion().IsMatch(GetText(manifest, "unity")))
-            yield return "package.json: unity has to be like 2021.3";
+            yield return "package.json: unity must look like 2021.3";
 
         if (manifest.TryGetProperty("dependencies", out JsonElement dependencies))
         {

@@ -18,7 +18,7 @@ internal static partial class SceneCheck
             foreach (string guid in Reference().Matches(package.ReadText(path)).Select(static match => match.Groups["guid"].Value).Distinct(StringComparer.Ordinal))
             {
                 if (!known.Contains(guid))
-                    yield return $"{path}: refers to {guid}, which is nothing in the package";
+                    yield return $"{path}: refers to {guid}, which is not in the package";
             }
         }
     }

@@ -13,11 +13,11 @@ internal static partial class SourceCheck
         {
             string[] lines = package.ReadText(path).Split('\n');
             if (!Has(lines, "[assembly:") && !Has(lines, "#nullable enable"))
-                yield return $"{path}: does not say #nullable enable";
+                yield return $"{path}: lacks #nullable enable";
             if (!Has(lines, "[assembly:") && !Has(lines, "namespace NeuronMocap.Unity"))
-                yield return $"{path}: is in no namespace of the package";
+                yield return $"{path}: does not use a namespace of the package";
             if (Path.GetFileNameWithoutExtension(path).Split('.')[0] is var name && Array.Exists(lines, line => Component().IsMatch(line)) && !Array.Exists(lines, line => Component().Match(line).Groups["name"].Value == name))
-                yield return $"{path}: Unity finds a component only in a file of its name";
+                yield return $"{path}: Unity finds a component only in a file with its name";
             if (AssemblyDefinition.Owning(path, definitions) is { IsEditorOnly: false } && FindUnguarded(lines) is { } number)
                 yield return $"{path}:{number}: uses the editor outside #if UNITY_EDITOR";
         }

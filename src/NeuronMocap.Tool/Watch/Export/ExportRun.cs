@@ -43,7 +43,7 @@ internal sealed class ExportRun : IDisposable
             streams.Complain($"{Describe(file)}");
 
         if (_export.Files.Count == 0 && _export.Failure is null)
-            streams.Complain("no motion frame came, and no file was written.");
+            streams.Complain("no motion frame arrived, so no file was written.");
         if (_export.FramesDropped is > 0 and var missing)
         {
             string frames = missing == 1 ? "1 frame" : string.Create(CultureInfo.InvariantCulture, $"{missing} frames");
