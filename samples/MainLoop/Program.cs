@@ -64,7 +64,7 @@ for (int turn = 1; turn <= seconds * TurnsPerSecond; turn++)
 
     if (turn == HitchTurn)
     {
-        Console.WriteLine("The loop stands still for half a second.");
+        Console.WriteLine("The loop pauses for half a second.");
         Thread.Sleep(500);
     }
 
@@ -84,7 +84,7 @@ long received = reader.GetStatistics().Frames;
 Console.WriteLine($"{received} frames received = {taken} taken + {queue.Dropped} dropped; {game.Drawn} were drawn.");
 return received > 0 && received == taken + queue.Dropped ? 0 : 1;
 
-/// <summary>Stands for the game in this loop.</summary>
+/// <summary>The game that this loop runs.</summary>
 internal sealed class Game
 {
     private Vector3? _hips;

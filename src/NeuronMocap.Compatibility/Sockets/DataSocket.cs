@@ -52,7 +52,7 @@ internal abstract class DataSocket : VendorSocket
         };
     }
 
-    // Null if there can be no connection. Commands can be sent in any state of the reader; they return false where sending is impossible.
+    // Null if a connection is impossible. Commands may be called in any state of the reader. They return false if they cannot be sent.
     public DataCommands? Commands => _reader?.DataCommands;
 
     protected IVendorCallbacks Callbacks { get; }

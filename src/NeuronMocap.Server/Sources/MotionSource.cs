@@ -51,7 +51,7 @@ public abstract class MotionSource
         offsets[(int)Bone.Hips] = new Vector3(0, offsets[(int)Bone.Hips].Y, 0);
     }
 
-    // The motion around a frame: it continues after the frame and before it. Used for values computed from a frame and its neighbours.
+    // The motion that applies at a frame, also before and after it. Used for values that are computed from a frame and its neighbours.
     internal virtual MotionSource At(long frame) => this;
 
     /// <summary>

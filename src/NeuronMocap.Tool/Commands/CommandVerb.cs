@@ -48,7 +48,7 @@ internal sealed class CommandVerb : Verb
 
     public override IReadOnlyList<HelpExample> Examples { get; } =
     [
-        new("command 192.168.1.20", "rotation order, bone sizes and what the BVH header says; port 8013"),
+        new("command 192.168.1.20", "rotation order, bone sizes and the contents of the BVH header; port 8013"),
         new("command 192.168.1.20 order", "the rotation order alone"),
         new("command 192.168.1.20:8014 header --avatar 1 > body.bvh", "the BVH header of the second avatar, from another port"),
         new("command 192.168.1.20 zero-out --avatar 0", "zeroes out avatar 0; without --avatar all of them"),

@@ -23,7 +23,7 @@ internal static class FileKinds
     private static readonly string[] BvhWords = ["HIERARCHY", "MOTION", "CHANNELS"];
 
     /// <summary>Determines the kind of a file by its contents.</summary>
-    /// <exception cref="NeuronException">The file has no kind that can be read.</exception>
+    /// <exception cref="NeuronException">The kind of the file is not supported.</exception>
     /// <exception cref="IOException">The file does not exist or cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
     public static FileKind Recognize(string path)

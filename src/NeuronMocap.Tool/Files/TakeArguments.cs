@@ -15,7 +15,7 @@ internal sealed class TakeArguments
     };
 
     private readonly Argument<string> _output;
-    private readonly Option<double?> _from = CommonOptions.Time("--from", "Begin at this time of the take.");
+    private readonly Option<double?> _from = CommonOptions.Time("--from", "Start at this time of the take.");
     private readonly Option<double?> _to = CommonOptions.Time("--to", "End at this time of the take.");
     private readonly Option<bool> _overwrite = CommonOptions.Overwrite("the file");
     private readonly Option<double?> _rate = CommonOptions.Rate();

@@ -11,7 +11,7 @@ using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch;
 
-/// <summary>One run of the program, with a reader and an output. It ends with the first event that can end it.</summary>
+/// <summary>One run of the program, with a reader and an output. It ends with its stream, its limit, a failure or a request of the user.</summary>
 internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
 {
     private readonly TaskCompletionSource<ReaderStatistics> _limitReached = new(TaskCreationOptions.RunContinuationsAsynchronously);

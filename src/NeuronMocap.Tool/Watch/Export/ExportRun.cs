@@ -77,7 +77,7 @@ internal sealed class ExportRun : IDisposable
             BvhBodyOrigin.Dimensions => "bone lengths from the sizes of the command channel",
             _ => "lengths of the bones of the default body",
         };
-        string repeated = file.RepeatedFrames == 0 ? "" : $" {file.RepeatedFrames} of them stand in for lost ones;";
+        string repeated = file.RepeatedFrames == 0 ? "" : $" {file.RepeatedFrames} of them replace lost frames;";
         string late = file.LateFrames == 0 ? "" : $" {file.LateFrames} more came too late;";
         return string.Create(
             CultureInfo.InvariantCulture,

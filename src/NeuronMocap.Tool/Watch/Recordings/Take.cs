@@ -18,7 +18,7 @@ internal sealed class Take(StreamRecorder recorder, long framesBefore)
     /// <param name="arrived">Frames that have arrived in the whole run.</param>
     public long CountFrames(long arrived) => (_framesAtEnd ?? arrived) - framesBefore;
 
-    /// <summary>Starts to stop the recording, without waiting for the disk.</summary>
+    /// <summary>Requests the end of the recording, without waiting for the disk.</summary>
     /// <param name="arrived">Frames that have arrived in the whole run.</param>
     /// <returns>A task that completes when the file is closed.</returns>
     public Task StopAsync(long arrived)
