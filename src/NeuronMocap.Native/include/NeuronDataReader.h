@@ -115,8 +115,8 @@ NEURONDATAREADER_API void NEURONDATAREADER_CALL BRRegisterSocketStatusCallback(v
  *
  * @param serverIP Address or name of the server. The vendor's library ended the process if it could not find the name.
  * @param nPort    Port of the server, 1 to 65535. By default 7001 for BVH and 7003 for calculation data.
- * @return The connection, or an existing connection to the same address and port. A status callback for the start of a connection also gets that
- *         connection, although it is still starting. NULL on failure; BRGetLastErrorMessage then gives the reason.
+ * @return The connection, or an existing connection to the same address and port. A call from a status callback that reports the start of a connection
+ *         also returns that connection, although it is still starting. NULL on failure; BRGetLastErrorMessage then gives the reason.
  */
 NEURONDATAREADER_API SOCKET_REF NEURONDATAREADER_CALL BRConnectTo(const char *serverIP, int nPort);
 

@@ -4,10 +4,10 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>Reads every byte of a recording in order of arrival, in units of which a client cannot miss one half.</summary>
+/// <summary>Reads every byte of a recording in order of arrival, in units that a client receives whole or not at all.</summary>
 /// <remarks>
-/// A unit is a packet or a line of text. It includes the bytes before it that are neither, and the bytes between a line and the next packet. The time
-/// of a unit is the arrival of its last byte. Not thread-safe.
+/// A unit is a packet or a line of text. It includes the bytes before it that are neither, and text directly behind a line. The time of a unit is the
+/// arrival of its last byte. Not thread-safe.
 /// </remarks>
 internal sealed class RecordedUnits : IDisposable
 {

@@ -102,7 +102,7 @@ internal sealed class SimulateArguments
     {
         HelpName = "HZ|max",
         Description = "Frames per second, 0.01 to 100000, or max: each client gets all frames from frame 0, as fast as it reads; "
-            + "the program ends when all clients have left. A file is sent row by row, so a rate other than its own changes its speed. "
+            + "the program ends when clients have connected and all have left. A file is sent row by row, so a rate other than its own changes its speed. "
             + "Default: the rate of the source.",
     };
 
