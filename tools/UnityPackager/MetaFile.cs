@@ -4,15 +4,17 @@ using System.Text.RegularExpressions;
 
 namespace NeuronMocap.UnityPackager;
 
-/// <summary>The texts of Unity's .meta files. A meta holds the asset's GUID, with which scenes and prefabs refer to it, and its import
-/// settings.</summary>
+/// <summary>
+/// The texts of Unity's .meta files. A meta holds the asset's GUID, with which scenes and prefabs refer to it, and its import settings.
+/// </summary>
 internal static partial class MetaFile
 {
     private const string PackageName = "org.neuronmocap.unity";
     private const string Labels = "  userData: \n  assetBundleName: \n  assetBundleVariant: \n";
 
-    /// <summary>Derives the GUID of an asset without a meta from its path, so that every build gives the same GUID. It stays when the asset
-    /// moves.</summary>
+    /// <summary>
+    /// Derives the GUID of an asset without a meta from its path, so that every build gives the same GUID. It stays when the asset moves.
+    /// </summary>
     public static string DeriveGuid(string path)
     {
         byte[] hash = SHA256.HashData(Encoding.UTF8.GetBytes($"{PackageName}/{path}"));

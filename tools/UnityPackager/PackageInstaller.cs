@@ -22,8 +22,9 @@ internal static class PackageInstaller
         return target;
     }
 
-    /// <summary>Writes built and mirrored files into the package's own folder. A project that refers to that folder then has a complete
-    /// package.</summary>
+    /// <summary>
+    /// Writes built and mirrored files into the package's own folder. A project that refers to that folder then has a complete package.
+    /// </summary>
     public static void CompleteInPlace(string packageFolder, StagedPackage package) =>
         Write(package.Files.Where(static file => MirroredFile.All.Any(mirrored => mirrored.Path == file.Key)), packageFolder);
 

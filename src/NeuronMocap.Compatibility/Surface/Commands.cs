@@ -12,8 +12,9 @@ public struct CommandPack
     /// <summary>Version of the command format.</summary>
     public uint DataVersion;
 
-    /// <summary>Length of the packet in bytes. Servers are not exact about it. <see cref="DataCount"/> gives the amount of data that
-    /// follows.</summary>
+    /// <summary>
+    /// Length of the packet in bytes. Servers are not exact about it. <see cref="DataCount"/> gives the amount of data that follows.
+    /// </summary>
     public uint DataLength;
 
     /// <summary>Number of entries that follow: bone sizes, or bytes of text.</summary>

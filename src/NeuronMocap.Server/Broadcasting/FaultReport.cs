@@ -2,8 +2,9 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>Reports exceptions from a server's threads to the handlers. Without a handler, the first one goes to <see cref="Trace"/>. Never
-/// throws.</summary>
+/// <summary>
+/// Reports exceptions from a server's threads to the handlers. Without a handler, the first one goes to <see cref="Trace"/>. Never throws.
+/// </summary>
 /// <param name="server">Name of the server in the trace.</param>
 internal sealed class FaultReport(string server)
 {

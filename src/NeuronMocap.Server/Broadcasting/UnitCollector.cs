@@ -2,8 +2,9 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>Cuts the output of an assembler into the units of a broadcast and keeps every byte. Does not allocate once its buffers have
-/// grown.</summary>
+/// <summary>
+/// Cuts the output of an assembler into the units of a broadcast and keeps every byte. Does not allocate once its buffers have grown.
+/// </summary>
 internal sealed class UnitCollector : IPacketReceiver
 {
     // When this many bytes do not belong to a packet, they form a unit and no longer wait for a packet.

@@ -144,8 +144,9 @@ public sealed partial class BroadcasterOptions
     /// <summary>Decimals of the numbers in text, 0 to 6. The number that real servers send is unknown. Default: 2.</summary>
     public int TextDecimals { get; set; } = TextEncoder.DefaultDecimals;
 
-    /// <summary>Whether TCP clients get answers to data commands, which they send on the data connection (protocol.md section 7). Default:
-    /// true.</summary>
+    /// <summary>
+    /// Whether TCP clients get answers to data commands, which they send on the data connection (protocol.md section 7). Default: true.
+    /// </summary>
     /// <remarks>
     /// The commands ask for bone sizes, BVH text, the number of avatars, the frequency and the combination mode, and register for changes of them.
     /// Servers newer than b12 do not answer. Requests do not affect other clients: at most 1024 requests of a client wait, and further requests are

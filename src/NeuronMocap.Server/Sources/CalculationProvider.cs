@@ -10,6 +10,7 @@ namespace NeuronMocap.Server;
 /// in the options.
 /// </param>
 /// <param name="frame">Frame number, from 0, below the frame count of the source.</param>
-/// <param name="values">Room for exactly 946 values. The provider writes all of them, in metres, metres per second and the units of the
-/// sensors.</param>
+/// <param name="values">
+/// Room for exactly 946 values. The provider writes all of them, in metres, metres per second and the units of the sensors.
+/// </param>
 public delegate void CalculationProvider(MotionSource source, long frame, Span<float> values);

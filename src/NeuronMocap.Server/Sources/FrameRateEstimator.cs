@@ -32,8 +32,9 @@ public sealed class FrameRateEstimator
     public bool IsUniform => !_isBroken && _count >= MinOnGrid && _shortest > 0 && _shortest <= _longest;
 
     /// <summary>The estimated rate. Null if the times do not give a rate.</summary>
-    /// <value>On an even grid, the rate of the grid. Otherwise a usual rate within one per cent of the measured one, or else the measured
-    /// rate.</value>
+    /// <value>
+    /// On an even grid, the rate of the grid. Otherwise a usual rate within one per cent of the measured one, or else the measured rate.
+    /// </value>
     public double? FrameRate => IsUniform ? FindEvenRate() : MeasuredFrameRate is { } measured ? RecordingSource.ChooseFrameRate(measured) : null;
 
     /// <summary>Adds a frame.</summary>

@@ -34,7 +34,7 @@ internal sealed class DiagnoseVerb : Verb
     private readonly Option<ServerAddress?> _server = new("--server")
     {
         HelpName = "HOST",
-        Description = "With udp://: the computer that should send. The diagnosis checks whether it offers the stream over TCP instead. Default: this computer.",
+        Description = "With udp://: the computer that should send, to check whether it offers the stream over TCP instead. Default: this computer.",
         CustomParser = static result => ParseServer(result),
         Arity = ArgumentArity.ExactlyOne,
     };

@@ -35,8 +35,9 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     /// </summary>
     public RotationOrder? RotationOrder { get; init; }
 
-    /// <summary>For convert, the rotation order of the input stream, which streams do not carry. Null for the order that the file states, or
-    /// YXZ.</summary>
+    /// <summary>
+    /// For convert, the rotation order of the input stream, which streams do not carry. Null for the order that the file states, or YXZ.
+    /// </summary>
     public RotationOrder? InputOrder { get; init; }
 
     /// <summary>Frame rate of the output in frames per second; null for that of the input.</summary>

@@ -36,8 +36,9 @@ internal abstract class WatchOutput
     /// <summary>Called once at the end, when nothing more arrives.</summary>
     public abstract void Finish(ReaderStatistics statistics);
 
-    /// <summary>Keeps the reason for the end of the run. A closed pipe is not a failure: `neuron-mocap watch --json | head -1` closes it on
-    /// purpose.</summary>
+    /// <summary>
+    /// Keeps the reason for the end of the run. A closed pipe is not a failure: `neuron-mocap watch --json | head -1` closes it on purpose.
+    /// </summary>
     protected void OnWriteFailed(IOException exception)
     {
         if (!IsBrokenPipe(exception))

@@ -4,8 +4,9 @@ using NeuronMocap.Server;
 
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>Describes why a port or a destination is not available. The text names options of the program instead of members of the
-/// library.</summary>
+/// <summary>
+/// Describes why a port or a destination is not available. The text names options of the program instead of members of the library.
+/// </summary>
 internal static class StartFailure
 {
     /// <summary>Describes why the broadcast could not start.</summary>

@@ -5,8 +5,9 @@ namespace NeuronMocap.Tool.Terminal;
 /// <summary>Breaks text into lines, for views that need to know the number of lines.</summary>
 internal static class WrappedText
 {
-    /// <summary>Breaks text between words. If there are too many lines, the first ones are left out, because the end names the setting to
-    /// change.</summary>
+    /// <summary>
+    /// Breaks text between words. If there are too many lines, the first ones are left out, because the end names the setting to change.
+    /// </summary>
     /// <param name="text">One line, safe for a terminal.</param>
     /// <param name="width">Width of a line in cells, at least 1.</param>
     /// <param name="most">Maximum number of lines.</param>

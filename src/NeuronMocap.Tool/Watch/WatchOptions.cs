@@ -77,8 +77,9 @@ internal sealed record WatchOptions
 
     public OutputKind Output { get; init; }
 
-    /// <summary>Finds values that are valid separately but not together, and describes the fault in words of this program. Null if there is
-    /// none.</summary>
+    /// <summary>
+    /// Finds values that are valid separately but not together, and describes the fault in words of this program. Null if there is none.
+    /// </summary>
     public string? FindFault()
     {
         try

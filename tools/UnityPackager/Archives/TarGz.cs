@@ -3,8 +3,9 @@ using System.IO.Compression;
 
 namespace NeuronMocap.UnityPackager.Archives;
 
-/// <summary>A gzipped tar whose bytes depend only on the names and contents of the files. It has no times, owners or traces of the
-/// computer.</summary>
+/// <summary>
+/// A gzipped tar whose bytes depend only on the names and contents of the files. It has no times, owners or traces of the computer.
+/// </summary>
 internal static class TarGz
 {
     // The time that npm gives all files of its archives.

@@ -2,8 +2,9 @@ using System.Text.Json;
 
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>Checks that every source belongs to an assembly, and that references exist. An application must not get assemblies of the editor or
-/// tests.</summary>
+/// <summary>
+/// Checks that every source belongs to an assembly, and that references exist. An application must not get assemblies of the editor or tests.
+/// </summary>
 internal static class AssemblyDefinitionCheck
 {
     private static readonly string[] TestAssemblies = ["UnityEngine.TestRunner", "UnityEditor.TestRunner"];

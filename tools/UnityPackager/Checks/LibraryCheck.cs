@@ -3,8 +3,9 @@ using System.Reflection.PortableExecutable;
 
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>Checks the libraries: only our own, dependent only on netstandard, with the version of the manifest, and without paths of the
-/// build.</summary>
+/// <summary>
+/// Checks the libraries: only our own, dependent only on netstandard, with the version of the manifest, and without paths of the build.
+/// </summary>
 internal static class LibraryCheck
 {
     // The root to which the projects map their folder in symbols.

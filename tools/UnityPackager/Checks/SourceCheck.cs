@@ -2,8 +2,9 @@ using System.Text.RegularExpressions;
 
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>Checks that runtime sources use the editor only inside #if UNITY_EDITOR. Sources must be nullable and use a namespace of the
-/// package.</summary>
+/// <summary>
+/// Checks that runtime sources use the editor only inside #if UNITY_EDITOR. Sources must be nullable and use a namespace of the package.
+/// </summary>
 internal static partial class SourceCheck
 {
     public static IEnumerable<string> Check(StagedPackage package)

@@ -68,8 +68,8 @@ internal readonly struct GaitMoment
     // The amount of walking in the body. It grows during the first swing and fades during the last.
     public float Walking => IsWalking ? Easing.Plateau(Units, 0, 1, _steps, _steps + 1) : 0;
 
-    // Distance of the body along the path: constant speed between an acceleration and a deceleration. When a foot lands, the body is a little nearer to
-    // the other foot. Otherwise the rear leg would be longer than the front leg. At a stop the weight is in front of the ankles.
+    // Distance of the body along the path: constant speed between an acceleration and a deceleration. When a foot lands, the body is a little nearer
+    // to the other foot. Otherwise the rear leg would be longer than the front leg. At a stop the weight is in front of the ankles.
     public float Station => _start + (IsWalking ? Advance() : 0) + Easing.Lerp(StandingLead, -WalkingLag, Walking);
 
     // A cosine of the stride: 1 when the right foot lands in front, -1 when the left foot does.

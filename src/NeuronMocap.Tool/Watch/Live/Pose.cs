@@ -25,8 +25,9 @@ internal sealed class Pose
     /// <summary>The transforms of the 59 bones in the world.</summary>
     public ReadOnlySpan<BoneTransform> World => _world;
 
-    /// <summary>Positions of the points of the <see cref="Wireframe"/> in the world, in the order of <see cref="JointPositions"/>;
-    /// centimetres.</summary>
+    /// <summary>
+    /// Positions of the points of the <see cref="Wireframe"/> in the world, in the order of <see cref="JointPositions"/>; centimetres.
+    /// </summary>
     public ReadOnlySpan<Vector3> Points => _points;
 
     public void Take(MotionFrame frame)
