@@ -48,7 +48,7 @@ internal sealed class RowScan
     public int ConstantColumns => _changes.Count(static changes => !changes);
 
     /// <summary>
-    /// Number of flips. In a flip, the angles of a joint change by more than 90 degrees from one frame to the next, but its rotation by less than 30.
+    /// Number of flips. In a flip, the angles of a joint change by more than 90 degrees from one frame to the next. Its rotation changes by less than 30.
     /// </summary>
     public long Flips => _flips.Sum(static count => (long)count);
 
